@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/host_search.h"
 
-#include "app/bus_scan.h"
+#include "app/link_scan.h"
 #include "app/scan_report.h"
 #include "core/base/text.h"
 #include "core/moteus/describe.h"
@@ -45,7 +45,7 @@ struct HostSearch::Scan
     SystemClock clock;
     std::unique_ptr<QObject> context = std::make_unique<QObject>();  // lives on the thread
     std::unique_ptr<CanLink> link;
-    std::unique_ptr<BusScan> scan;
+    std::unique_ptr<LinkScan> scan;
 
     ~Scan()
     {
@@ -76,8 +76,8 @@ struct HostSearch::Scan
         if (link->status().state != LinkState::Up) {
             return fail(link->status().text);
         }
-        scan = std::make_unique<BusScan>(*link);
-        QObject::connect(scan.get(), &BusScan::finished, context.get(), [this, bus, done](const QString& problem) {
+        scan = std::make_unique<LinkScan>(*link);
+        QObject::connect(scan.get(), &LinkScan::finished, context.get(), [this, bus, done](const QString& problem) {
             done(problem.isEmpty() ? resultOf(bus, scan->controllers())
                                    : ScanResult{.bus = bus, .drives = {}, .problems = {problem}});
         });

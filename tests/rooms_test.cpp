@@ -295,17 +295,118 @@ TEST(Rooms, NobodyIsHandedTheProfileOrKeepsIt)
                                               testing::StartsWith("core/witness/sensor_check.h:")));
 }
 
-TEST(Rooms, NoTwoHeadersOfOneName)
+// A program's main() apart.
+TEST(Rooms, NoFileNameTwice)
 {
     std::map<std::string, std::string> seen;
-    for (const char* const top : {"core", "ui"}) {
+    for (const char* const top : {"core", "ui", "app"}) {
         for (const std::string& path : sourcesBelow(top)) {
-            if (path.ends_with(".h")) {
-                const auto [first, isNew] = seen.emplace(path.substr(path.rfind('/') + 1), path);
-                EXPECT_TRUE(isNew) << path << " and " << first->second;
+            const auto [first, isNew] = seen.emplace(path.substr(path.rfind('/') + 1), path);
+            EXPECT_TRUE(isNew || path.ends_with("/main.cpp")) << path << " and " << first->second;
+        }
+    }
+}
+
+// The class of a member that is defined in a line at the beginning of which a definition stands, else empty:
+// "Servo" of "const ServoOutput& Servo::step(double dt)", "Session" of "void Session::Destroy::operator()(int*
+// handle)". Namespaces begin with a small letter.
+std::string classDefinedIn(const std::string& line)
+{
+    const std::string head = line.substr(0, line.find('('));
+    const bool isDefinition = !head.empty() && head.size() < line.size() &&
+                              (isPartOfAWord(head, 0) || head[0] == ':') && head.find(" = ") == std::string::npos;
+    if (!isDefinition) {
+        return {};
+    }
+    std::string name = head.substr(head.find_last_of(" *&") + 1);
+    for (std::size_t end = name.find("::"); end != std::string::npos; end = name.find("::")) {
+        if (std::isupper(static_cast<unsigned char>(name[0])) != 0) {
+            return name.substr(0, end);
+        }
+        name = name.substr(end + 2);
+    }
+    return {};
+}
+
+TEST(Rooms, AMemberShowsItsClass)
+{
+    EXPECT_EQ(classDefinedIn("Servo::Servo(const DriveConfig& config) : m_config(config)"), "Servo");
+    EXPECT_EQ(classDefinedIn("const ServoOutput& Servo::step(double dt)"), "Servo");
+    EXPECT_EQ(classDefinedIn("std::optional<Angle> Server::Connection::at() const"), "Server");
+    EXPECT_EQ(classDefinedIn("void Session::Destroy::operator()(int* handle) const"), "Session");
+    EXPECT_EQ(classDefinedIn("bool Place::operator==(const Place& other) const"), "Place");
+    EXPECT_EQ(classDefinedIn("Result<Angle> parse(Text::Line line)"), "");
+    EXPECT_EQ(classDefinedIn("const Angle kTurn = Angle::fromDegrees(360.0);"), "");
+    EXPECT_EQ(classDefinedIn("    return Servo::limits(command);"), "");
+    EXPECT_EQ(classDefinedIn("// Servo::step() moves it."), "");
+}
+
+// Each class, with its namespace, whose members a source defines. What has no name outside of the source does not
+// count.
+std::set<std::string> classesDefinedIn(const std::string& path)
+{
+    std::set<std::string> found;
+    std::vector<std::string> spaces;
+    std::ifstream file(std::filesystem::path(BORESIGHT_SOURCES) / path);
+    for (std::string line; std::getline(file, line);) {
+        constexpr std::string_view kSpace = "namespace ";
+        if (line.starts_with(kSpace) && line.ends_with('{')) {
+            spaces.push_back(line.substr(kSpace.size(), line.rfind(' ') - kSpace.size() + 1));
+        } else if (line.starts_with("}  // namespace") && !spaces.empty()) {
+            spaces.pop_back();
+        } else if (const std::string name = classDefinedIn(line);
+                   !name.empty() && std::ranges::count(spaces, std::string()) == 0) {
+            found.insert((spaces.empty() ? std::string() : spaces.back()) + name);
+        }
+    }
+    return found;
+}
+
+// A class that wants a second source wants a second class.
+TEST(Rooms, AClassHasOneSource)
+{
+    std::map<std::string, std::string> seen;
+    for (const char* const top : {"core", "ui", "app"}) {
+        for (const std::string& path : sourcesBelow(top)) {
+            if (!path.ends_with(".cpp") ||
+                path == "ui/jog/gamepad_none.cpp") {  // the build takes this or gamepad_sdl.cpp
+                continue;
+            }
+            for (const std::string& name : classesDefinedIn(path)) {
+                const auto [first, isNew] = seen.emplace(name, path);
+                EXPECT_TRUE(isNew) << name << " in " << path << " and " << first->second;
             }
         }
     }
+    EXPECT_GT(seen.size(), 300U);
+}
+
+// The class that begins in this line, else empty. A declaration ends with a semicolon.
+std::string classBegunIn(const std::string& line)
+{
+    constexpr std::string_view kClass = "class ";
+    if (!line.starts_with(kClass) || line.find(';') != std::string::npos) {
+        return {};
+    }
+    return line.substr(kClass.size(), line.find(' ', kClass.size()) - kClass.size());
+}
+
+// Structs of values may share a name in rooms that do not see one another; classes do not.
+TEST(Rooms, NoClassNameTwice)
+{
+    std::map<std::string, std::string> seen;
+    for (const char* const top : {"core", "ui", "app"}) {
+        for (const std::string& path : sourcesBelow(top)) {
+            std::ifstream file(std::filesystem::path(BORESIGHT_SOURCES) / path);
+            for (std::string line; std::getline(file, line);) {
+                if (const std::string name = classBegunIn(line); !name.empty()) {
+                    const auto [first, isNew] = seen.emplace(name, path);
+                    EXPECT_TRUE(isNew) << name << " in " << path << " and " << first->second;
+                }
+            }
+        }
+    }
+    EXPECT_GT(seen.size(), 300U);
 }
 
 }  // namespace

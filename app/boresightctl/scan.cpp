@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/boresightctl/subcommand.h"
-#include "app/bus_scan.h"
+#include "app/link_scan.h"
 #include "app/scan_report.h"
 #include "app/unix_signals.h"
 #include "core/station/adapters.h"
@@ -44,15 +44,15 @@ ExitStatus scan(CanLink& link)
     if (link.status().state != LinkState::Up) {
         return fail(link.status().text.toStdString());
     }
-    app::BusScan scan(link);
+    app::LinkScan scan(link);
     app::UnixSignals signals;
     ExitStatus status = kFoundWrong;
-    QObject::connect(&scan, &app::BusScan::finished, &scan, [&](const QString& problem) {
+    QObject::connect(&scan, &app::LinkScan::finished, &scan, [&](const QString& problem) {
         status = problem.isEmpty() ? report(scan.controllers(), link) : fail(problem.toStdString());
         QCoreApplication::quit();
     });
     QObject::connect(&signals, &app::UnixSignals::endRequested, qApp, &QCoreApplication::quit);
-    QMetaObject::invokeMethod(&scan, &app::BusScan::start, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(&scan, &app::LinkScan::start, Qt::QueuedConnection);
     QCoreApplication::exec();
     return status;
 }

@@ -106,10 +106,10 @@ void SimulatedDevice::startSensorPublisher()
     const auto topics = m_options.orientationOnly ? sim::PublishedTopics::OrientationOnly : sim::PublishedTopics::All;
     m_sensorPublisher = std::make_unique<sim::SensorPublisher>(*m_sensor, m_clock,
                                                                QString::fromStdString(m_options.sensorTopics), topics);
-    mqtt::Client& client = m_sensorPublisher->client();
-    QObject::connect(&client, &mqtt::Client::connected, &client,
+    mqtt::BrokerClient& client = m_sensorPublisher->client();
+    QObject::connect(&client, &mqtt::BrokerClient::connected, &client,
                      [this] { remark(now(), "the sensor publishes on " + m_options.sensorTopics); });
-    QObject::connect(&client, &mqtt::Client::problemChanged, &client, [this](const QString& problem) {
+    QObject::connect(&client, &mqtt::BrokerClient::problemChanged, &client, [this](const QString& problem) {
         if (!problem.isEmpty()) {
             remark(now(), problem.toStdString());
         }

@@ -15,10 +15,10 @@ tl::unexpected<Error> refuse(std::string text)
 }
 
 // Options and their values one after the other: "--name value", "--name=value", "--name".
-class Reader
+class OptionReader
 {
 public:
-    explicit Reader(Arguments arguments) : m_arguments(arguments) {}
+    explicit OptionReader(Arguments arguments) : m_arguments(arguments) {}
 
     [[nodiscard]] bool atEnd() const { return m_arguments.empty(); }
 
@@ -59,13 +59,13 @@ private:
     std::optional<std::string> m_joined;  // behind "="
 };
 
-Result<> takeText(const std::string& name, Reader& reader, std::string& text)
+Result<> takeText(const std::string& name, OptionReader& reader, std::string& text)
 {
     text = reader.takeValue().value_or("");
     return text.empty() ? refuse("--" + name + " needs a value") : Result<>();
 }
 
-Result<> takeId(const std::string& name, Reader& reader, std::optional<int>& id)
+Result<> takeId(const std::string& name, OptionReader& reader, std::optional<int>& id)
 {
     const std::string text = reader.takeValue().value_or("");
     const std::optional<std::int64_t> number = parseInteger(text);
@@ -76,13 +76,13 @@ Result<> takeId(const std::string& name, Reader& reader, std::optional<int>& id)
     return {};
 }
 
-Result<> takeInjection(const InjectionOption& option, Reader& reader, SimulateOptions& options)
+Result<> takeInjection(const InjectionOption& option, OptionReader& reader, SimulateOptions& options)
 {
     const std::string text = reader.takeValue().value_or("");
     return parseInjection(option, text).map([&](const sim::Injection& one) { options.injections.push_back(one); });
 }
 
-Result<> takeBroker(Reader& reader, SimulateOptions& options)
+Result<> takeBroker(OptionReader& reader, SimulateOptions& options)
 {
     const std::string text = reader.takeValue().value_or("");
     const bool namesPort = text.rfind(':') != std::string::npos && !text.ends_with(']');
@@ -96,7 +96,7 @@ Result<> takeBroker(Reader& reader, SimulateOptions& options)
 }
 
 // A topic begins with it; "+" and "#" stand for several.
-Result<> takeTopics(Reader& reader, SimulateOptions& options)
+Result<> takeTopics(OptionReader& reader, SimulateOptions& options)
 {
     return takeText("sensor-topics", reader, options.sensorTopics).and_then([&]() -> Result<> {
         return options.sensorTopics.find_first_of("+#") == std::string::npos
@@ -105,14 +105,14 @@ Result<> takeTopics(Reader& reader, SimulateOptions& options)
     });
 }
 
-Result<> takeSwitch(const std::string& name, Reader& reader, bool& state)
+Result<> takeSwitch(const std::string& name, OptionReader& reader, bool& state)
 {
     state = true;
     return reader.hasUnusedValue() ? refuse("--" + name + " takes no value") : Result<>();
 }
 
 // Nothing if no option of the sensor has that name.
-std::optional<Result<>> takeOptionOfSensor(const std::string& name, Reader& reader, SimulateOptions& options)
+std::optional<Result<>> takeOptionOfSensor(const std::string& name, OptionReader& reader, SimulateOptions& options)
 {
     if (name == "sensor") {
         return takeText(name, reader, options.sensor);
@@ -135,7 +135,7 @@ std::optional<Result<>> takeOptionOfSensor(const std::string& name, Reader& read
     return std::nullopt;
 }
 
-Result<> takeOption(const std::string& name, Reader& reader, SimulateOptions& options)
+Result<> takeOption(const std::string& name, OptionReader& reader, SimulateOptions& options)
 {
     if (name == "pty") {
         return takeText(name, reader, options.pty);
@@ -199,7 +199,7 @@ sim::PairSettings SimulateOptions::pairSettings() const
 Result<SimulateOptions> parseSimulateOptions(Arguments arguments)
 {
     SimulateOptions options;
-    Reader reader(arguments);
+    OptionReader reader(arguments);
     while (!reader.atEnd()) {
         const Result<> taken =
             reader.takeName().and_then([&](const std::string& name) { return takeOption(name, reader, options); });

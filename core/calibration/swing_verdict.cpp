@@ -60,10 +60,11 @@ CurrentEffect effectOfCurrent(const CompassSwing& swing, std::span<const SwingSa
     return {.correlation = correlation, .amplitude = Angle::fromRadians(std::abs(correlation) * std::sqrt(residuals))};
 }
 
-class Verdict
+class SwingJudge
 {
 public:
-    Verdict(CompassSwing& swing, const SwingLimits& limits) : m_swing(swing), m_limits(limits), m_tally(swing.samples)
+    SwingJudge(CompassSwing& swing, const SwingLimits& limits)
+        : m_swing(swing), m_limits(limits), m_tally(swing.samples)
     {}
 
     void hopeless()
@@ -149,7 +150,7 @@ private:
 
 void judge(CompassSwing& swing, std::span<const SwingSample> usable, const SwingLimits& limits)
 {
-    Verdict verdict(swing, limits);
+    SwingJudge verdict(swing, limits);
     verdict.hopeless();
     verdict.hints();
     verdict.current(effectOfCurrent(swing, usable));

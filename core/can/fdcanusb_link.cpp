@@ -91,7 +91,7 @@ QString FdcanusbLink::name() const
 
 Result<> FdcanusbLink::open()
 {
-    if (m_foreignPort && m_foreignPort == portIdentity(m_path.device())) {
+    if (m_probe.foreign && m_probe.foreign == portIdentity(m_path.device())) {
         return failure(ErrorCode::Refused, m_status.text);
     }
     close();
@@ -110,8 +110,7 @@ Result<> FdcanusbLink::open()
     m_port.clear();  // what was said before we came is not for us
     m_lastCheck = m_clock.now();
     m_lastRestart = m_lastCheck - kRestartPeriod;
-    m_opened = m_lastCheck;
-    m_proven = false;
+    m_probe = {.begun = m_lastCheck};
     updateStatus(LinkState::Up);
     QByteArray probe;
     appendLine(probe, fdcanusb::kBusStatusLine, Command::Status);
@@ -169,7 +168,7 @@ void FdcanusbLink::close()
     m_port.clearError();
     m_adapterTrouble.clear();
     m_busOff = false;
-    m_foreignPort.reset();
+    m_probe.foreign.reset();
     m_status.leftAlone = false;
     reportBus(LinkState::Closed, {});
 }
@@ -189,7 +188,7 @@ Result<> FdcanusbLink::send(std::span<const CanFrame> frames)
     if (!sendLines) {
         return tl::unexpected(sendLines.error());
     }
-    if (!m_proven) {
+    if (!m_probe.proven) {
         return {};  // lost, as any frame may be
     }
     QByteArray lines;
@@ -241,7 +240,7 @@ void FdcanusbLink::handleLine(std::string_view line)
     const auto rule =
         m_checksum == LineChecksum::On ? fdcanusb::ChecksumRule::Require : fdcanusb::ChecksumRule::VerifyIfPresent;
     const fdcanusb::Answer parsed = fdcanusb::parseAnswer(line, rule);
-    m_proven = m_proven || !std::holds_alternative<fdcanusb::Unreadable>(parsed);
+    m_probe.proven = m_probe.proven || !std::holds_alternative<fdcanusb::Unreadable>(parsed);
     std::visit([this](const auto& answer) { handle(answer); }, parsed);
 }
 
@@ -334,10 +333,10 @@ void FdcanusbLink::checkDeadlines()
 
 void FdcanusbLink::checkProbe()
 {
-    if (!isProbing() || m_clock.now() - m_opened < kProbeTime || hasUnread(m_port.handle())) {
+    if (!isProbing() || m_clock.now() - m_probe.begun < kProbeTime || hasUnread(m_port.handle())) {
         return;
     }
-    m_foreignPort = portIdentity(m_path.device());
+    m_probe.foreign = portIdentity(m_path.device());
     m_status.leftAlone = true;
     m_pending.clear();
     m_port.close();

@@ -69,6 +69,12 @@ private:
         Command command;
         SteadyTime deadline;
     };
+    struct Probe  // is an adapter behind the port?
+    {
+        SteadyTime begun{};
+        bool proven = false;                    // the port has answered as an adapter does
+        std::optional<PortIdentity> foreign{};  // a port that has not, and is left alone
+    };
 
     Result<> openPort(const QString& device);
     Result<> claimPort();
@@ -85,7 +91,7 @@ private:
     Command takePending();
 
     void checkDeadlines();
-    [[nodiscard]] bool isProbing() const { return !m_proven && m_status.state == LinkState::Up; }
+    [[nodiscard]] bool isProbing() const { return !m_probe.proven && m_status.state == LinkState::Up; }
     void checkProbe();
     void checkBus(QByteArray& lines);
     void restartController();
@@ -106,9 +112,7 @@ private:
     QString m_busTrouble;      // until a frame is received or the bus status is good
     QString m_adapterTrouble;  // until a frame is accepted again
     std::uint64_t m_unreadableLines = 0;
-    bool m_proven = false;                      // the port has answered as an adapter does
-    std::optional<PortIdentity> m_foreignPort;  // it has not, and is left alone
-    SteadyTime m_opened{};
+    Probe m_probe;
     SteadyTime m_lastCheck{};    // the bus status was asked for, or not needed
     SteadyTime m_lastRestart{};  // the controller was restarted
 };

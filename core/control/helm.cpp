@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/mount/mount_service.h"
+#include "core/pointing/nearest_permitted.h"
 #include "core/units/direction_text.h"
 
 namespace boresight {
@@ -16,7 +17,8 @@ Result<> Helm::mayGoTo(const AxisPosition& place) const
 {
     const pointing::Resolved resolved = view().model.resolve(place);
     if (const Result<> may = Gates(view()).mayBeAt(place); !may) {
-        const auto nearest = resolved.limited ? std::nullopt : m_of.motion.region().nearest(resolved.position);
+        const auto nearest =
+            resolved.limited ? std::nullopt : pointing::nearestPermitted(m_of.motion.region(), resolved.position);
         return nearest ? failure(ErrorCode::OutOfRange, Text::tr("%1; permitted nearest to it: %2")
                                                             .arg(toQString(may.error().text), directionText(*nearest)))
                        : may;

@@ -36,7 +36,7 @@ bool isEndLine(const Words& words)
 }
 
 // Takes the file line by line.
-class Reader
+class CoefficientReader
 {
 public:
     Result<> take(const Words& words)
@@ -115,7 +115,7 @@ private:
 
 Result<Coefficients> parseCoefficients(std::string_view text)
 {
-    Reader reader;
+    CoefficientReader reader;
     int line = 1;
     for (; !text.empty(); ++line) {
         const auto end = std::min(text.find('\n'), text.size());

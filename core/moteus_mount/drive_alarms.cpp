@@ -8,7 +8,7 @@
 namespace boresight::drive_alarms {
 namespace {
 
-using supervision::Finding;
+using supervision::Symptom;
 using supervision::Weight;
 
 QString meaning(const moteus::FaultText& text)
@@ -30,30 +30,30 @@ AlarmCase fault(const QString& drive, int code)
 }
 
 // Where a warning can get worse.
-const AlarmEntry& stopEntryOf(Finding finding)
+const AlarmEntry& stopEntryOf(Symptom symptom)
 {
-    switch (finding) {
-        case Finding::FollowingError:
+    switch (symptom) {
+        case Symptom::FollowingError:
             return alarmEntry("axis.following-error.stop");
-        case Finding::MovesUncommanded:
+        case Symptom::MovesUncommanded:
             return alarmEntry("axis.moves-uncommanded.stop");
-        case Finding::EncoderJump:
+        case Symptom::EncoderJump:
             return alarmEntry("axis.encoder-jump.stop");
-        case Finding::OutsideTravel:
+        case Symptom::OutsideTravel:
             return alarmEntry("axis.outside-travel.stop");
-        case Finding::SupplyLow:
+        case Symptom::SupplyLow:
             return alarmEntry("axis.supply-low.stop");
-        case Finding::Stalled:
-        case Finding::WrongWay:
-        case Finding::RepliesLate:
-        case Finding::SupplyHigh:
-        case Finding::BoardHot:
-        case Finding::MotorHot:
-        case Finding::TorqueHigh:
-        case Finding::TorqueGuard:
+        case Symptom::Stalled:
+        case Symptom::WrongWay:
+        case Symptom::RepliesLate:
+        case Symptom::SupplyHigh:
+        case Symptom::BoardHot:
+        case Symptom::MotorHot:
+        case Symptom::TorqueHigh:
+        case Symptom::TorqueGuard:
             break;
     }
-    return entryOf(finding);
+    return entryOf(symptom);
 }
 
 }  // namespace
@@ -114,37 +114,37 @@ QString limitClause(int code)
 AlarmCase supervised(const supervision::Observed& observed)
 {
     const bool stopped = observed.weight == Weight::Stop;
-    return {stopped ? stopEntryOf(observed.finding) : entryOf(observed.finding), {observed.what}};
+    return {stopped ? stopEntryOf(observed.symptom) : entryOf(observed.symptom), {observed.what}};
 }
 
-const AlarmEntry& entryOf(Finding finding)
+const AlarmEntry& entryOf(Symptom symptom)
 {
-    switch (finding) {
-        case Finding::FollowingError:
+    switch (symptom) {
+        case Symptom::FollowingError:
             return alarmEntry("axis.following-error");
-        case Finding::Stalled:
+        case Symptom::Stalled:
             return alarmEntry("axis.stalled");
-        case Finding::WrongWay:
+        case Symptom::WrongWay:
             return alarmEntry("axis.wrong-way");
-        case Finding::MovesUncommanded:
+        case Symptom::MovesUncommanded:
             return alarmEntry("axis.moves-uncommanded");
-        case Finding::EncoderJump:
+        case Symptom::EncoderJump:
             return alarmEntry("axis.encoder-jump");
-        case Finding::OutsideTravel:
+        case Symptom::OutsideTravel:
             return alarmEntry("axis.outside-travel");
-        case Finding::RepliesLate:
+        case Symptom::RepliesLate:
             return alarmEntry("axis.replies-late");
-        case Finding::SupplyLow:
+        case Symptom::SupplyLow:
             return alarmEntry("axis.supply-low");
-        case Finding::SupplyHigh:
+        case Symptom::SupplyHigh:
             return alarmEntry("axis.supply-high");
-        case Finding::BoardHot:
+        case Symptom::BoardHot:
             return alarmEntry("axis.board-hot");
-        case Finding::MotorHot:
+        case Symptom::MotorHot:
             return alarmEntry("axis.motor-hot");
-        case Finding::TorqueHigh:
+        case Symptom::TorqueHigh:
             return alarmEntry("axis.torque-high");
-        case Finding::TorqueGuard:
+        case Symptom::TorqueGuard:
             break;
     }
     return alarmEntry("axis.torque-guard");

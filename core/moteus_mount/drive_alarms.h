@@ -4,7 +4,7 @@
 #include "core/alarms/alarm_entry.h"
 #include "core/base/text.h"
 #include "core/moteus_mount/drive.h"
-#include "core/supervision/finding.h"
+#include "core/supervision/symptom.h"
 
 #include <QString>
 
@@ -24,7 +24,7 @@ namespace boresight::drive_alarms {
 [[nodiscard]] QString limitClause(int code);  // added to a sentence of the supervision
 [[nodiscard]] AlarmCase supervised(const supervision::Observed& observed);
 // Of the alarm that warns of it, or else stops the mount for it.
-[[nodiscard]] const AlarmEntry& entryOf(supervision::Finding finding);
+[[nodiscard]] const AlarmEntry& entryOf(supervision::Symptom symptom);
 [[nodiscard]] AlarmCase unordered(const QString& drive, moteus::Mode mode);
 
 }  // namespace boresight::drive_alarms

@@ -13,8 +13,8 @@
 namespace boresight {
 namespace {
 
-using supervision::Finding;
 using supervision::LossClass;
+using supervision::Symptom;
 using supervision::Weight;
 
 constexpr std::chrono::seconds kLimitLinger{2};
@@ -42,10 +42,10 @@ LossClass classOf(DriveLoss loss, int faultCode)
 }
 
 // Something pushes the axis or is in its way: a set-point elsewhere would go on pulling, and its drive on pushing.
-bool isGivingWay(Finding finding)
+bool isGivingWay(Symptom symptom)
 {
-    return finding == Finding::FollowingError || finding == Finding::Stalled || finding == Finding::WrongWay ||
-           finding == Finding::MovesUncommanded || finding == Finding::OutsideTravel || finding == Finding::TorqueGuard;
+    return symptom == Symptom::FollowingError || symptom == Symptom::Stalled || symptom == Symptom::WrongWay ||
+           symptom == Symptom::MovesUncommanded || symptom == Symptom::OutsideTravel || symptom == Symptom::TorqueGuard;
 }
 
 }  // namespace
@@ -197,20 +197,20 @@ std::optional<DriveWatch::Trouble> DriveWatch::supervise(Drive& drive, const tra
     // Danger is reported each time that it begins, also behind a fault that waits for its re-arm: the axis must then be
     // held where it is now, not where it was.
     std::optional<Trouble> trouble;
-    std::set<Finding> stops;
+    std::set<Symptom> stops;
     for (const supervision::Observed& observed : seen) {
         tell(observed);
-        const bool jump = observed.finding == Finding::EncoderJump && now.jumped;
+        const bool jump = observed.symptom == Symptom::EncoderJump && now.jumped;
         const bool stop = observed.weight == Weight::Stop;
-        const bool begins = stop && !m_stops.contains(observed.finding);
+        const bool begins = stop && !m_stops.contains(observed.symptom);
         if (stop) {
-            stops.insert(observed.finding);
+            stops.insert(observed.symptom);
         }
         if (jump || (begins && !trouble)) {
             trouble = Trouble{.what = observed.what,
                               .stops = stop || (trouble && trouble->stops),
                               .turnDoubtful = jump,
-                              .gaveWay = stop && isGivingWay(observed.finding)};
+                              .gaveWay = stop && isGivingWay(observed.symptom)};
         }
     }
     m_stops = std::move(stops);
@@ -221,7 +221,7 @@ std::optional<DriveWatch::Trouble> DriveWatch::supervise(Drive& drive, const tra
 // Once, and again when it has become worse.
 void DriveWatch::tell(const supervision::Observed& observed)
 {
-    std::optional<Weight>& told = m_told[observed.finding];
+    std::optional<Weight>& told = m_told[observed.symptom];
     if (!told || (told == Weight::Hint && observed.weight == Weight::Stop)) {
         told = observed.weight;
         const AlarmCase alarm = drive_alarms::supervised(observed);
@@ -233,7 +233,7 @@ void DriveWatch::tell(const supervision::Observed& observed)
 void DriveWatch::endHints(const std::vector<supervision::Observed>& seen)
 {
     std::erase_if(m_told, [&](const auto& told) {
-        const bool lasts = std::ranges::any_of(seen, [&](const auto& one) { return one.finding == told.first; });
+        const bool lasts = std::ranges::any_of(seen, [&](const auto& one) { return one.symptom == told.first; });
         if (lasts || told.second == Weight::Stop) {
             return false;
         }
@@ -259,7 +259,7 @@ void DriveWatch::rearmed()
     m_supervisor.rearmed();
     m_stops.clear();
     endSilence();
-    for (auto& [finding, told] : m_told) {
+    for (auto& [symptom, told] : m_told) {
         told.reset();
     }
 }

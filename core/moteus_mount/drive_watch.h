@@ -71,8 +71,8 @@ private:
     QString m_silenceAdvice;
     bool m_silenceTold = false;  // and not that it is over
     // What has an alarm now, and how it was told; empty: before a re-arm.
-    std::map<supervision::Finding, std::optional<supervision::Weight>> m_told;
-    std::set<supervision::Finding> m_stops;   // what is dangerous now
+    std::map<supervision::Symptom, std::optional<supervision::Weight>> m_told;
+    std::set<supervision::Symptom> m_stops;   // what is dangerous now
     SteadyTime m_observed{};                  // the reply last shown to the supervisor
     SteadyTime m_placed{};                    // and its place
     std::optional<SteadyTime> m_activeSince;  // without our orders

@@ -2,6 +2,7 @@
 #include "core/motion/guarded_axes.h"
 
 #include "core/pointing/missing_axis.h"
+#include "core/pointing/nearest_permitted.h"
 #include "core/pointing/ranges.h"
 
 #include <algorithm>
@@ -195,7 +196,7 @@ void GuardedAxes::stepInside(Seconds duration, const AxisWish& azimuth, const Ax
 // anywhere else brakes first.
 void GuardedAxes::stepOut(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation)
 {
-    const AxisPosition out = m_region.nearest(place()).value_or(place());
+    const AxisPosition out = pointing::nearestPermitted(m_region, place()).value_or(place());
     const AxisBox room = AxisBox::between(place(), out);
     const auto move = [duration](AxisProfile& axis, const TravelRange& free, Angle end, const TravelRange& travel,
                                  const AxisWish& wish) {

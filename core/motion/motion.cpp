@@ -2,6 +2,7 @@
 #include "core/motion/motion.h"
 
 #include "core/base/text.h"
+#include "core/pointing/nearest_permitted.h"
 #include "core/pointing/route.h"
 #include "core/tracking/emergency_braking.h"
 
@@ -155,7 +156,7 @@ std::optional<tracking::MovingTarget> Motion::permitted(const tracking::MovingTa
         m_limited.reset();
         return target;
     }
-    auto nearest = region().nearest(target.position);
+    auto nearest = pointing::nearestPermitted(region(), target.position);
     if (nearest && m_limited && !region().permits(AxisBox::between(*nearest, m_limited->nearest)) &&
         distance(target.position, m_limited->nearest) < distance(target.position, *nearest) + kSidePreference) {
         nearest = m_limited->nearest;

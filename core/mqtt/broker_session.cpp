@@ -64,24 +64,24 @@ void initializeLibrary()
 
 }  // namespace
 
-void Session::Destroy::operator()(mosquitto* handle) const
+void BrokerSession::Destroy::operator()(mosquitto* handle) const
 {
     mosquitto_destroy(handle);
 }
 
-struct Session::Callbacks
+struct BrokerSession::Callbacks
 {
     static void answered(mosquitto* /*handle*/, void* session, int code)
     {
-        static_cast<Session*>(session)->m_answer = code;
+        static_cast<BrokerSession*>(session)->m_told.answer = code;
     }
 
     static void received(mosquitto* /*handle*/, void* session, const mosquitto_message* message)
     {
         if (message->payloadlen > kLargestMessage) {
-            static_cast<Session*>(session)->m_dropped = message->payloadlen;
+            static_cast<BrokerSession*>(session)->m_told.dropped = message->payloadlen;
         } else {
-            static_cast<Session*>(session)->m_inbox.push_back(
+            static_cast<BrokerSession*>(session)->m_told.inbox.push_back(
                 {.topic = QString::fromUtf8(message->topic),
                  .payload = QByteArray(static_cast<const char*>(message->payload), message->payloadlen),
                  .retain = message->retain ? Retain::Yes : Retain::No});
@@ -91,7 +91,7 @@ struct Session::Callbacks
     // MQTT 3.1.1, 3.9.3: below 0x80 it is the quality of service that is granted.
     static void subscribed(mosquitto* /*handle*/, void* session, int number, int count, const int* granted)
     {
-        static_cast<Session*>(session)->m_granted.emplace_back(number, count == 1 && granted[0] < kRefused);
+        static_cast<BrokerSession*>(session)->m_told.granted.emplace_back(number, count == 1 && granted[0] < kRefused);
     }
 
     // "OpenSSL Error[0]: error:0A00010B:SSL routines::wrong version number"
@@ -99,13 +99,13 @@ struct Session::Callbacks
     {
         const QString line = QString::fromUtf8(text);
         if (level == MOSQ_LOG_ERR && line.startsWith(QLatin1String("OpenSSL"))) {
-            static_cast<Session*>(session)->m_tlsError = line.section(QStringLiteral("::"), -1);
+            static_cast<BrokerSession*>(session)->m_told.tlsError = line.section(QStringLiteral("::"), -1);
         }
     }
 };
 
-Session::Session(const Broker& broker, std::shared_ptr<TlsContext> tls, const std::optional<Message>& will,
-                 const Clock& clock, QObject* parent)
+BrokerSession::BrokerSession(const Broker& broker, std::shared_ptr<TlsContext> tls, const std::optional<Message>& will,
+                             const Clock& clock, QObject* parent)
     : QObject(parent),
       m_broker(broker),
       m_tls(std::move(tls)),
@@ -115,16 +115,16 @@ Session::Session(const Broker& broker, std::shared_ptr<TlsContext> tls, const st
       m_writable(QSocketNotifier::Write)
 {
     initializeLibrary();
-    connect(&m_readable, &QSocketNotifier::activated, this, &Session::pump);
-    connect(&m_writable, &QSocketNotifier::activated, this, &Session::socketWritable);
+    connect(&m_readable, &QSocketNotifier::activated, this, &BrokerSession::pump);
+    connect(&m_writable, &QSocketNotifier::activated, this, &BrokerSession::socketWritable);
 }
 
-Session::~Session()
+BrokerSession::~BrokerSession()
 {
     drop();
 }
 
-bool Session::prepare()
+bool BrokerSession::prepare()
 {
     const QByteArray id = m_broker.clientId.toUtf8();
     m_handle.reset(mosquitto_new(id.isEmpty() ? nullptr : id.constData(), true, this));
@@ -153,7 +153,7 @@ bool Session::prepare()
     return done;
 }
 
-void Session::open(const QHostAddress& address)
+void BrokerSession::open(const QHostAddress& address)
 {
     m_opened = m_clock.now();
     int result = MOSQ_ERR_NOMEM;
@@ -175,7 +175,7 @@ void Session::open(const QHostAddress& address)
     watch();
 }
 
-void Session::goodbye()
+void BrokerSession::goodbye()
 {
     if (m_phase == Phase::Accepted) {
         mosquitto_disconnect(m_handle.get());
@@ -183,7 +183,7 @@ void Session::goodbye()
     drop();
 }
 
-void Session::drop()
+void BrokerSession::drop()
 {
     m_phase = Phase::Ended;
     m_readable.setEnabled(false);
@@ -191,7 +191,7 @@ void Session::drop()
     m_handle.reset();
 }
 
-bool Session::publish(const Message& message)
+bool BrokerSession::publish(const Message& message)
 {
     if (m_phase != Phase::Accepted) {
         return false;
@@ -203,7 +203,7 @@ bool Session::publish(const Message& message)
     return result == MOSQ_ERR_SUCCESS;
 }
 
-bool Session::subscribe(const QString& filter)
+bool BrokerSession::subscribe(const QString& filter)
 {
     if (m_phase != Phase::Accepted) {
         return false;
@@ -217,7 +217,7 @@ bool Session::subscribe(const QString& filter)
     return result == MOSQ_ERR_SUCCESS;
 }
 
-bool Session::unsubscribe(const QString& filter)
+bool BrokerSession::unsubscribe(const QString& filter)
 {
     if (m_phase != Phase::Accepted) {
         return false;
@@ -227,7 +227,7 @@ bool Session::unsubscribe(const QString& filter)
     return result == MOSQ_ERR_SUCCESS;
 }
 
-void Session::service()
+void BrokerSession::service()
 {
     if (m_phase == Phase::Accepted) {
         settle(mosquitto_loop_misc(m_handle.get()));
@@ -237,7 +237,7 @@ void Session::service()
 }
 
 // The first time it says how connecting went, which libmosquitto does not look at.
-void Session::socketWritable()
+void BrokerSession::socketWritable()
 {
     if (m_phase == Phase::Connecting) {
         m_phase = Phase::Greeting;
@@ -250,7 +250,7 @@ void Session::socketWritable()
 }
 
 // Reading also carries the TLS handshake on; when that is done there is something to write.
-void Session::pump()
+void BrokerSession::pump()
 {
     int result = MOSQ_ERR_SUCCESS;
     if (m_tls || m_inlet.mayRead(mosquitto_socket(m_handle.get()))) {
@@ -262,10 +262,10 @@ void Session::pump()
     settle(result);
 }
 
-void Session::settle(int result)
+void BrokerSession::settle(int result)
 {
     const Ending ending = endingOf(result);  // before anything else changes errno
-    if (const auto answer = std::exchange(m_answer, std::nullopt)) {
+    if (const auto answer = std::exchange(m_told.answer, std::nullopt)) {
         if (*answer != 0) {
             end({.kind = kindOfRefusal(*answer)});
             return;
@@ -286,14 +286,14 @@ void Session::settle(int result)
     }
 }
 
-void Session::deliver()
+void BrokerSession::deliver()
 {
-    for (const Message& message : std::exchange(m_inbox, {})) {
+    for (const Message& message : std::exchange(m_told.inbox, {})) {
         if (m_phase == Phase::Accepted) {
             Q_EMIT received(message.topic, message.payload, message.retain);
         }
     }
-    for (const auto& [number, granted] : std::exchange(m_granted, {})) {
+    for (const auto& [number, granted] : std::exchange(m_told.granted, {})) {
         const auto asked = m_asked.extract(number);
         if (m_phase == Phase::Accepted && asked) {
             Q_EMIT subscriptionAnswered(asked.mapped(), granted);
@@ -302,16 +302,16 @@ void Session::deliver()
     tellDropped();
 }
 
-void Session::tellDropped()
+void BrokerSession::tellDropped()
 {
     const auto packet = m_inlet.takeDropped();
-    const auto message = std::exchange(m_dropped, std::nullopt);
+    const auto message = std::exchange(m_told.dropped, std::nullopt);
     if (const auto bytes = packet ? packet : message; bytes && m_phase == Phase::Accepted) {
         Q_EMIT dropped(*bytes);
     }
 }
 
-EndKind Session::kindOfRefusal(int code)
+EndKind BrokerSession::kindOfRefusal(int code)
 {
     switch (code) {
         case 1:
@@ -328,7 +328,7 @@ EndKind Session::kindOfRefusal(int code)
     }
 }
 
-Ending Session::endingOf(int result) const
+Ending BrokerSession::endingOf(int result) const
 {
     const int error = errno;
     switch (result) {
@@ -336,7 +336,7 @@ Ending Session::endingOf(int result) const
             if (m_tls && !m_tls->refusal().isEmpty()) {
                 return {.kind = EndKind::CertificateWrong, .detail = m_tls->refusal()};
             }
-            return {.kind = EndKind::TlsRefused, .detail = m_tlsError};
+            return {.kind = EndKind::TlsRefused, .detail = m_told.tlsError};
         case MOSQ_ERR_KEEPALIVE:
             return {.kind = EndKind::NoPulse};
         case MOSQ_ERR_PROTOCOL:
@@ -360,7 +360,7 @@ Ending Session::endingOf(int result) const
 
 // Of an encrypted connection libmosquitto asks to write from the beginning of the handshake to its end, without having
 // anything to write.
-void Session::watch()
+void BrokerSession::watch()
 {
     const bool isOpen = m_phase != Phase::Ended && mosquitto_socket(m_handle.get()) >= 0;
     const bool mayWrite = m_phase == Phase::Accepted || (m_phase == Phase::Greeting && !m_tls);
@@ -369,7 +369,7 @@ void Session::watch()
                           (m_phase == Phase::Connecting || (mayWrite && mosquitto_want_write(m_handle.get()))));
 }
 
-void Session::end(const Ending& ending)
+void BrokerSession::end(const Ending& ending)
 {
     if (m_phase == Phase::Ended) {
         return;

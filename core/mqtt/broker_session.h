@@ -19,16 +19,16 @@
 
 struct mosquitto;  // libmosquitto's client
 
-// One connection to a broker, from the first packet to its end; for the next one a new Session is made. MQTT 3.1.1,
-// quality of service 0, clean. broker_session.cpp is the only user of libmosquitto. Lives in its owner's event loop: no
-// thread, nothing blocks.
+// One connection to a broker, from the first packet to its end; for the next one a new BrokerSession is made.
+// MQTT 3.1.1, quality of service 0, clean. broker_session.cpp is the only user of libmosquitto. Lives in its owner's
+// event loop: no thread, nothing blocks.
 //
 // libmosquitto does not notice everything by itself: a refused encrypted connection, a broker that takes the connection
 // and is silent, one that hangs up in the middle of the TLS handshake. So the socket is watched here as well, and there
 // is a deadline.
 namespace boresight::mqtt {
 
-class Session : public QObject
+class BrokerSession : public QObject
 {
     Q_OBJECT
 
@@ -39,10 +39,10 @@ public:
     static constexpr std::chrono::seconds kKeepAlive{15};
 
     // `tls` is empty without encryption; `will` is what the broker tells the others when we are gone without a word.
-    Session(const Broker& broker, std::shared_ptr<TlsContext> tls, const std::optional<Message>& will,
-            const Clock& clock, QObject* parent = nullptr);
+    BrokerSession(const Broker& broker, std::shared_ptr<TlsContext> tls, const std::optional<Message>& will,
+                  const Clock& clock, QObject* parent = nullptr);
     // Without goodbye(): the broker then tells the will.
-    ~Session() override;
+    ~BrokerSession() override;
 
     // ended() tells, later, if it does not work.
     void open(const QHostAddress& address);
@@ -74,6 +74,15 @@ private:
         Accepted,
         Ended
     };
+    // What libmosquitto told while it ran: acted upon when it has returned, for it must not be destroyed before.
+    struct Told
+    {
+        std::optional<int> answer;
+        std::vector<Message> inbox;
+        std::optional<qint64> dropped;  // the size of a message that was too large; with encryption
+        std::vector<std::pair<int, bool>> granted;
+        QString tlsError;
+    };
     struct Callbacks;
     struct Destroy
     {
@@ -101,13 +110,8 @@ private:
     Inlet m_inlet;  // without encryption
     Phase m_phase = Phase::Connecting;
     SteadyTime m_opened{};
-    // What libmosquitto told while it ran: acted upon when it has returned, for it must not be destroyed before.
-    std::optional<int> m_answer;
-    std::vector<Message> m_inbox;
-    std::optional<qint64> m_dropped;  // the size of a message that was too large; with encryption
-    std::map<int, QString> m_asked;   // filters that no answer has come to yet, by the number of their packet
-    std::vector<std::pair<int, bool>> m_granted;
-    QString m_tlsError;
+    Told m_told;
+    std::map<int, QString> m_asked;  // filters that no answer has come to yet, by the number of their packet
 };
 
 }  // namespace boresight::mqtt

@@ -8,13 +8,13 @@ namespace boresight::mqtt {
 ClientWorker::ClientWorker(const Clock& clock) : m_client(clock, this), m_outlet(this, [this] { report(); })
 {
     const auto ask = [this] { m_outlet.ask(); };
-    connect(&m_client, &Client::problemChanged, this, ask);
-    connect(&m_client, &Client::nextAttemptChanged, this, ask);
-    connect(&m_client, &Client::connected, this, [this] {
+    connect(&m_client, &BrokerClient::problemChanged, this, ask);
+    connect(&m_client, &BrokerClient::nextAttemptChanged, this, ask);
+    connect(&m_client, &BrokerClient::connected, this, [this] {
         ++m_next.connections;
         m_outlet.ask();
     });
-    connect(&m_client, &Client::messageDropped, this, [this](qint64 bytes) {
+    connect(&m_client, &BrokerClient::messageDropped, this, [this](qint64 bytes) {
         m_next.dropped = bytes;
         m_outlet.ask();
     });
@@ -22,9 +22,11 @@ ClientWorker::ClientWorker(const Clock& clock) : m_client(clock, this), m_outlet
         m_next.answers.emplace_back(filter, granted);
         m_outlet.ask();
     };
-    connect(&m_client, &Client::subscriptionRefused, this, [answer](const QString& filter) { answer(filter, false); });
-    connect(&m_client, &Client::subscriptionGranted, this, [answer](const QString& filter) { answer(filter, true); });
-    connect(&m_client, &Client::messageReceived, this,
+    connect(&m_client, &BrokerClient::subscriptionRefused, this,
+            [answer](const QString& filter) { answer(filter, false); });
+    connect(&m_client, &BrokerClient::subscriptionGranted, this,
+            [answer](const QString& filter) { answer(filter, true); });
+    connect(&m_client, &BrokerClient::messageReceived, this,
             [this](const QString& topic, const QByteArray& payload, Retain retain) {
                 m_messages.add({.topic = topic, .payload = payload, .retain = retain});
                 m_outlet.ask();

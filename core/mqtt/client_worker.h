@@ -2,13 +2,13 @@
 #pragma once
 
 #include "core/base/paced_outlet.h"
-#include "core/mqtt/client.h"
+#include "core/mqtt/broker_client.h"
 #include "core/mqtt/newest_messages.h"
 #include "core/mqtt/threaded_client.h"
 
 #include <QObject>
 
-// The side of ThreadedClient that lives on the thread: a Client, and the report about it.
+// The side of ThreadedClient that lives on the thread: a BrokerClient, and the report about it.
 namespace boresight::mqtt {
 
 class ClientWorker final : public QObject
@@ -20,7 +20,7 @@ public:
 
     void open(int opening, const Broker& broker, const std::optional<Message>& will);
     void close(int opening);
-    [[nodiscard]] Client& client() { return m_client; }
+    [[nodiscard]] BrokerClient& client() { return m_client; }
     // The last report has been taken.
     void taken() { m_outlet.taken(); }
 
@@ -31,7 +31,7 @@ private:
     void begin(int opening);
     void report();
 
-    Client m_client;
+    BrokerClient m_client;
     ClientReport m_next;
     NewestMessages m_messages;
     PacedOutlet m_outlet;

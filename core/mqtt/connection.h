@@ -5,8 +5,8 @@
 
 #include <QObject>
 
-// The connection to a broker as its users see it: they subscribe, publish and read, and somebody else opens it. Client
-// is one in the caller's event loop, ThreadedClient one on a thread of its own.
+// The connection to a broker as its users see it: they subscribe, publish and read, and somebody else opens it.
+// BrokerClient is one in the caller's event loop, ThreadedClient one on a thread of its own.
 namespace boresight::mqtt {
 
 class Connection : public QObject

@@ -12,9 +12,9 @@
 #include <optional>
 #include <vector>
 
-// A Client on a thread of its own, for an owner whose thread must not wait for a broker (station thread). Whatever a
-// broker sends, the owner gets at most NewestMessages::kMost messages each PacedOutlet::kPeriod, the newest ones. What
-// the owner asks for is queued to the thread and never waits. The thread begins with the first request.
+// A BrokerClient on a thread of its own, for an owner whose thread must not wait for a broker (station thread).
+// Whatever a broker sends, the owner gets at most NewestMessages::kMost messages each PacedOutlet::kPeriod, the newest
+// ones. What the owner asks for is queued to the thread and never waits. The thread begins with the first request.
 namespace boresight::mqtt {
 
 class ClientWorker;
@@ -42,7 +42,7 @@ public:
     // What was asked for is done first, close() included. Without close() the broker sends the will.
     ~ThreadedClient() override;
 
-    // As Client. isConnected() is false until the thread reports the new connection.
+    // As BrokerClient. isConnected() is false until the thread reports the new connection.
     void open(const Broker& broker, const std::optional<Message>& will = std::nullopt);
     void close();
 

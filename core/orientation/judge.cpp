@@ -25,18 +25,18 @@ bool isDeadMark(const Orientation& value, Angle declinationInSensor)
            value.calibration.value_or(kUncalibrated) == kUncalibrated;
 }
 
-Verdict Judge::take(const Orientation& value)
+ValueFate Judge::take(const Orientation& value)
 {
     m_dead = isDeadMark(value, m_settings.declinationInSensor);
     if (m_dead) {
-        return Verdict::Dead;
+        return ValueFate::Dead;
     }
     if (!isBelieved(value)) {
         ++m_outliers;
-        return Verdict::Outlier;
+        return ValueFate::Outlier;
     }
     use(value);
-    return Verdict::Used;
+    return ValueFate::Used;
 }
 
 void Judge::forget()

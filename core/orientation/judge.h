@@ -31,7 +31,7 @@ enum class Presence
     Lost
 };
 
-enum class Verdict
+enum class ValueFate
 {
     Used,
     Outlier,  // a jump that no antenna makes; believed when two more agree
@@ -46,7 +46,7 @@ public:
     void setSettings(const JudgeSettings& settings) { m_settings = settings; }
     [[nodiscard]] const JudgeSettings& settings() const { return m_settings; }
 
-    Verdict take(const Orientation& value);
+    ValueFate take(const Orientation& value);
     // Another source, or the same one opened anew: what was known is of another time.
     void forget();
 

@@ -17,7 +17,7 @@ Q_LOGGING_CATEGORY(lcMqttSensor, "boresight.sensor.mqtt")
 }  // namespace
 
 MqttSource::MqttSource(mqtt::Connection& client, const MqttTopics& topics, const Clock& clock, QObject* parent)
-    : Source(parent), m_client(client), m_topics(topics), m_clock(clock), m_silence(this)
+    : SensorSource(parent), m_client(client), m_topics(topics), m_clock(clock), m_silence(this)
 {
     m_silence.setSingleShot(true);
     connect(&m_silence, &QTimer::timeout, this, &MqttSource::tellSilence);

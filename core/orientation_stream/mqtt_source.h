@@ -4,7 +4,7 @@
 #include "core/base/clock.h"
 #include "core/mqtt/connection.h"
 #include "core/orientation/json_payload.h"
-#include "core/orientation_stream/source.h"
+#include "core/orientation_stream/sensor_source.h"
 
 #include <QTimer>
 
@@ -23,7 +23,7 @@ struct MqttTopics
     std::chrono::milliseconds silence{5000};
 };
 
-class MqttSource final : public Source
+class MqttSource final : public SensorSource
 {
     Q_OBJECT
 

@@ -35,7 +35,7 @@ Result<> checkPort(const QString& device)
 }  // namespace
 
 SerialSource::SerialSource(const SerialSettings& settings, const Clock& clock, QObject* parent)
-    : Source(parent), m_settings(settings), m_clock(clock), m_path(settings.port), m_delay(settings.firstRetry)
+    : SensorSource(parent), m_settings(settings), m_clock(clock), m_path(settings.port), m_delay(settings.firstRetry)
 {
     m_port.setReadBufferSize(kBytesAtOnce);
     m_retry.setSingleShot(true);
@@ -47,7 +47,7 @@ SerialSource::SerialSource(const SerialSettings& settings, const Clock& clock, Q
     connect(&m_pause, &QTimer::timeout, this, &SerialSource::read);
     connect(&m_port, &QSerialPort::readyRead, this, &SerialSource::read);
     connect(&m_port, &QSerialPort::errorOccurred, this, &SerialSource::lose);
-    connect(&m_lookUp, &QFutureWatcherBase::finished, this, &SerialSource::takeHolder);
+    connect(&m_holder.lookUp, &QFutureWatcherBase::finished, this, &SerialSource::takeHolder);
 }
 
 SerialSource::~SerialSource()
@@ -64,7 +64,7 @@ void SerialSource::open()
 {
     m_wanted = true;
     m_retry.stop();
-    if (m_port.isOpen() || m_looking) {
+    if (m_port.isOpen() || m_holder.looking) {
         return;
     }
     const QString device = m_path.device();
@@ -79,10 +79,10 @@ void SerialSource::open()
 // the future's together: it comes, and finds nobody, where the source was deleted meanwhile.
 void SerialSource::lookForHolder(const QString& device)
 {
-    m_looking = true;
-    m_device = device;
+    m_holder.looking = true;
+    m_holder.device = device;
     const auto promise = std::make_shared<QPromise<std::optional<QString>>>();
-    m_lookUp.setFuture(promise->future());
+    m_holder.lookUp.setFuture(promise->future());
     QThreadPool::globalInstance()->start([promise, device] {
         promise->start();
         promise->addResult(portHolder(device));
@@ -92,12 +92,12 @@ void SerialSource::lookForHolder(const QString& device)
 
 void SerialSource::takeHolder()
 {
-    m_looking = false;
+    m_holder.looking = false;
     if (!m_wanted) {
         return;
     }
-    if (const std::optional<QString> holder = m_lookUp.result()) {
-        tryLater(Text::tr("%1 is in use by %2: end it first").arg(m_device, *holder));
+    if (const std::optional<QString> holder = m_holder.lookUp.result()) {
+        tryLater(Text::tr("%1 is in use by %2: end it first").arg(m_holder.device, *holder));
     } else if (const Result<> opened = openPort(); !opened) {
         tryLater(QString::fromStdString(opened.error().text));
     } else {
@@ -119,7 +119,7 @@ void SerialSource::begin()
 
 Result<> SerialSource::openPort()
 {
-    m_port.setPortName(canonicalPort(m_device));
+    m_port.setPortName(canonicalPort(m_holder.device));
     m_port.setBaudRate(m_settings.baud);
     if (m_port.open(QIODevice::ReadOnly)) {
         return {};
@@ -129,8 +129,8 @@ Result<> SerialSource::openPort()
     m_port.clearError();
     return failure(held ? ErrorCode::Busy : ErrorCode::Io,
                    held ? Text::tr("%1 is in use by another program (%2): `sudo fuser -v %1` shows which; end it first")
-                              .arg(m_device, reason)
-                        : Text::tr("%1 cannot be opened: %2").arg(m_device, reason));
+                              .arg(m_holder.device, reason)
+                        : Text::tr("%1 cannot be opened: %2").arg(m_holder.device, reason));
 }
 
 void SerialSource::close()

@@ -4,7 +4,7 @@
 #include "core/base/result.h"
 #include "core/can/stable_port.h"
 #include "core/orientation/sentence_stream.h"
-#include "core/orientation_stream/source.h"
+#include "core/orientation_stream/sensor_source.h"
 
 #include <QFutureWatcher>
 #include <QSerialPort>
@@ -29,7 +29,7 @@ struct SerialSettings
     std::chrono::milliseconds silence{5000};
 };
 
-class SerialSource final : public Source
+class SerialSource final : public SensorSource
 {
     Q_OBJECT
 
@@ -47,6 +47,14 @@ public:
     void close() override;
 
 private:
+    // Whether another program has the device that is being opened.
+    struct HolderSearch
+    {
+        QString device;
+        bool looking = false;                           // takeHolder() is still to come
+        QFutureWatcher<std::optional<QString>> lookUp;  // nobody waits for it
+    };
+
     void lookForHolder(const QString& device);
     void takeHolder();
     void begin();
@@ -67,12 +75,10 @@ private:
     QTimer m_silence{this};
     std::chrono::milliseconds m_delay;
     bool m_wanted = false;
-    QString m_device;        // that is being opened
-    bool m_looking = false;  // takeHolder() is still to come
-    bool m_heard = false;    // bytes, since the last sentence, or since what came in its place was looked at
-    QString m_seen;          // in its place, at the last look
+    HolderSearch m_holder;
+    bool m_heard = false;  // bytes, since the last sentence, or since what came in its place was looked at
+    QString m_seen;        // in its place, at the last look
     SourceStatus m_status;
-    QFutureWatcher<std::optional<QString>> m_lookUp;  // who has m_device; nobody waits for it
 };
 
 }  // namespace boresight::orientation

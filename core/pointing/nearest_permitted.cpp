@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PermittedRegion::nearest: the nearest permitted place lies at the azimuth or the elevation asked for on an edge of a
-// keep-out or a limit, where two such edges cross, at a corner of the horizon, at the foot of the shortest way to one
-// of its lines, or where a line crosses an edge. What is farther away than the best place so far is passed over.
+#include "core/pointing/nearest_permitted.h"
+
 #include "core/pointing/permitted_region.h"
 #include "core/pointing/ranges.h"
 
@@ -20,6 +19,9 @@ Angle gap(const TravelRange& range, Angle angle)
     return std::max({range.min - angle, angle - range.max, Angle{}});
 }
 
+// The nearest permitted place lies at the azimuth or the elevation asked for on an edge of a keep-out or a limit, where
+// two such edges cross, at a corner of the horizon, at the foot of the shortest way to one of its lines, or where a
+// line crosses an edge. What is farther away than the best place so far is passed over.
 class Search
 {
 public:
@@ -120,29 +122,30 @@ private:
 
 }  // namespace
 
-std::optional<AxisPosition> PermittedRegion::nearest(const AxisPosition& place) const
+std::optional<AxisPosition> nearestPermitted(const PermittedRegion& region, const AxisPosition& place)
 {
-    if (permits(place)) {
+    if (region.permits(place)) {
         return place;
     }
-    Search search(*this, place);
-    search.tryAzimuth(m_ranges.azimuth.clamped(place.azimuth));
-    for (const AxisBox& keepOut : m_boxes) {
+    Search search(region, place);
+    const TravelRange& azimuths = region.ranges().azimuth;
+    search.tryAzimuth(azimuths.clamped(place.azimuth));
+    for (const AxisBox& keepOut : region.keepOuts()) {
         search.tryAzimuth(keepOut.azimuth.min, keepOut.elevation);
         search.tryAzimuth(keepOut.azimuth.max, keepOut.elevation);
     }
-    search.tryAzimuth(m_ranges.azimuth.min);
-    search.tryAzimuth(m_ranges.azimuth.max);
-    const double first = std::floor(m_ranges.azimuth.min / kFullTurn) - 2.0;
-    const double last = std::ceil(m_ranges.azimuth.max / kFullTurn) + 1.0;
+    search.tryAzimuth(azimuths.min);
+    search.tryAzimuth(azimuths.max);
+    const double first = std::floor(azimuths.min / kFullTurn) - 2.0;
+    const double last = std::ceil(azimuths.max / kFullTurn) + 1.0;
     for (double turn = first; turn <= last; turn += 1.0) {
         const Angle by = turn * kFullTurn;
-        for (std::size_t i = 0; i < m_upright.lineCount(); ++i) {
-            const auto [from, to] = m_upright.line(i);
+        for (std::size_t i = 0; i < region.horizon().lineCount(); ++i) {
+            const auto [from, to] = region.horizon().line(i);
             search.tryLine({from.azimuth + by, from.elevation}, {to.azimuth + by, to.elevation});
         }
-        for (std::size_t i = 0; i < m_overTheTop.lineCount(); ++i) {
-            const auto [from, to] = m_overTheTop.line(i);
+        for (std::size_t i = 0; i < region.overTheTop().lineCount(); ++i) {
+            const auto [from, to] = region.overTheTop().line(i);
             search.tryLine({from.azimuth + by + 180_deg, 180_deg - from.elevation},
                            {to.azimuth + by + 180_deg, 180_deg - to.elevation});
         }

@@ -9,7 +9,6 @@
 
 #include <QString>
 
-#include <optional>
 #include <vector>
 
 // Where the axes may be: a Region and the travel of both axes, laid out in mechanical angles for quick answers, for
@@ -37,14 +36,13 @@ public:
     [[nodiscard]] TravelRange azimuthsAround(const AxisBox& box) const;
     [[nodiscard]] TravelRange elevationsAround(const AxisBox& box) const;
 
-    // The permitted place nearest on the sky, azimuth counted as wide as it is at this elevation; the turn is kept.
-    // Empty when nothing at all is permitted.
-    [[nodiscard]] std::optional<AxisPosition> nearest(const AxisPosition& place) const;
-
     // What the beam looks at; the turn and the side of the zenith are those of the axes.
     [[nodiscard]] SkyPointing beamAt(const AxisPosition& place) const { return m_pointing.toSky(place); }
 
     [[nodiscard]] bool hasHorizon() const { return !m_horizon.empty(); }
+    // The horizon as the axes meet it, and its image over the top, turned by 180° and with 180° - elevation.
+    [[nodiscard]] const Skyline& horizon() const { return m_upright; }
+    [[nodiscard]] const Skyline& overTheTop() const { return m_overTheTop; }
     // The horizon under these azimuths; its image over the top, which a beam that looks backwards has to stay below.
     [[nodiscard]] Angle floor(const TravelRange& azimuths) const;
     [[nodiscard]] Angle ceiling(const TravelRange& azimuths) const;
@@ -61,9 +59,9 @@ private:
 
     PointingModel m_pointing;
     AxisBox m_ranges;
-    Skyline m_horizon;     // true
-    Skyline m_upright;     // as the axes meet it
-    Skyline m_overTheTop;  // its image, turned by 180° and with 180° - elevation
+    Skyline m_horizon;  // true
+    Skyline m_upright;  // as the axes meet it
+    Skyline m_overTheTop;
     std::vector<KeepOut> m_keepOuts;
     std::vector<AxisBox> m_boxes;
     std::vector<std::size_t> m_owner;  // of each box, into m_keepOuts; beyond its end: the horizon

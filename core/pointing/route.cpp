@@ -6,6 +6,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/pointing/nearest_permitted.h"
 #include "core/pointing/ranges.h"
 
 #include <algorithm>
@@ -305,7 +306,7 @@ Result<std::vector<AxisPosition>> route(const PermittedRegion& region, const Axi
     if (region.permits(AxisBox::between(from, to))) {
         return std::vector{to};
     }
-    const auto start = region.nearest(from);  // out of a forbidden place first
+    const auto start = nearestPermitted(region, from);  // out of a forbidden place first
     std::vector<AxisPosition> way;
     if (*start != from) {
         way.push_back(*start);

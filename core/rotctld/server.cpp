@@ -70,7 +70,7 @@ Server::Server(ServerSettings settings, Rotator& rotator, const Clock& clock, QO
       m_settings(std::move(settings)),
       m_rotator(rotator),
       m_clock(clock),
-      m_allowed(m_settings.allow),
+      m_admission(m_settings.allow),
       m_nextTurn(this),
       m_housekeeping(this)
 {
@@ -134,16 +134,16 @@ std::vector<ClientInfo> Server::clients() const
     std::vector<ClientInfo> list;
     list.reserve(m_connections.size());
     for (const auto& [id, connection] : m_connections) {
-        const Session& session = connection->session;
+        const ClientHabits& habits = connection->session.habits();
         if (!connection->left) {
             list.push_back({.id = id,
-                            .address = session.client().address,
-                            .program = std::string(session.program()),
-                            .lastCommand = session.lastCommand(),
-                            .oddCommands = session.oddCommands(),
-                            .commandsPerSecond = session.commandsPerSecond(),
-                            .lastMotion = session.lastMotion(),
-                            .leap = session.leap()});
+                            .address = connection->session.client().address,
+                            .program = std::string(habits.program()),
+                            .lastCommand = habits.lastCommand(),
+                            .oddCommands = habits.oddCommands(),
+                            .commandsPerSecond = habits.commandsPerSecond(m_clock.now()),
+                            .lastMotion = habits.lastMotion(),
+                            .leap = habits.leap()});
         }
     }
     std::ranges::sort(list, {}, &ClientInfo::id);
@@ -183,8 +183,7 @@ void Server::acceptWaiting()
             std::make_unique<Connection>(m_lastId, std::move(*accepted), m_rotator, m_clock, m_settings.dumpState);
         connection->lastReceived = m_clock.now();
         control(*connection, EPOLL_CTL_ADD, EPOLLIN);
-        ++m_served;
-        ++m_servedOf[hostOf(client.address)];
+        m_admission.enter(hostOf(client.address));
         m_connections.emplace(m_lastId, std::move(connection));
         m_rotator.clientConnected(client);
     }
@@ -192,44 +191,26 @@ void Server::acceptWaiting()
 
 bool Server::turnedAway(const Client& client)
 {
-    if (const std::string host = hostOf(client.address); !m_allowed.admits(host)) {
+    const std::string host = hostOf(client.address);
+    if (!m_admission.admits(host)) {
         // Named without its port: who knocks again and again gets one line in the log, not one each time.
         m_rotator.clientRemark({.address = host},
                                Text::tr("refused: its address is not among those that may connect").toStdString());
         return true;
     }
-    if (m_served >= m_settings.maxClients) {
-        tellCrowd(client, Text::tr("refused: %1 clients are connected").arg(QString::number(m_served)));
-        return true;
+    const QString crowd = m_admission.crowd(host, m_settings.maxClients);
+    if (!crowd.isEmpty() && m_admission.isCrowdNews()) {
+        m_rotator.clientRemark(client, crowd.toStdString());
     }
-    if (const std::string host = hostOf(client.address); crowdedBy(host)) {
-        tellCrowd(client,
-                  Text::tr("refused: %1 clients of its host are connected").arg(QString::number(m_servedOf.at(host))));
-        return true;
-    }
-    return false;
-}
-
-// A program that connects and never lets go must not keep the other computers out: a quarter is left to them.
-bool Server::crowdedBy(const std::string& host) const
-{
-    const auto found = m_servedOf.find(host);
-    return found != m_servedOf.end() && found->second >= m_settings.maxClients - m_settings.maxClients / 4;
-}
-
-void Server::tellCrowd(const Client& client, const QString& text)
-{
-    if (!std::exchange(m_refusalTold, true)) {
-        m_rotator.clientRemark(client, text.toStdString());
-    }
+    return !crowd.isEmpty();
 }
 
 void Server::setAllowed(const std::vector<std::string>& entries)
 {
-    m_allowed = AllowList(entries);
+    m_admission.setAllowed(entries);
     std::vector<std::uint64_t> unwanted;
     for (const auto& [id, connection] : m_connections) {
-        if (!m_allowed.admits(hostOf(connection->session.client().address))) {
+        if (!m_admission.admits(hostOf(connection->session.client().address))) {
             unwanted.push_back(id);
         }
     }
@@ -422,12 +403,7 @@ void Server::farewell(Connection& connection, const std::string& reason)
     }
     connection.left = true;
     connection.leftAt = m_clock.now();
-    --m_served;
-    const auto host = m_servedOf.find(hostOf(connection.session.client().address));
-    if (host != m_servedOf.end() && --host->second == 0) {
-        m_servedOf.erase(host);
-    }
-    m_refusalTold = false;
+    m_admission.leave(hostOf(connection.session.client().address));
     m_rotator.clientGone(connection.session.client(), reason);
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/base/peer_address.h"
+#include "core/rotctld/admission.h"
 #include "core/rotctld/handlers.h"
 #include "core/rotctld/rotator.h"
 #include "core/rotctld/session.h"
@@ -81,8 +81,6 @@ private:
     void serveTurn();
     void acceptWaiting();
     [[nodiscard]] bool turnedAway(const Client& client);
-    [[nodiscard]] bool crowdedBy(const std::string& host) const;
-    void tellCrowd(const Client& client, const QString& text);
     void watchListener(bool on);
     void control(Connection& connection, int operation, std::uint32_t events);
     void watch(Connection& connection);
@@ -99,7 +97,7 @@ private:
     ServerSettings m_settings;
     Rotator& m_rotator;
     const Clock& m_clock;
-    AllowList m_allowed;
+    Admission m_admission;
     Descriptor m_listener;
     Descriptor m_epoll;
     std::unique_ptr<QSocketNotifier> m_readiness;
@@ -108,11 +106,8 @@ private:
     Connections m_connections;
     std::deque<std::uint64_t> m_backlog;
     std::uint64_t m_lastId = 0;
-    std::size_t m_served = 0;                                 // connections with a living session
-    std::unordered_map<std::string, std::size_t> m_servedOf;  // the same by host
     bool m_listenerWatched = false;
     bool m_shortageTold = false;
-    bool m_refusalTold = false;
     std::string m_reply;
 };
 

@@ -16,21 +16,11 @@ using Event = CommandParser::Event;
 constexpr int kMaxOddInARow = 8;                  // lines without sense before we hang up
 constexpr std::uint64_t kOddRemarks = 3;          // of them are logged word for word
 constexpr std::size_t kMaxWaitingInPause = 4096;  // bytes
-constexpr std::size_t kShownBytes = 40;
-
-// What the client sent, for the log. It may be no text at all.
-std::string printable(std::string_view bytes)
-{
-    QString text = toQString(bytes.substr(0, kShownBytes));
-    std::ranges::replace_if(
-        text, [](QChar c) { return !c.isPrint() || c == QChar::ReplacementCharacter; }, QChar(u'.'));
-    return text.toStdString();
-}
 
 }  // namespace
 
 Session::Session(Client client, Rotator& rotator, const Clock& clock, DumpStateForm dumpState)
-    : m_client(std::move(client)), m_rotator(rotator), m_clock(clock), m_dumpState(dumpState), m_rate(clock.now())
+    : m_client(std::move(client)), m_rotator(rotator), m_clock(clock), m_dumpState(dumpState), m_habits(clock.now())
 {}
 
 void Session::receive(std::string_view bytes)
@@ -122,7 +112,7 @@ bool Session::inputTaken(std::string& reply)
 void Session::run(std::string& reply)
 {
     const Command& command = m_parser.command();
-    rememberCommand(command);
+    m_habits.take(command, m_clock.now());
     if (command.spec->id == CommandId::Quit) {
         m_ending = Text::tr("said goodbye").toStdString();
         return;
@@ -132,7 +122,7 @@ void Session::run(std::string& reply)
     const Result<> outcome = execute(command, writer);
     writer.finish(outcome);
     if (outcome || outcome.error().code == ErrorCode::Refused) {
-        m_program.observe(command);
+        m_habits.understood(command);
     }
     if (!outcome) {
         failed(outcome.error(), reply, before);
@@ -149,7 +139,7 @@ void Session::failed(const Error& error, std::string& reply, std::size_t replySt
 {
     if (error.code == ErrorCode::InvalidInput || error.code == ErrorCode::NotAvailable) {
         odd(Text::tr("\"%1\" refused: %2")
-                .arg(toQString(lastCommand()), toQString(boresight::printable(error.text)))
+                .arg(toQString(m_habits.lastCommand()), toQString(boresight::printable(error.text)))
                 .toStdString());
     }
     if (m_parser.skipLine() == Event::Stranger) {
@@ -183,7 +173,7 @@ void Session::unknown(std::string_view restOfLine)
 {
     std::string line(m_parser.lineHead());
     line.append(restOfLine.substr(0, std::min(restOfLine.find('\n'), kShownBytes)));
-    odd(Text::tr("unknown command \"%1\"").arg(toQString(printable(line))).toStdString());
+    odd(Text::tr("unknown command \"%1\"").arg(toQString(shownText(line))).toStdString());
     if (++m_oddInARow >= kMaxOddInARow) {
         drop(Text::tr("sent %1 unknown commands in a row").arg(QString::number(kMaxOddInARow)).toStdString());
     }
@@ -191,48 +181,9 @@ void Session::unknown(std::string_view restOfLine)
 
 void Session::odd(const std::string& text)
 {
-    ++m_oddCommands;
-    if (m_oddCommands <= kOddRemarks) {
+    m_habits.countOdd();
+    if (m_habits.oddCommands() <= kOddRemarks) {
         m_rotator.clientRemark(m_client, text);
-    }
-}
-
-std::string Session::lastCommand() const
-{
-    return printable(m_lastCommand);
-}
-
-void Session::rememberCommand(const Command& command)
-{
-    m_lastCommand.clear();
-    if (command.spec->letter < 0x80) {
-        m_lastCommand += static_cast<char>(command.spec->letter);
-    } else {
-        m_lastCommand.append(command.spec->name);
-    }
-    for (std::size_t i = 0; i < command.argumentCount; ++i) {
-        m_lastCommand.append(" ").append(command.arguments[i]);
-    }
-    const SteadyTime now = m_clock.now();
-    m_rate.count(now);
-    noteMotion(command, now);
-}
-
-void Session::noteMotion(const Command& command, SteadyTime now)
-{
-    const CommandId id = command.spec->id;
-    if (id == CommandId::SetPosition || id == CommandId::Move || id == CommandId::Park) {
-        m_lastMotion = now;
-    }
-    if (id != CommandId::SetPosition || command.argumentCount < 2) {
-        return;
-    }
-    const auto azimuth = leadingPosition(command.arguments[0]);
-    const auto elevation = leadingPosition(command.arguments[1]);
-    if (azimuth && elevation) {
-        m_steps.observe({.azimuth = Angle::fromDegrees(static_cast<double>(*azimuth)),
-                         .elevation = Angle::fromDegrees(static_cast<double>(*elevation))},
-                        now);
     }
 }
 

@@ -2,11 +2,9 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/rotctld/client_program.h"
+#include "core/rotctld/client_habits.h"
 #include "core/rotctld/command_parser.h"
-#include "core/rotctld/command_rate.h"
 #include "core/rotctld/handlers.h"
-#include "core/rotctld/point_steps.h"
 #include "core/rotctld/rotator.h"
 
 #include <cstdint>
@@ -38,13 +36,7 @@ public:
     [[nodiscard]] bool paused() const { return m_pausedUntil.has_value(); }
     [[nodiscard]] bool midCommand() const { return m_parser.midCommand(); }
 
-    // For the list of clients.
-    [[nodiscard]] std::string_view program() const { return m_program.name(); }
-    [[nodiscard]] std::string lastCommand() const;  // printable
-    [[nodiscard]] std::uint64_t oddCommands() const { return m_oddCommands; }
-    [[nodiscard]] double commandsPerSecond() const { return m_rate.perSecond(m_clock.now()); }
-    [[nodiscard]] std::optional<SteadyTime> lastMotion() const { return m_lastMotion; }  // asked for, granted or not
-    [[nodiscard]] std::optional<Angle> leap() const { return m_steps.leap(); }
+    [[nodiscard]] const ClientHabits& habits() const { return m_habits; }
 
 private:
     bool resume(std::string& reply);
@@ -57,18 +49,13 @@ private:
     Result<> pause(const Command& command);
     void unknown(std::string_view restOfLine);
     void odd(const std::string& text);
-    void rememberCommand(const Command& command);
-    void noteMotion(const Command& command, SteadyTime now);
 
     Client m_client;
     Rotator& m_rotator;
     const Clock& m_clock;
     DumpStateForm m_dumpState;
     CommandParser m_parser;
-    ClientProgram m_program;
-    CommandRate m_rate;
-    PointSteps m_steps;
-    std::optional<SteadyTime> m_lastMotion;
+    ClientHabits m_habits;
     std::string m_input;
     std::size_t m_taken = 0;  // of m_input
     bool m_inputEnded = false;
@@ -76,8 +63,6 @@ private:
     std::string m_pauseReply;
     std::string m_ending;
     bool m_dropped = false;
-    std::string m_lastCommand;
-    std::uint64_t m_oddCommands = 0;
     int m_oddInARow = 0;
 };
 

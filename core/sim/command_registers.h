@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/moteus/registers.h"
-#include "core/sim/servo.h"
+#include "core/sim/servo_control.h"
 
 #include <optional>
 

@@ -3,7 +3,7 @@
 
 #include "core/sim/console_record.h"
 #include "core/sim/drive_config.h"
-#include "core/sim/servo.h"
+#include "core/sim/servo_control.h"
 
 #include <string>
 #include <string_view>

@@ -1,229 +1,234 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The control part of Servo: set-points to torque, within all limits.
 #include "core/sim/servo.h"
 
 #include "core/moteus/faults.h"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace boresight::sim {
 namespace {
 
 using moteus::Mode;
 
-constexpr double kServoPowerFactor = 1.5;  // three phases counted in peak values
-constexpr double kBoardResistance = 0.01;  // Ω: transistors and shunts of one phase
-constexpr double kIdlePower = 1.5;         // W a board takes doing nothing
+// The gate driver needs 4 to 5 ms to come up, the current-sense calibration 256 control periods of 1/30000 s.
+constexpr double kEnablingTime = 5.0e-3;
+constexpr double kCalibratingTime = 256.0 / 30000.0;
+constexpr double kTimeTolerance = 1.0e-9;  // sums of steps
 
-// The device counts position in 2^-16 turns and control velocity in 2^-32 turns per period of 1/30000 s; commands are
-// cut off towards zero.
-constexpr double kPositionSteps = 65536.0;
-constexpr double kVelocitySteps = 65536.0 * 65536.0 / 30000.0;
+constexpr double kLargestPosition = 32768.0;  // turns the device can represent
 
-double limitOr(double commanded, double configured)
+enum FaultCode : int
 {
-    const double limit = std::isnan(commanded) ? configured : commanded;
-    return std::isnan(limit) || limit < 0.0 ? std::numeric_limits<double>::infinity() : limit;
+    kGateDriverFault = 33,
+    kOverVoltage = 34,
+    kEncoderFault = 35,
+    kMotorNotConfigured = 36,
+    kOverTemperature = 38,
+    kOutsideBounds = 39,
+    kUnderVoltage = 40,
+    kNoCommutation = 42,
+    kNoPosition = 43,
+    kStopPositionWithLimits = 45,
+    kBoundsTooLarge = 48,
+    kPositionError = 49,
+    kVelocityError = 50,
+};
+
+constexpr double kLowestVoltage = 4.0;
+
+bool isPositionMode(Mode mode)
+{
+    return mode == Mode::Position || mode == Mode::StayWithin;
+}
+
+bool isEnabling(Mode mode)
+{
+    return mode == Mode::Enabling || mode == Mode::Calibrating || mode == Mode::CalibrationComplete;
+}
+
+bool exceeds(double value, double threshold)
+{
+    return std::isfinite(threshold) && value > threshold;
 }
 
 }  // namespace
 
-TrajectoryTarget Servo::targetOf(const ServoCommand& command)
+bool Servo::isActive() const
 {
-    TrajectoryTarget target;
-    if (std::isfinite(command.position)) {
-        target.position = std::trunc(command.position * kPositionSteps) / kPositionSteps;
-    }
-    if (std::isfinite(command.velocity)) {
-        target.velocity = std::trunc(command.velocity * kVelocitySteps) / kVelocitySteps;
-    }
-    return target;
+    return m_mode != Mode::Stopped && m_mode != Mode::Fault;
 }
 
-TrajectoryLimits Servo::limits(const ServoCommand& command, double busVoltage) const
+// The device judges position and velocity error wherever its position control runs, so after a time-out too.
+bool Servo::followsSetpoint() const
+{
+    const bool holdsAfterTimeout =
+        m_mode == Mode::PositionTimeout && m_config.servo.timeoutMode == static_cast<int>(Mode::Position);
+    return m_mode == Mode::Position || holdsAfterTimeout;
+}
+
+void Servo::command(const ServoCommand& command, double age)
+{
+    const bool passedThrough = command.mode == Mode::Fault || isEnabling(command.mode);
+    if (!passedThrough) {
+        m_arrived = command;
+        m_arrivedAge = age;
+    }
+}
+
+void Servo::raiseFault(int code)
+{
+    m_arrived.reset();
+    m_fault = code;
+    enter(Mode::Fault);
+}
+
+const ServoOutput& Servo::step(double dt, const ServoInputs& inputs)
+{
+    m_timeInMode += dt;
+    if (m_arrived) {
+        takeCommand(inputs);
+    }
+    advanceEnabling(inputs);
+    checkWatchdog();
+    if (const int fault = isActive() ? supervisionFault(inputs) : 0; fault != 0) {
+        raiseFault(fault);
+    }
+    m_control.step(dt, m_mode, inputs, m_command);
+    m_commandAge += dt;
+    return output();
+}
+
+void Servo::enter(Mode mode)
+{
+    m_mode = mode;
+    m_timeInMode = 0.0;
+}
+
+// Stop always works and clears the fault; from fault and time-out it is the only way out.
+void Servo::takeCommand(const ServoInputs& inputs)
+{
+    const ServoCommand command = *m_arrived;
+    m_arrived.reset();
+    if (command.mode == Mode::Stopped) {
+        m_fault = 0;
+        enter(Mode::Stopped);
+        return;
+    }
+    if (m_mode == Mode::Fault || m_mode == Mode::PositionTimeout) {
+        return;
+    }
+    const TrajectoryLimits limit = m_control.limits(command, inputs.busVoltage);
+    if (std::isfinite(command.stopPosition) && (std::isfinite(limit.velocity) || std::isfinite(limit.acceleration))) {
+        raiseFault(kStopPositionWithLimits);
+        return;
+    }
+    m_command = command;
+    m_commandAge = m_arrivedAge;
+    if (m_mode == Mode::Stopped) {
+        m_config.motor.poles == 0 ? raiseFault(kMotorNotConfigured) : enter(Mode::Enabling);
+    } else if (!isEnabling(m_mode)) {
+        engage(inputs);
+    }
+}
+
+void Servo::advanceEnabling(const ServoInputs& inputs)
+{
+    if (m_mode == Mode::CalibrationComplete) {
+        engage(inputs);
+    } else if (m_mode == Mode::Enabling && m_timeInMode >= kEnablingTime - kTimeTolerance) {
+        const double over = m_timeInMode - kEnablingTime;
+        enter(Mode::Calibrating);
+        m_timeInMode = over;
+    } else if (m_mode == Mode::Calibrating && m_timeInMode >= kCalibratingTime - kTimeTolerance) {
+        enter(Mode::CalibrationComplete);
+    }
+}
+
+// The commanded mode takes over, or a further command in the mode that is in force.
+void Servo::engage(const ServoInputs& inputs)
+{
+    const Mode before = m_mode;
+    if (before != m_command.mode) {
+        if (const int fault = entryFault(inputs); fault != 0) {
+            raiseFault(fault);
+            return;
+        }
+        enter(m_command.mode);
+        if (before != Mode::Position) {
+            recapture(inputs);
+            m_control.forgetTerms();
+        }
+    }
+    if (m_mode == Mode::Position) {
+        m_control.setTarget(m_command, m_commandAge);
+    } else if (m_mode == Mode::PositionTimeout) {
+        m_control.stop();
+    }
+}
+
+void Servo::checkWatchdog()
+{
+    if (!isPositionMode(m_mode)) {
+        return;
+    }
+    const double asked = m_command.watchdogTimeout;
+    const double timeout = asked == 0.0 ? m_config.servo.defaultTimeout : asked;
+    if (m_commandAge >= timeout - kTimeTolerance) {  // never true for NaN
+        enter(Mode::PositionTimeout);
+        m_control.stop();
+    }
+}
+
+int Servo::supervisionFault(const ServoInputs& inputs) const
 {
     const ServoConfig& servo = m_config.servo;
-    TrajectoryLimits result{.velocity = limitOr(command.velocityLimit, servo.defaultVelocityLimit),
-                            .acceleration = limitOr(command.accelerationLimit, servo.defaultAccelLimit)};
-    if (std::isinf(result.velocity) && std::isfinite(result.acceleration)) {
-        result.velocity = servo.maxVelocity;
+    if (inputs.persistentFault != 0 && !moteus::isLimit(inputs.persistentFault)) {
+        return inputs.persistentFault;
     }
-    if (std::isfinite(result.velocity)) {
-        result.velocity = std::min(result.velocity, velocityLimitOfSupply(m_config, busVoltage));
+    if (inputs.gateDriverFault) {
+        return kGateDriverFault;
     }
-    return result;
+    if (inputs.busVoltage > servo.maxVoltage) {
+        return kOverVoltage;
+    }
+    if (inputs.busVoltage < kLowestVoltage) {
+        return kUnderVoltage;
+    }
+    const bool motorHot = servo.enableMotorTemperature && exceeds(inputs.motorTemperature, servo.motorFaultTemperature);
+    if (motorHot || exceeds(inputs.fetTemperature, servo.faultTemperature)) {
+        return kOverTemperature;
+    }
+    if (!followsSetpoint()) {
+        return 0;
+    }
+    if (exceeds(std::abs(inputs.position - control().position), servo.faultPositionError)) {
+        return kPositionError;
+    }
+    return exceeds(std::abs(inputs.velocity - control().velocity), servo.faultVelocityError) ? kVelocityError : 0;
 }
 
-PositionBounds Servo::bounds(const ServoCommand& command) const
+int Servo::entryFault(const ServoInputs& inputs) const
 {
-    PositionBounds result;
-    if (command.ignorePositionBounds) {
-        return result;
+    if (inputs.encoderError) {
+        return kEncoderFault;
     }
-    if (std::isfinite(m_config.positionMin)) {
-        result.min = m_config.positionMin;
+    const bool openLoop = m_command.mode == Mode::Brake || m_command.mode == Mode::Pwm ||
+                          m_command.mode == Mode::Voltage || m_command.mode == Mode::VoltageFoc;
+    if (!inputs.commutationValid && !openLoop) {
+        return kNoCommutation;
     }
-    if (std::isfinite(m_config.positionMax)) {
-        result.max = m_config.positionMax;
+    if (!isPositionMode(m_command.mode)) {
+        return 0;
     }
-    return result;
-}
-
-void Servo::control(double dt, const ServoInputs& inputs)
-{
-    m_output = {.loss = kIdlePower};
-    m_limit = ActiveLimit::None;
-    m_controlTorque = kNone;
-    switch (m_mode) {
-        case Mode::Position:
-            controlPosition(dt, inputs, m_command);
-            break;
-        case Mode::PositionTimeout:
-            controlTimeout(dt, inputs);
-            break;
-        case Mode::ZeroVelocity:
-            controlZeroVelocity(dt, inputs);
-            break;
-        case Mode::StayWithin:
-            controlStayWithin(dt, inputs);
-            break;
-        case Mode::Current:
-            driveCurrent(m_command.qCurrent, inputs, false);
-            break;
-        case Mode::VoltageDq:
-            driveCurrent(
-                (m_command.qVoltage - voltagePerVelocity(m_config) * inputs.velocity) / m_config.motor.resistance,
-                inputs, false);
-            break;
-        case Mode::Brake:
-            brake();
-            break;
-        default:  // no torque: stopped, fault, enabling, and the open-loop modes, which no antenna uses
-            m_terms = {};
-            break;
+    if (!inputs.positionValid) {
+        return kNoPosition;
     }
-    if (moteus::isLimit(inputs.persistentFault) && controlsPosition()) {
-        m_limit = static_cast<ActiveLimit>(inputs.persistentFault);
+    const auto tooLarge = [](double bound) { return std::isfinite(bound) && std::abs(bound) > kLargestPosition; };
+    if (tooLarge(m_config.positionMin) || tooLarge(m_config.positionMax)) {
+        return kBoundsTooLarge;
     }
-}
-
-void Servo::controlTimeout(double dt, const ServoInputs& inputs)
-{
-    switch (static_cast<Mode>(m_config.servo.timeoutMode)) {
-        case Mode::Position:
-            controlPosition(dt, inputs, ServoCommand{.mode = Mode::Position, .position = kNone});
-            break;
-        case Mode::ZeroVelocity:
-            controlZeroVelocity(dt, inputs);
-            break;
-        case Mode::Brake:
-            brake();
-            break;
-        default:  // driver off
-            m_terms = {};
-            break;
-    }
-}
-
-void Servo::controlPosition(double dt, const ServoInputs& inputs, const ServoCommand& command)
-{
-    m_planner.step(dt, limits(command, inputs.busVoltage), bounds(command));
-    m_trajectoryComplete = m_planner.state().complete;
-    if (const double slip = m_config.servo.maxPositionSlip; std::isfinite(slip)) {
-        m_planner.moveTo(std::clamp(m_planner.state().position, inputs.position - slip, inputs.position + slip));
-    }
-    applyGains(dt, inputs, command);
-    driveTorque(inputs, command);
-}
-
-// Damping only, with the torque that the configuration allows after a time-out.
-void Servo::controlZeroVelocity(double dt, const ServoInputs& inputs)
-{
-    m_planner.capture(inputs.position, 0.0);
-    ServoCommand damping{.mode = Mode::ZeroVelocity,
-                         .kpScale = 0.0,
-                         .kdScale = m_command.kdScale,
-                         .maximumTorque = m_config.servo.timeoutMaxTorque,
-                         .integralLimitScale = 0.0};
-    applyGains(dt, inputs, damping);
-    driveTorque(inputs, damping);
-}
-
-void Servo::controlStayWithin(double dt, const ServoInputs& inputs)
-{
-    double nearest = inputs.position;
-    if (m_command.stayWithinLower > nearest) {
-        nearest = m_command.stayWithinLower;
-    } else if (m_command.stayWithinUpper < nearest) {
-        nearest = m_command.stayWithinUpper;
-    }
-    m_planner.capture(nearest, 0.0);
-    if (nearest == inputs.position) {
-        m_terms = {.feedforward = m_command.feedforwardTorque, .total = m_command.feedforwardTorque};
-    } else {
-        applyGains(dt, inputs, m_command);
-    }
-    driveTorque(inputs, m_command);
-}
-
-void Servo::applyGains(double dt, const ServoInputs& inputs, const ServoCommand& command)
-{
-    const ServoGains& gains = m_config.servo.gains;
-    const double error = inputs.position - m_planner.state().position;
-    const double velocityError = inputs.velocity - m_planner.state().velocity;
-    const double mostIntegral = std::max(gains.ilimit * command.integralLimitScale, 0.0);
-    const double rate =
-        gains.iratelimit < 0.0 ? -gains.ki * error : std::clamp(-gains.ki * error, -gains.iratelimit, gains.iratelimit);
-    m_terms.integral = std::clamp(m_terms.integral + rate * dt, -mostIntegral, mostIntegral);
-    m_terms.proportional = -gains.kp * command.kpScale * error;
-    m_terms.derivative = -gains.kd * command.kdScale * velocityError;
-    m_terms.feedforward = command.feedforwardTorque;
-    const double accelerating =
-        2.0 * std::numbers::pi * m_planner.state().acceleration * m_config.servo.inertiaFeedforward;
-    m_terms.total = m_terms.proportional + m_terms.integral + m_terms.derivative + m_terms.feedforward + accelerating;
-}
-
-void Servo::driveTorque(const ServoInputs& inputs, const ServoCommand& command)
-{
-    double torque = m_terms.total;
-    if (std::abs(torque) > command.maximumTorque) {  // never true for NaN
-        torque = std::copysign(command.maximumTorque, torque);
-        m_limit = ActiveLimit::CommandedTorque;
-    }
-    m_controlTorque = torque;
-    const bool boundsApply = !command.ignorePositionBounds && command.mode != Mode::ZeroVelocity;
-    driveCurrent(torque / torquePerAmpere(m_config), inputs, boundsApply);
-}
-
-void Servo::driveCurrent(double amperes, const ServoInputs& inputs, bool boundsApply)
-{
-    const LimitedCurrent limited = limitedCurrent(amperes, m_config,
-                                                  {.position = inputs.position,
-                                                   .velocity = inputs.velocity,
-                                                   .busVoltage = inputs.busVoltage,
-                                                   .fetTemperature = inputs.fetTemperature,
-                                                   .motorTemperature = inputs.motorTemperature,
-                                                   .boundsApply = boundsApply});
-    if (limited.limit != ActiveLimit::None) {
-        m_limit = limited.limit;
-    }
-    m_output.qCurrent = limited.amperes;
-    m_output.torque = limited.amperes * torquePerAmpere(m_config);
-    m_output.dCurrent = fluxBrakeCurrent(m_config, inputs.busVoltage);
-    if (m_output.dCurrent > 0.0) {
-        m_limit = ActiveLimit::FluxBraking;
-    }
-    const double squared = m_output.qCurrent * m_output.qCurrent + m_output.dCurrent * m_output.dCurrent;
-    m_output.power = motorPower(m_config, m_output.qCurrent, m_output.dCurrent, inputs.velocity);
-    m_output.loss += kServoPowerFactor * kBoardResistance * squared;
-}
-
-void Servo::brake()
-{
-    m_terms = {};
-    m_output.braking = true;
+    const PositionBounds allowed = m_control.bounds(m_command);
+    return inputs.position < allowed.min || inputs.position > allowed.max ? kOutsideBounds : 0;
 }
 
 }  // namespace boresight::sim

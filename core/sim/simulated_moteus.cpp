@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Power, physics and frames of SimulatedMoteus; its registers are in moteus_registers.cpp.
 #include "core/sim/simulated_moteus.h"
 
 #include "core/sim/command_registers.h"
-
-#include <cmath>
+#include "core/sim/drive_telemetry.h"
 
 namespace boresight::sim {
 namespace {
@@ -12,7 +10,6 @@ namespace {
 using moteus::Register;
 
 constexpr int kConfigurationChanged = 41;
-constexpr double kPositionCount = 1.0 / 65536.0;
 
 }  // namespace
 
@@ -38,7 +35,7 @@ void SimulatedMoteus::powerUp()
     m_servo.emplace(m_config);
     m_console.reset();
     m_server = {};
-    m_accepted = {};
+    m_writes.forget();
     m_uptime = 0.0;
     sampleEncoder();
     m_encoder->latchAtPowerUp();
@@ -90,9 +87,7 @@ std::optional<CanFrame> SimulatedMoteus::exchange(const CanFrame& request, doubl
     if (!m_powered) {
         return std::nullopt;
     }
-    m_writes = m_accepted;
-    m_writes.hasMode = false;
-    m_writes.actions.clear();
+    m_writes.begin();
     m_age = age;
     const moteus::DeviceAddress address{.id = static_cast<std::uint8_t>(answerAs.value_or(m_config.id)),
                                         .prefix = static_cast<std::uint16_t>(m_config.canPrefix)};
@@ -105,8 +100,8 @@ void SimulatedMoteus::completeFrame(FrameEnd end)
     if (end == FrameEnd::Discarded) {
         return;
     }
-    m_accepted = m_writes;
-    for (const moteus::RegisterValue& action : m_writes.actions) {
+    m_writes.accept();
+    for (const moteus::RegisterValue& action : m_writes.actions()) {
         if (action.reg == Register::SetOutputNearest) {
             setOutputNearest(action.value);
         } else if (action.reg == Register::SetOutputExact) {
@@ -117,9 +112,43 @@ void SimulatedMoteus::completeFrame(FrameEnd end)
             recapture();
         }
     }
-    if (m_writes.hasMode) {
-        m_servo->command(m_writes.command, m_age);
+    if (m_writes.hasMode()) {
+        m_servo->command(m_writes.command(), m_age);
     }
+}
+
+DriveState SimulatedMoteus::state() const
+{
+    return {.config = m_config,
+            .servo = *m_servo,
+            .inputs = m_inputs,
+            .encoder = *m_encoder,
+            .board = m_board,
+            .plant = m_plant,
+            .uptime = m_uptime,
+            .registerMapVersion = m_registerMapVersion};
+}
+
+double SimulatedMoteus::readRegister(Register reg)
+{
+    if (const auto commanded = readCommand(m_writes.command(), reg)) {
+        return *commanded;
+    }
+    if (const auto shown = readState(state(), reg)) {
+        return *shown;
+    }
+    const auto written = m_writes.unused(reg);
+    return written ? *written : readSensor(state(), reg);
+}
+
+std::vector<std::string> SimulatedMoteus::telemetryChannels() const
+{
+    return sim::telemetryChannels();
+}
+
+std::vector<ArchiveField> SimulatedMoteus::telemetry(std::string_view channel)
+{
+    return sim::telemetry(state(), channel);
 }
 
 void SimulatedMoteus::receiveText(std::uint32_t, std::span<const std::uint8_t> text)
@@ -184,7 +213,7 @@ double SimulatedMoteus::motorCurrent() const
 
 double SimulatedMoteus::reportedPosition() const
 {
-    return std::floor(m_encoder->position() / kPositionCount) * kPositionCount;
+    return readState(state(), Register::Position).value_or(kNone);
 }
 
 double SimulatedMoteus::outputTorque() const

@@ -4,16 +4,17 @@
 #include "core/moteus/frame_server.h"
 #include "core/sim/axis_plant.h"
 #include "core/sim/diagnostic_console.h"
+#include "core/sim/frame_writes.h"
 #include "core/sim/power_supply.h"
 #include "core/sim/rotor_encoder.h"
 #include "core/sim/servo.h"
+#include "core/sim/state_registers.h"
 
-#include <array>
-#include <map>
 #include <optional>
 
-// One simulated moteus r4.11 with its motor, gearbox and axis: registers, diagnostic console, configuration memory,
-// power-up. Pure, stepped by its owner, answers frames at once; the reply shows the state before the command.
+// One simulated moteus r4.11 with its motor, gearbox and axis: power-up, physics, frames, configuration memory. What
+// its registers show is in state_registers.h, what is written to them in FrameWrites. Pure, stepped by its owner,
+// answers frames at once; the reply shows the state before the command.
 namespace boresight::sim {
 
 struct MoteusSettings
@@ -67,7 +68,10 @@ public:
 
     // What the frame server asks.
     [[nodiscard]] double readRegister(moteus::Register reg) override;
-    [[nodiscard]] std::uint32_t writeRegister(moteus::Register reg, double value) override;
+    [[nodiscard]] std::uint32_t writeRegister(moteus::Register reg, double value) override
+    {
+        return m_writes.write(reg, value);
+    }
     void completeFrame(FrameEnd end) override;
     [[nodiscard]] bool hasChannel(std::uint32_t channel) override { return channel == 1; }
     void receiveText(std::uint32_t channel, std::span<const std::uint8_t> text) override;
@@ -93,11 +97,7 @@ private:
     void powerUp();
     void sampleEncoder();
     [[nodiscard]] double motorCurrent() const;  // A, towards positive turns of the rotor
-    [[nodiscard]] std::optional<double> readMeasured(moteus::Register reg) const;
-    [[nodiscard]] std::optional<double> readControl(moteus::Register reg) const;
-    [[nodiscard]] std::optional<double> readIdentity(moteus::Register reg) const;
-    [[nodiscard]] double readSensor(moteus::Register reg) const;
-    [[nodiscard]] std::vector<ArchiveField> servoStats() const;
+    [[nodiscard]] DriveState state() const;
 
     MoteusSettings m_settings;
     DriveConfig m_machine;  // motor and gear as they are
@@ -114,18 +114,8 @@ private:
     double m_slip = 0.0;  // turns of the axis
     double m_uptime = 0.0;
     int m_registerMapVersion = moteus::kRegisterMapVersion;
-
-    // One frame's writes, until its end.
-    struct Writes
-    {
-        ServoCommand command;
-        bool hasMode = false;
-        std::vector<moteus::RegisterValue> actions;
-        std::map<moteus::Register, double> unused;  // registers that can be written and read and do nothing here
-    };
-    Writes m_writes;
-    Writes m_accepted;
-    double m_age = 0.0;
+    FrameWrites m_writes;
+    double m_age = 0.0;  // of the frame being served
 };
 
 }  // namespace boresight::sim

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mqtt/client.h"
+#include "core/mqtt/broker_client.h"
 #include "core/sim_sensor/sensor_box.h"
 
 #include <QObject>
@@ -33,7 +33,7 @@ public:
                     PublishedTopics topics = PublishedTopics::All);
 
     // Whom to open, and whose problem to tell.
-    [[nodiscard]] mqtt::Client& client() { return m_client; }
+    [[nodiscard]] mqtt::BrokerClient& client() { return m_client; }
 
 private:
     struct Beside
@@ -49,7 +49,7 @@ private:
     const Clock& m_clock;
     QString m_prefix;
     std::vector<Beside> m_beside;
-    mqtt::Client m_client;
+    mqtt::BrokerClient m_client;
 };
 
 }  // namespace boresight::sim

@@ -8,7 +8,7 @@
 namespace boresight {
 
 SimulatedSource::SimulatedSource(const Clock& clock, std::shared_ptr<SimulatedMount> mount, QObject* parent)
-    : Source(parent), m_clock(clock), m_mount(std::move(mount))
+    : SensorSource(parent), m_clock(clock), m_mount(std::move(mount))
 {
     m_timer.setInterval(sim::SimulatedSensor::kReadingPeriod);
     connect(&m_timer, &QTimer::timeout, this, &SimulatedSource::read);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/orientation/sentence_stream.h"
-#include "core/orientation_stream/source.h"
+#include "core/orientation_stream/sensor_source.h"
 #include "core/sim_bus/simulated_link.h"
 
 #include <QTimer>
@@ -13,7 +13,7 @@
 // the bytes of a serial port. Lives on the station thread.
 namespace boresight {
 
-class SimulatedSource final : public orientation::Source
+class SimulatedSource final : public orientation::SensorSource
 {
     Q_OBJECT
 

@@ -23,7 +23,7 @@ orientation::MqttTopics topicsOf(const profile::SensorSettings& sensor)
 SensorMaker sensorMaker(const Clock& clock, std::shared_ptr<SimulatedMount> simulated)
 {
     return [&clock, simulated](const profile::Profile& profile,
-                               mqtt::Connection& broker) -> std::unique_ptr<orientation::Source> {
+                               mqtt::Connection& broker) -> std::unique_ptr<orientation::SensorSource> {
         const profile::SensorSettings& sensor = profile.sensor;
         switch (sensor.source) {
             case profile::SensorSource::Serial:

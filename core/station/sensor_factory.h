@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/orientation_stream/source.h"
+#include "core/orientation_stream/sensor_source.h"
 #include "core/profile/profile.h"
 
 #include <functional>
@@ -19,7 +19,8 @@ struct SimulatedMount;
 
 // Of one program; called on the station thread. The connection is the one to the station's broker and outlives
 // what is made. Nothing if the profile names none, or one that cannot be had here.
-using SensorMaker = std::function<std::unique_ptr<orientation::Source>(const profile::Profile&, mqtt::Connection&)>;
+using SensorMaker =
+    std::function<std::unique_ptr<orientation::SensorSource>(const profile::Profile&, mqtt::Connection&)>;
 
 // Of what needs nothing but the profile. `simulated`: the mount whose sensor is the simulated one; may be null. The
 // clock outlives the maker and what it makes.

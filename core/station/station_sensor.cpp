@@ -44,17 +44,18 @@ void StationSensor::open()
     if (!m_source) {
         return;
     }
-    connect(m_source.get(), &orientation::Source::received, this, [this](const orientation::Orientation& value) {
+    connect(m_source.get(), &orientation::SensorSource::received, this, [this](const orientation::Orientation& value) {
         m_watch.take(value);
         m_watch.show(m_source->status());
     });
-    connect(m_source.get(), &orientation::Source::statusChanged, this, [this](const orientation::SourceStatus& status) {
-        m_watch.show(status);
-        // The broker's own trouble has its line already.
-        if (!status.problem.isEmpty() && status.problem != m_broker.connection().problem()) {
-            m_log.add(Severity::Warning, kSensorSource, status.problem);
-        }
-    });
+    connect(m_source.get(), &orientation::SensorSource::statusChanged, this,
+            [this](const orientation::SourceStatus& status) {
+                m_watch.show(status);
+                // The broker's own trouble has its line already.
+                if (!status.problem.isEmpty() && status.problem != m_broker.connection().problem()) {
+                    m_log.add(Severity::Warning, kSensorSource, status.problem);
+                }
+            });
     m_watch.begin(m_source->name());
     m_source->open();
     m_watch.show(m_source->status());

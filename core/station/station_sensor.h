@@ -58,7 +58,7 @@ private:
     StationBroker& m_broker;
     SensorWatch m_watch;
     SensorMaker m_maker;
-    std::unique_ptr<orientation::Source> m_source;
+    std::unique_ptr<orientation::SensorSource> m_source;
     bool m_open = false;
     ModelAnswer m_model;       // the reader's until it has read
     bool m_isReading = false;  // takeModel() is still to come

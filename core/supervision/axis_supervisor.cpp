@@ -70,7 +70,7 @@ std::vector<Observed> AxisSupervisor::observe(const AxisObservation& seen)
                                      &m_travel, &m_torqueGuard, &m_torqueHigh, &m_replies, &m_supplyLow, &m_supplyFalls,
                                      &m_supplyHigh, &m_boardHot, &m_boardWarms, &m_motorHot, &m_motorWarms}) {
         const auto& one = watch->observed();
-        if (one && std::ranges::find(found, one->finding, &Observed::finding) == found.end()) {
+        if (one && std::ranges::find(found, one->symptom, &Observed::symptom) == found.end()) {
             found.push_back(*one);
         }
     }

@@ -4,8 +4,8 @@
 #include "core/base/clock.h"
 #include "core/profile/in_force.h"
 #include "core/supervision/axis_observation.h"
-#include "core/supervision/finding.h"
 #include "core/supervision/motion_memory.h"
+#include "core/supervision/symptom.h"
 #include "core/supervision/trend.h"
 #include "core/supervision/watch.h"
 #include "core/units/sky.h"
@@ -83,23 +83,23 @@ private:
     QString m_limit;
     SteadyTime m_limitSeen{};
 
-    Watch m_following{Finding::FollowingError};
-    Watch m_stalled{Finding::Stalled};
-    Watch m_pushes{Finding::Stalled};
-    Watch m_wrongWay{Finding::WrongWay};
-    Watch m_uncommanded{Finding::MovesUncommanded};
-    Watch m_jump{Finding::EncoderJump};
-    Watch m_travel{Finding::OutsideTravel};
-    Watch m_torqueGuard{Finding::TorqueGuard};
-    Watch m_torqueHigh{Finding::TorqueHigh};
-    Watch m_replies{Finding::RepliesLate};
-    Watch m_supplyLow{Finding::SupplyLow};
-    Watch m_supplyFalls{Finding::SupplyLow};
-    Watch m_supplyHigh{Finding::SupplyHigh};
-    Watch m_boardHot{Finding::BoardHot};
-    Watch m_boardWarms{Finding::BoardHot};
-    Watch m_motorHot{Finding::MotorHot};
-    Watch m_motorWarms{Finding::MotorHot};
+    Watch m_following{Symptom::FollowingError};
+    Watch m_stalled{Symptom::Stalled};
+    Watch m_pushes{Symptom::Stalled};
+    Watch m_wrongWay{Symptom::WrongWay};
+    Watch m_uncommanded{Symptom::MovesUncommanded};
+    Watch m_jump{Symptom::EncoderJump};
+    Watch m_travel{Symptom::OutsideTravel};
+    Watch m_torqueGuard{Symptom::TorqueGuard};
+    Watch m_torqueHigh{Symptom::TorqueHigh};
+    Watch m_replies{Symptom::RepliesLate};
+    Watch m_supplyLow{Symptom::SupplyLow};
+    Watch m_supplyFalls{Symptom::SupplyLow};
+    Watch m_supplyHigh{Symptom::SupplyHigh};
+    Watch m_boardHot{Symptom::BoardHot};
+    Watch m_boardWarms{Symptom::BoardHot};
+    Watch m_motorHot{Symptom::MotorHot};
+    Watch m_motorWarms{Symptom::MotorHot};
 };
 
 }  // namespace boresight::supervision

@@ -7,7 +7,7 @@
 
 #include <QString>
 
-// Numbers as the operator reads them in a finding.
+// Numbers as the operator reads them in a symptom.
 namespace boresight::supervision {
 
 [[nodiscard]] inline QString words(double value, int decimals)

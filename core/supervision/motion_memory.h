@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <optional>
 
-// What the supervisor remembers of the motion of one axis, each piece for one finding. Pure; all judge by measured
+// What the supervisor remembers of the motion of one axis, each piece for one symptom. Pure; all judge by measured
 // angles, because a rate near rest is mostly noise of the encoder. Given fresh replies only.
 namespace boresight::supervision {
 

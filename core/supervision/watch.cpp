@@ -32,7 +32,7 @@ void Watch::update(SteadyTime now, double value, const WatchLimits& limits, cons
     const bool doubled = m_observed && m_told > 0.0 && value >= 2.0 * m_told;
     if (begins || worse || doubled) {
         const bool stops = stop || (m_observed && m_observed->weight == Weight::Stop);
-        m_observed = Observed{.finding = m_finding, .weight = stops ? Weight::Stop : Weight::Hint, .what = words()};
+        m_observed = Observed{.symptom = m_symptom, .weight = stops ? Weight::Stop : Weight::Hint, .what = words()};
         m_told = value;
     }
 }

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/supervision/finding.h"
+#include "core/supervision/symptom.h"
 
 #include <functional>
 #include <limits>
 #include <optional>
 
-// One finding with hysteresis in value and in time, so that an alarm does not flicker: it begins when a value has
+// One symptom with hysteresis in value and in time, so that an alarm does not flicker: it begins when a value has
 // stayed at or beyond a limit for a time, and ends when it has stayed below a lower value for another. Pure.
 namespace boresight::supervision {
 
@@ -24,16 +24,16 @@ struct WatchLimits
 class Watch
 {
 public:
-    explicit Watch(Finding finding) : m_finding(finding) {}
+    explicit Watch(Symptom symptom) : m_symptom(symptom) {}
 
-    // `words` is asked when the finding begins, becomes a stop or has doubled: the text keeps the numbers of then.
+    // `words` is asked when the symptom begins, becomes a stop or has doubled: the text keeps the numbers of then.
     void update(SteadyTime now, double value, const WatchLimits& limits, const std::function<QString()>& words);
-    void forget() { *this = Watch(m_finding); }
+    void forget() { *this = Watch(m_symptom); }
 
     [[nodiscard]] const std::optional<Observed>& observed() const { return m_observed; }
 
 private:
-    Finding m_finding;
+    Symptom m_symptom;
     std::optional<SteadyTime> m_hintSince;
     std::optional<SteadyTime> m_stopSince;
     std::optional<SteadyTime> m_quietSince;

@@ -2,7 +2,6 @@
 #include "core/survey/axis_survey.h"
 
 #include "core/base/text.h"
-#include "core/moteus/describe.h"
 
 #include <algorithm>
 #include <utility>
@@ -44,24 +43,21 @@ void AxisSurvey::profileChanged(const profile::Profile& /*before*/, const profil
     }
 }
 
-// The keys are the same for every profile: only what is wanted of them changes.
 void AxisSurvey::takeNext()
 {
     if (m_next) {
-        m_protections = *std::exchange(m_next, std::nullopt);
-        judge();
+        m_protections.want(*std::exchange(m_next, std::nullopt));
     }
 }
 
 void AxisSurvey::forget()
 {
-    m_readings.assign(m_protections.size(), {});
+    m_protections.forget();
     m_origin = {};
     m_step = Step::Idle;
     m_run.reset();
     m_complete = false;
     m_trouble.clear();
-    judge();
 }
 
 void AxisSurvey::read(const moteus::Uuid& board)
@@ -77,7 +73,7 @@ void AxisSurvey::read(const moteus::Uuid& board)
 void AxisSurvey::startReading()
 {
     std::vector<std::string> commands{"tel stop"};
-    std::ranges::transform(m_protections, std::back_inserter(commands), getCommand);
+    std::ranges::transform(m_protections.wanted(), std::back_inserter(commands), getCommand);
     commands.insert(commands.end(), {kOriginFormat, kGetOrigin});
     m_run.emplace(m_id, std::move(commands));
     m_step = Step::Reading;
@@ -99,7 +95,7 @@ void AxisSurvey::startOrigin()
 bool AxisSurvey::isFixable() const
 {
     const bool unstored = !m_fixTrouble.isEmpty();
-    return unstored || std::ranges::any_of(m_lines, [](const ProtectionLine& line) { return !line.fix.isEmpty(); });
+    return unstored || m_protections.isAnyFixable();
 }
 
 void AxisSurvey::fix()
@@ -107,9 +103,9 @@ void AxisSurvey::fix()
     m_written.clear();
     std::vector<std::string> sets{"tel stop"};
     std::vector<std::string> gets;
-    for (std::size_t i = 0; i < m_lines.size(); ++i) {
-        const Protection& protection = m_protections[i];
-        if (m_lines[i].fix.isEmpty()) {
+    for (std::size_t i = 0; i < lines().size(); ++i) {
+        const Protection& protection = m_protections.wanted()[i];
+        if (lines()[i].fix.isEmpty()) {
             continue;
         }
         m_written.push_back(i);
@@ -190,13 +186,15 @@ void AxisSurvey::fail(const std::string& why)
 void AxisSurvey::finishReading()
 {
     const auto first = m_run->answers().begin() + 1;
-    std::transform(first, first + std::ssize(m_readings), m_readings.begin(), asReading);
+    std::vector<Reading> readings;
+    std::transform(first, first + std::ssize(m_protections.wanted()), std::back_inserter(readings), asReading);
+    m_protections.take(std::move(readings));
     keepOrigin(m_run->answers().back());
     m_run.reset();
     m_step = Step::Idle;
     m_complete = true;
-    judge();
-    noteChanges();
+    m_changes.note(m_axis, m_board, m_protections, m_written);
+    m_written.clear();
     takeNext();
 }
 
@@ -206,7 +204,7 @@ void AxisSurvey::finishSetting()
     const auto& answers = m_run->answers();
     const std::size_t firstGet = answers.size() - m_written.size();
     for (std::size_t i = 0; i < m_written.size(); ++i) {
-        const Protection& protection = m_protections[m_written[i]];
+        const Protection& protection = m_protections.wanted()[m_written[i]];
         const Reading reading = asReading(answers[firstGet + i]);
         if (!tookEffect(*protection.remedy, reading)) {
             m_fixTrouble =
@@ -245,49 +243,6 @@ void AxisSurvey::keepOrigin(const ConsoleRun::Answer& telemetry)
                 .asked = m_notYetAsked};
 }
 
-void AxisSurvey::judge()
-{
-    m_lines.clear();
-    for (std::size_t i = 0; i < m_protections.size(); ++i) {
-        m_lines.push_back(judged(m_protections[i], m_readings[i]));
-    }
-}
-
-void AxisSurvey::noteChanges()
-{
-    const CompleteReading before =
-        std::exchange(m_last, CompleteReading{m_board, m_readings}).value_or(CompleteReading{m_board, m_readings});
-    const auto note = [this](const QString& what, const QString& was, const QString& is, bool written) {
-        m_changes.push_back({Text::tr("%1: %2 was %3, is %4").arg(axisText(m_axis), what, was, is), written});
-    };
-    const bool otherBoard = before.board != m_board;
-    if (otherBoard) {
-        note(Text::tr("the board"), QString::fromStdString(moteus::uuidText(before.board)),
-             QString::fromStdString(moteus::uuidText(m_board)), false);
-    }
-    for (std::size_t i = 0; i < m_protections.size(); ++i) {
-        const Protection& protection = m_protections[i];
-        if (before.readings[i] != m_readings[i]) {
-            note(QString::fromStdString(protection.key), foundText(protection, before.readings[i]),
-                 foundText(protection, m_readings[i]), !otherBoard && wroteItself(i));
-        }
-    }
-    m_written.clear();
-}
-
-bool AxisSurvey::wroteItself(std::size_t protection) const
-{
-    const bool told = std::ranges::find(m_written, protection) != m_written.end();
-    return told && tookEffect(*m_protections[protection].remedy, m_readings[protection]);
-}
-
-std::optional<double> AxisSurvey::value(std::string_view key) const
-{
-    const auto found = std::ranges::find(m_protections, key, &Protection::key);
-    const auto place = found - m_protections.begin();
-    return found != m_protections.end() ? m_readings[static_cast<std::size_t>(place)].value() : std::nullopt;
-}
-
 QString AxisSurvey::progress() const
 {
     if (m_step == Step::Origin || m_step == Step::OriginUptime) {
@@ -304,11 +259,6 @@ QString AxisSurvey::progress() const
                              : setting ? Text::tr("writing %1 of %2")
                                        : Text::tr("reading %1 of %2");
     return sentence.arg(key.isEmpty() ? Text::tr("the settings") : key, axisText(m_axis));
-}
-
-std::vector<Change> AxisSurvey::takeChanges()
-{
-    return std::exchange(m_changes, {});
 }
 
 }  // namespace boresight::survey

@@ -3,8 +3,9 @@
 
 #include "core/moteus/count_origin.h"
 #include "core/survey/console_run.h"
+#include "core/survey/drive_changes.h"
 #include "core/survey/heartbeat.h"
-#include "core/survey/protections.h"
+#include "core/survey/read_protections.h"
 
 #include <optional>
 #include <span>
@@ -12,17 +13,8 @@
 #include <vector>
 
 // The drive of one axis: reads its protections, writes those that differ, and listens to its heartbeat. Pure; at most
-// one frame a call. What changed since the last complete reading is told even after the bus was lost in between.
+// one frame a call.
 namespace boresight::survey {
-
-// A setting, or the board itself, is not what it was at the reading before.
-struct Change
-{
-    QString text;          // "azimuth: servo.timeout_mode was 12, is 10"
-    bool written = false;  // by our own Fix
-
-    bool operator==(const Change&) const = default;
-};
 
 // What the drive's position counted from at that moment.
 struct OriginReading
@@ -54,11 +46,11 @@ public:
     [[nodiscard]] QString progress() const;                                   // "reading servo.timeout_mode of azimuth"
     [[nodiscard]] const QString& trouble() const { return m_trouble; }        // why there is no complete reading
     [[nodiscard]] const QString& fixTrouble() const { return m_fixTrouble; }  // why the settings are not stored
-    [[nodiscard]] std::span<const ProtectionLine> lines() const { return m_lines; }
-    [[nodiscard]] std::optional<double> value(std::string_view key) const;
+    [[nodiscard]] std::span<const ProtectionLine> lines() const { return m_protections.lines(); }
+    [[nodiscard]] std::optional<double> value(std::string_view key) const { return m_protections.value(key); }
     [[nodiscard]] const OriginReading& origin() const { return m_origin; }
     [[nodiscard]] const Heartbeat& heartbeat() const { return m_heartbeat; }
-    [[nodiscard]] std::vector<Change> takeChanges();
+    [[nodiscard]] std::vector<Change> takeChanges() { return m_changes.take(); }
 
 private:
     enum class Step
@@ -71,11 +63,6 @@ private:
         Storing,
         Origin,
     };
-    struct CompleteReading
-    {
-        moteus::Uuid board{};
-        std::vector<Reading> readings;
-    };
 
     void takeNext();
     void startReading();
@@ -87,16 +74,11 @@ private:
     void finishOrigin();
     void keepOrigin(const ConsoleRun::Answer& telemetry);
     void fail(const std::string& why);
-    void judge();
-    void noteChanges();
-    [[nodiscard]] bool wroteItself(std::size_t protection) const;
 
     Axis m_axis;
     int m_id;
-    std::vector<Protection> m_protections;
+    ReadProtections m_protections;
     std::optional<std::vector<Protection>> m_next;  // instead, as soon as nothing is being written
-    std::vector<Reading> m_readings;
-    std::vector<ProtectionLine> m_lines;
     moteus::Uuid m_board{};
     Heartbeat m_heartbeat;
     Step m_step = Step::Idle;
@@ -107,8 +89,7 @@ private:
     SteadyTime m_notYetAsked{SteadyTime::min()};  // for the origin, in this run
     QString m_trouble;
     QString m_fixTrouble;
-    std::optional<CompleteReading> m_last;
-    std::vector<Change> m_changes;
+    DriveChanges m_changes;
 };
 
 }  // namespace boresight::survey

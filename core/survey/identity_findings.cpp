@@ -13,7 +13,7 @@ namespace {
 
 using moteus::Register;
 
-struct Judge
+struct IdentityJudge
 {
     const profile::Profile& profile;
     const KnownBoards& known;
@@ -44,7 +44,7 @@ QString uuidOf(const FoundController& board)
 }
 
 // Two with one id are seen as two, or as one whose long answers never arrive whole.
-void Judge::judgeShared()
+void IdentityJudge::judgeShared()
 {
     std::set<int> ids;
     for (const FoundController& board : found) {
@@ -64,7 +64,7 @@ void Judge::judgeShared()
     }
 }
 
-void Judge::judgeStrangers()
+void IdentityJudge::judgeStrangers()
 {
     std::set<int> ids;
     for (const FoundController& board : found) {
@@ -81,7 +81,7 @@ void Judge::judgeStrangers()
     }
 }
 
-void Judge::judgeSwapped()
+void IdentityJudge::judgeSwapped()
 {
     for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
         const Axis other = otherThan(axis);
@@ -102,7 +102,7 @@ void Judge::judgeSwapped()
     }
 }
 
-void Judge::judgeAxis(Axis axis)
+void IdentityJudge::judgeAxis(Axis axis)
 {
     const int id = idOf(axis);
     if (countOf(id) == 0) {
@@ -133,7 +133,7 @@ void Judge::judgeAxis(Axis axis)
     }
 }
 
-void Judge::judgeMap(Axis axis, const FoundController& board)
+void IdentityJudge::judgeMap(Axis axis, const FoundController& board)
 {
     const std::optional<double> map = board.known.value(Register::RegisterMapVersion);
     if (map && *map == moteus::kRegisterMapVersion) {
@@ -183,7 +183,7 @@ std::vector<Finding> identityFindings(const profile::Profile& profile, const Kno
              .what = Text::tr("no drive answers on the bus"),
              .remedy = Text::tr("Look at the power of the drives, the bus cable, and whether both ends have 120 Ω.")}};
     }
-    Judge judge{profile, known, found};
+    IdentityJudge judge{profile, known, found};
     judge.judgeShared();
     judge.judgeSwapped();
     judge.judgeAxis(Axis::Azimuth);

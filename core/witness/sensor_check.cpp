@@ -35,7 +35,7 @@ void SensorCheck::note(SteadyTime now, const std::optional<SkyPointing>& axes)
     }
 }
 
-void SensorCheck::take(const SensorReading& reading)
+void SensorCheck::take(const SensorDirection& reading)
 {
     const auto azimuths = passed(&Place::azimuth, earlier(reading.arrival, m_settings.latency), m_settings.averaging);
     const auto elevations = passed(&Place::elevation, reading.arrival, Seconds(0.0));

@@ -26,7 +26,7 @@ struct SensorCheckSettings
     bool operator==(const SensorCheckSettings&) const = default;
 };
 
-struct SensorReading
+struct SensorDirection
 {
     SkyPointing direction;  // true
     SteadyTime arrival;
@@ -52,7 +52,7 @@ public:
 
     // Where the axes point, once per tick; empty: not known, and nothing is compared across that.
     void note(SteadyTime now, const std::optional<SkyPointing>& axes);
-    void take(const SensorReading& reading);
+    void take(const SensorDirection& reading);
     // Time goes on: a difference becomes a lasting one between two values too.
     void tick(SteadyTime now);
     // There is no sensor any more, or another.

@@ -81,7 +81,7 @@ DeviationCurve curveOf(const profile::SensorSettings& settings, Angle declinatio
     return curve;
 }
 
-SensorTruth::SensorTruth(const profile::SensorSettings& settings, const geomagnetism::Declination& declination)
+SensorToSky::SensorToSky(const profile::SensorSettings& settings, const geomagnetism::Declination& declination)
     : correction(settings.mounting, declination)
 {
     if (wasSwung(settings)) {
@@ -89,7 +89,7 @@ SensorTruth::SensorTruth(const profile::SensorSettings& settings, const geomagne
     }
 }
 
-SkyPointing SensorTruth::directionOf(const orientation::Orientation& value) const
+SkyPointing SensorToSky::directionOf(const orientation::Orientation& value) const
 {
     SkyPointing direction = correction.direction(value);
     if (deviation) {
@@ -98,7 +98,7 @@ SkyPointing SensorTruth::directionOf(const orientation::Orientation& value) cons
     return direction;
 }
 
-bool SensorTruth::isReliable(const SkyPointing& direction) const
+bool SensorToSky::isReliable(const SkyPointing& direction) const
 {
     return !deviation || deviation->isReliable(direction.azimuth);
 }

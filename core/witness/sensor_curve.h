@@ -26,10 +26,10 @@ void setMounting(profile::SensorSettings& settings, const calibration::SensorMou
 [[nodiscard]] calibration::DeviationCurve curveOf(const profile::SensorSettings& settings, Angle declination);
 
 // How what the sensor sends becomes a true direction.
-struct SensorTruth
+struct SensorToSky
 {
-    SensorTruth() = default;
-    SensorTruth(const profile::SensorSettings& settings, const geomagnetism::Declination& declination);
+    SensorToSky() = default;
+    SensorToSky(const profile::SensorSettings& settings, const geomagnetism::Declination& declination);
 
     orientation::Correction correction;
     std::optional<calibration::DeviationCurve> deviation;  // if a swing found one: mounting and declination are in it

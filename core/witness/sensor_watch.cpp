@@ -12,10 +12,6 @@ namespace {
 const QString kWatchSource = QStringLiteral("sensor");  // of its lines in the log
 // The sensor waits for its WiFi and the time before it says anything.
 constexpr Seconds kFirstPatience{10.0};
-// A compass below this is not tied to magnetic north, or about to lose it.
-constexpr int kFewestMagnetometer = 2;
-constexpr int kFewestSystem = 1;
-constexpr int kFewestAccelerometer = 1;
 constexpr Seconds kFrozen{5.0};
 
 // Nearer to the zenith a heading jumps to the other side of the circle.
@@ -29,24 +25,11 @@ orientation::JudgeSettings judgeSettings(const profile::Profile& profile)
             .declinationInSensor = profile.sensor.declinationInSensor};
 }
 
-SensorCheckSettings checkSettings(const profile::SensorSettings& sensor)
-{
-    return {.threshold = sensor.disagreement,
-            .time = sensor.disagreementTime,
-            .latency = sensor.latency,
-            .averaging = sensor.averaging};
-}
-
 // Whatever tells where north is. An axis whose own zero was set to north tells nothing in the profile.
 bool holdsNorth(const profile::Profile& profile)
 {
     return profile.pointing.azimuthOffset != Angle{} || profile.sensor.mounting.azimuthOffset != Angle{} ||
            wasSwung(profile.sensor);
-}
-
-bool isTiedToNorth(const orientation::Calibration& calibration)
-{
-    return calibration.magnetometer >= kFewestMagnetometer && calibration.system >= kFewestSystem;
 }
 
 QString doubtOfCalibration(const orientation::Orientation& value)
@@ -69,8 +52,8 @@ SensorWatch::SensorWatch(const profile::InForce& profile, const Clock& clock, Ev
       m_log(log),
       m_alarms(alarms),
       m_judge(judgeSettings(*profile)),
-      m_check(checkSettings(profile->sensor)),
-      m_proposedCheck(checkSettings(profile->sensor))
+      m_inForce(profile->sensor),
+      m_afterApply(profile->sensor)
 {
     correct();
 }
@@ -78,8 +61,8 @@ SensorWatch::SensorWatch(const profile::InForce& profile, const Clock& clock, Ev
 void SensorWatch::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
     m_judge.setSettings(judgeSettings(after));
-    m_check.setSettings(checkSettings(after.sensor));
-    m_proposedCheck.setSettings(checkSettings(after.sensor));
+    m_inForce.judgeBy(after.sensor);
+    m_afterApply.judgeBy(after.sensor);
     // A disagreement that lasts outlives settings that change no reading and no direction of the axes.
     if (!readAlike(after.sensor, before.sensor) || after.pointing != before.pointing) {
         correct();
@@ -89,43 +72,15 @@ void SensorWatch::profileChanged(const profile::Profile& before, const profile::
 void SensorWatch::setSiteDeclination(const std::optional<Result<Angle>>& declination, const QString& model,
                                      const QString& expiry)
 {
-    m_siteDeclination = declination;
-    m_model = model;
-    m_modelExpiry = expiry;
+    m_site = {.byModel = declination, .model = model, .expiry = expiry};
     correct();
-}
-
-geomagnetism::Declination SensorWatch::declination() const
-{
-    geomagnetism::Declination declination{
-        .by = settings().declinationBy, .inSensor = settings().declinationInSensor, .here = settings().declination};
-    if (!settings().declinationFile.empty()) {
-        declination.origin = geomagnetism::DeclinationOrigin::Model;
-        const bool known = m_siteDeclination && *m_siteDeclination;
-        declination.here = known ? std::optional(**m_siteDeclination) : std::nullopt;
-    }
-    return declination;
-}
-
-// A declination of exactly 0° was mostly not typed at all: it accuses nobody.
-QString SensorWatch::doubtOfDeclination() const
-{
-    const bool byModel = !settings().declinationFile.empty();
-    if (byModel && m_siteDeclination && !*m_siteDeclination) {
-        return toQString(m_siteDeclination->error().text);
-    }
-    if (byModel && !m_modelExpiry.isEmpty()) {
-        return m_modelExpiry;
-    }
-    return byModel || settings().declination != Angle{} ? geomagnetism::doubt(declination()) : QString();
 }
 
 // What was compared before is compared anew: the difference was perhaps that of a wrong setting.
 void SensorWatch::correct()
 {
-    m_truth = SensorTruth(settings(), declination());
+    m_inForce.convertBy(SensorToSky(settings(), m_site.of(settings())));
     correctProposed();
-    m_check.forget();
     m_currentLink.forget();
     ++m_breaks;
 }
@@ -144,36 +99,29 @@ void SensorWatch::correctProposed()
     if (m_proposed) {
         setMounting(proposed, *m_proposed);
     }
-    m_proposedTruth = SensorTruth(proposed, declination());
-    m_proposedCheck.forget();
+    m_afterApply.convertBy(SensorToSky(proposed, m_site.of(settings())));
 }
 
 void SensorWatch::begin(const QString& source)
 {
-    m_name = source;
-    m_source = {};
-    m_begun = m_clock.now();
+    m_source = {.name = source, .begun = m_clock.now()};
     m_judge.forget();
-    m_check.forget();
+    m_inForce.forget();
     m_currentLink.forget();
-    m_heard = false;
-    m_agreed = false;
-    m_unknownTold = false;
-    m_restartsTold = 0;
     m_alarms.clear(alarmEntry("sensor.silent"));
     tellDisagreement();
 }
 
 void SensorWatch::take(const orientation::Orientation& value)
 {
-    const orientation::Verdict verdict = m_judge.take(value);
-    if (verdict == orientation::Verdict::Dead) {
+    const orientation::ValueFate fate = m_judge.take(value);
+    if (fate == orientation::ValueFate::Dead) {
         return;
     }
     compare(value);
-    if (verdict == orientation::Verdict::Used) {
+    if (fate == orientation::ValueFate::Used) {
         const bool followed =
-            doubtOfCalibration(value).isEmpty() && m_truth.directionOf(value).elevation < kHighestCourse;
+            doubtOfCalibration(value).isEmpty() && m_inForce.directionOf(value).elevation < kHighestCourse;
         m_breaks += followed ? 0 : 1;
         note(value);
     }
@@ -182,31 +130,20 @@ void SensorWatch::take(const orientation::Orientation& value)
 void SensorWatch::compare(const orientation::Orientation& value)
 {
     // Outliers too: a sensor that was knocked over differs at once, and one outlier alone never counts.
-    m_check.take(readingOf(value, m_truth));
-    m_proposedCheck.take(readingOf(value, m_proposedTruth));
-    if (const auto difference = m_check.difference(Axis::Azimuth).now) {
-        const bool agrees = abs(*difference) <= settings().disagreement && !m_check.difference(Axis::Azimuth).lasts;
-        m_agreed = m_agreed || agrees;
+    m_inForce.take(value);
+    m_afterApply.take(value);
+    if (const auto difference = m_inForce.difference(Axis::Azimuth).now) {
+        const bool agrees = abs(*difference) <= settings().disagreement && !m_inForce.difference(Axis::Azimuth).lasts;
+        m_source.agreed = m_source.agreed || agrees;
         const auto latency = std::chrono::duration_cast<SteadyTime::duration>(settings().latency);
         m_currentLink.take(value.arrival - latency, settings().averaging, *difference);
     }
 }
 
-SensorReading SensorWatch::readingOf(const orientation::Orientation& value, const SensorTruth& truth)
-{
-    const SkyPointing direction = truth.directionOf(value);
-    const bool tied = !value.calibration || isTiedToNorth(*value.calibration);
-    const bool level = !value.calibration || value.calibration->accelerometer >= kFewestAccelerometer;
-    return {.direction = direction,
-            .arrival = value.arrival,
-            .azimuthCounts = tied && truth.isReliable(direction),
-            .elevationCounts = level};
-}
-
 QString SensorWatch::doubtOf(const orientation::Orientation& value) const
 {
-    const SkyPointing direction = m_truth.directionOf(value);
-    return m_truth.isReliable(direction)
+    const SkyPointing direction = m_inForce.directionOf(value);
+    return m_inForce.toSky().isReliable(direction)
                ? doubtOfCalibration(value)
                : Text::tr("steel steers its compass around %1: the swing found it unreliable there")
                      .arg(degreesText(direction.azimuth));
@@ -214,15 +151,15 @@ QString SensorWatch::doubtOf(const orientation::Orientation& value) const
 
 void SensorWatch::note(const orientation::Orientation& value)
 {
-    if (!std::exchange(m_heard, true)) {
-        m_log.add(Severity::Advisory, kWatchSource, Text::tr("the orientation sensor is heard: %1").arg(m_name));
+    if (!std::exchange(m_source.heard, true)) {
+        m_log.add(Severity::Advisory, kWatchSource, Text::tr("the orientation sensor is heard: %1").arg(m_source.name));
     }
-    if (m_judge.restarts() > m_restartsTold) {
-        m_restartsTold = m_judge.restarts();
+    if (m_judge.restarts() > m_source.restartsTold) {
+        m_source.restartsTold = m_judge.restarts();
         m_log.add(Severity::Warning, kWatchSource,
                   Text::tr("the orientation sensor has been restarted: its calibration begins anew"));
     }
-    if (!value.unknown.empty() && !std::exchange(m_unknownTold, true)) {
+    if (!value.unknown.empty() && !std::exchange(m_source.unknownTold, true)) {
         m_log.add(Severity::Advisory, kWatchSource,
                   Text::tr("its messages hold more than is known here: %1").arg(toQString(value.unknown)));
     }
@@ -231,19 +168,19 @@ void SensorWatch::note(const orientation::Orientation& value)
 void SensorWatch::tick(const std::optional<SkyPointing>& axes, double amperes,
                        const std::optional<SkyPointing>& proposed)
 {
-    if (m_name.isEmpty()) {
+    if (m_source.name.isEmpty()) {
         return;
     }
     const SteadyTime now = m_clock.now();
-    m_check.note(now, axes);
-    m_proposedCheck.note(now, proposed);
+    m_inForce.note(now, axes);
+    m_afterApply.note(now, proposed);
     m_currentLink.note(now, amperes);
     if (m_judge.dead() || m_judge.presence(now) == orientation::Presence::Lost) {
-        m_check.forget();
-        m_proposedCheck.forget();
+        m_inForce.forget();
+        m_afterApply.forget();
     }
-    m_check.tick(now);
-    m_proposedCheck.tick(now);
+    m_inForce.tick(now);
+    m_afterApply.tick(now);
     tellPresence();
     tellDisagreement();
 }
@@ -253,12 +190,12 @@ void SensorWatch::tellPresence()
     const SteadyTime now = m_clock.now();
     const orientation::Presence presence = m_judge.presence(now);
     const bool overdue =
-        presence == orientation::Presence::Awaited && now - m_begun >= std::max(kFirstPatience, settings().lost);
+        presence == orientation::Presence::Awaited && now - m_source.begun >= std::max(kFirstPatience, settings().lost);
     const bool absent = presence == orientation::Presence::Lost || overdue;
     if (absent || m_judge.dead()) {
         raiseAbsence();
-        m_heard = false;
-    } else if (m_heard) {
+        m_source.heard = false;
+    } else if (m_source.heard) {
         m_alarms.clear(alarmEntry("sensor.silent"));
     }
 }
@@ -271,28 +208,29 @@ void SensorWatch::raiseAbsence()
     }
     m_alarms.raise(
         alarmEntry("sensor.silent"),
-        {m_name, m_source.problem.isEmpty() ? Text::tr("Check its power, its WiFi and its cable") : m_source.problem});
+        {m_source.name, m_source.status.problem.isEmpty() ? Text::tr("Check its power, its WiFi and its cable")
+                                                          : m_source.status.problem});
 }
 
 bool SensorWatch::isNorthUnknown() const
 {
-    return !holdsNorth(*m_profile) && !m_agreed;
+    return !holdsNorth(*m_profile) && !m_source.agreed;
 }
 
 bool SensorWatch::disagrees(Axis axis) const
 {
     const bool expected = axis == Axis::Azimuth && isNorthUnknown();
     // An alarm that stands goes only when a value has agreed with what is proposed.
-    const SensorCheck::Difference& proposed = m_proposedCheck.difference(axis);
+    const SensorCheck::Difference& proposed = m_afterApply.difference(axis);
     const bool agrees = proposed.now && !proposed.beyond;
     const bool explained = m_proposed && !proposed.lasts && (agrees || !m_disagreed);
-    return m_check.difference(axis).lasts && !expected && !explained;
+    return m_inForce.difference(axis).lasts && !expected && !explained;
 }
 
 // No beep, nothing amber: a newcomer is shown the way.
 void SensorWatch::tellNorth()
 {
-    const SensorCheck::Difference& azimuth = m_check.difference(Axis::Azimuth);
+    const SensorCheck::Difference& azimuth = m_inForce.difference(Axis::Azimuth);
     if (!azimuth.lasts || !isNorthUnknown()) {
         m_alarms.clear(alarmEntry("north.not-set"));
     } else if (!m_alarms.active(alarmEntry("north.not-set"))) {
@@ -318,7 +256,7 @@ void SensorWatch::tellDisagreement()
 void SensorWatch::raiseDisagreement()
 {
     const Axis axis = disagrees(Axis::Azimuth) ? Axis::Azimuth : Axis::Elevation;
-    const Angle apart = abs(m_check.difference(axis).now.value_or(Angle{}));
+    const Angle apart = abs(m_inForce.difference(axis).now.value_or(Angle{}));
     m_alarms.raise(
         axis == Axis::Azimuth ? alarmEntry("sensor.disagrees-azimuth") : alarmEntry("sensor.disagrees-elevation"),
         {degreesText(apart), causes(axis)});
@@ -327,7 +265,7 @@ void SensorWatch::raiseDisagreement()
 QString SensorWatch::causes(Axis axis) const
 {
     const auto frozen = m_judge.frozenSince();
-    if (frozen && m_check.difference(axis).beganMoving && m_clock.now() - *frozen >= kFrozen) {
+    if (frozen && m_inForce.difference(axis).beganMoving && m_clock.now() - *frozen >= kFrozen) {
         return Text::tr("The sensor repeats one value to the last digit: switch it off and on");
     }
     if (axis == Axis::Elevation) {
@@ -342,7 +280,7 @@ QString SensorWatch::causes(Axis axis) const
             .arg(degreesText(link->perAmpere))
             .arg(link->coefficient, 0, 'f', 2);
     }
-    return m_check.difference(axis).beganMoving
+    return m_inForce.difference(axis).beganMoving
                ? Text::tr(
                      "It began while the mount moved. Likely: current of the motors or iron near the compass, "
                      "sensor.azimuth_sense is wrong, or a coupling slips: look at the antenna")
@@ -359,34 +297,34 @@ bool SensorWatch::isYoung() const
 
 SensorStatus SensorWatch::status() const
 {
-    if (m_name.isEmpty()) {
+    if (m_source.name.isEmpty()) {
         return {};
     }
     const SteadyTime now = m_clock.now();
     SensorStatus status{
-        .source = m_name,
-        .open = m_source.open,
-        .problem = m_source.problem,
+        .source = m_source.name,
+        .open = m_source.status.open,
+        .problem = m_source.status.problem,
         .presence = m_judge.presence(now),
         .dead = m_judge.dead(),
         .last = m_judge.last(),
-        .declination = m_truth.correction.declination(),
-        .declinationText = geomagnetism::describe(declination()),
-        .declinationModel = m_model,
-        .declinationDoubt = doubtOfDeclination(),
-        .azimuthDifference = m_check.difference(Axis::Azimuth).now,
-        .elevationDifference = m_check.difference(Axis::Elevation).now,
+        .declination = m_inForce.toSky().correction.declination(),
+        .declinationText = geomagnetism::describe(m_site.of(settings())),
+        .declinationModel = m_site.model,
+        .declinationDoubt = m_site.doubt(settings()),
+        .azimuthDifference = m_inForce.difference(Axis::Azimuth).now,
+        .elevationDifference = m_inForce.difference(Axis::Elevation).now,
         .disagrees = disagrees(),
         .turns = settings().mounting.sense == orientation::Sense::Clockwise ? m_judge.turns() : -m_judge.turns(),
         .outliers = m_judge.outliers(),
         .restarts = m_judge.restarts(),
-        .counts = m_source.counts};
+        .counts = m_source.status.counts};
     if (status.last) {
         status.age = std::chrono::duration_cast<std::chrono::milliseconds>(now - status.last->arrival);
         status.doubt = doubtOf(*status.last);
-        status.direction = isYoung() ? std::optional(m_truth.directionOf(*status.last)) : std::nullopt;
-        if (status.direction && m_truth.deviation && m_truth.isReliable(*status.direction)) {
-            status.azimuthSigma = azimuthSigma(*m_truth.deviation, *status.direction);
+        status.direction = isYoung() ? std::optional(m_inForce.directionOf(*status.last)) : std::nullopt;
+        if (status.direction && m_inForce.toSky().deviation && m_inForce.toSky().isReliable(*status.direction)) {
+            status.azimuthSigma = azimuthSigma(*m_inForce.toSky().deviation, *status.direction);
         }
     }
     return status;
@@ -398,24 +336,23 @@ SensorEvidence SensorWatch::evidence() const
     if (!last || !isYoung()) {
         return {};
     }
-    const SkyPointing direction = m_truth.directionOf(*last);
-    const bool level = !last->calibration || last->calibration->accelerometer >= kFewestAccelerometer;
+    const SkyPointing direction = m_inForce.directionOf(*last);
     return {.azimuth = doubtOf(*last).isEmpty() ? std::optional(direction.azimuth) : std::nullopt,
-            .elevation = level ? std::optional(direction.elevation) : std::nullopt,
+            .elevation = isLevel(*last) ? std::optional(direction.elevation) : std::nullopt,
             .course = course(*last)};
 }
 
 // The true azimuth, on the turn that the count of the headings says.
 std::optional<SensorCourse> SensorWatch::course(const orientation::Orientation& last) const
 {
-    const SkyPointing direction = m_truth.directionOf(last);
+    const SkyPointing direction = m_inForce.directionOf(last);
     if (!doubtOfCalibration(last).isEmpty() || direction.elevation >= kHighestCourse) {
         return std::nullopt;
     }
     orientation::Orientation zero = last;
     zero.heading = {};
     const bool clockwise = settings().mounting.sense == orientation::Sense::Clockwise;
-    const Angle about = m_truth.directionOf(zero).azimuth + (clockwise ? m_judge.course() : -m_judge.course());
+    const Angle about = m_inForce.directionOf(zero).azimuth + (clockwise ? m_judge.course() : -m_judge.course());
     return SensorCourse{.unbroken = m_judge.breaks() + m_breaks, .azimuth = direction.azimuth.nearestTo(about)};
 }
 

@@ -6,11 +6,11 @@
 #include "core/messages/sensor_status.h"
 #include "core/mount/sensor_course.h"
 #include "core/orientation/judge.h"
-#include "core/orientation_stream/source.h"
+#include "core/orientation_stream/sensor_source.h"
 #include "core/profile/in_force.h"
 #include "core/witness/current_link.h"
-#include "core/witness/sensor_check.h"
-#include "core/witness/sensor_curve.h"
+#include "core/witness/sensor_comparison.h"
+#include "core/witness/site_declination.h"
 
 // What the station makes of the orientation sensor: judges its values, turns them into true directions, compares these
 // with the axes, and tells all that in the status, by at most two alarms and few lines of the log. It is a witness: it
@@ -42,7 +42,7 @@ public:
 
     // Another source from now on, by its name; empty: none.
     void begin(const QString& source);
-    void show(const orientation::SourceStatus& status) { m_source = status; }
+    void show(const orientation::SourceStatus& status) { m_source.status = status; }
     void take(const orientation::Orientation& value);
     // A mounting and curve that were found and wait for Apply; empty: none. As long as the sensor agrees with the axes
     // by what is proposed, that it does not by what is in force is no alarm; it becomes one when it is not proposed any
@@ -57,15 +57,24 @@ public:
     [[nodiscard]] SensorEvidence evidence() const;
 
 private:
+    // The source that is open, and what was noticed of it.
+    struct SourceInUse
+    {
+        QString name;  // empty: none is open
+        orientation::SourceStatus status{};
+        SteadyTime begun{};
+        bool heard = false;   // as the log was told
+        bool agreed = false;  // in azimuth, at least once
+        bool unknownTold = false;
+        std::uint64_t restartsTold = 0;
+    };
+
     [[nodiscard]] const profile::SensorSettings& settings() const { return m_profile->sensor; }
-    [[nodiscard]] geomagnetism::Declination declination() const;
-    [[nodiscard]] QString doubtOfDeclination() const;
     // Why its azimuth is no evidence; empty: it is.
     [[nodiscard]] QString doubtOf(const orientation::Orientation& value) const;
     [[nodiscard]] bool isYoung() const;
     [[nodiscard]] std::optional<SensorCourse> course(const orientation::Orientation& last) const;
     void compare(const orientation::Orientation& value);
-    [[nodiscard]] static SensorReading readingOf(const orientation::Orientation& value, const SensorTruth& truth);
     void correct();
     void correctProposed();
     void note(const orientation::Orientation& value);
@@ -87,25 +96,15 @@ private:
     EventLog& m_log;
     AlarmBoard& m_alarms;
     orientation::Judge m_judge;
-    SensorTruth m_truth;
-    std::optional<Result<Angle>> m_siteDeclination;  // by the model
-    QString m_model;
-    QString m_modelExpiry;
-    SensorCheck m_check;
+    SiteDeclination m_site;
+    SensorComparison m_inForce;
     std::optional<calibration::SensorMounting> m_proposed;
-    SensorTruth m_proposedTruth;
-    SensorCheck m_proposedCheck;  // what m_check would say after Apply
-    QString m_name;
-    orientation::SourceStatus m_source;
-    SteadyTime m_begun{};
-    bool m_heard = false;  // as the log was told
+    SensorComparison m_afterApply;  // what m_inForce would say after Apply
+    SourceInUse m_source;
     CurrentLink m_currentLink;
     std::uint64_t m_breaks = 0;  // of the course, besides those that the judge sees
-    bool m_agreed = false;       // in azimuth, at least once
     bool m_disagreed = false;
     bool m_currentTold = false;
-    bool m_unknownTold = false;
-    std::uint64_t m_restartsTold = 0;
 };
 
 }  // namespace boresight

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The simulated pair as a device of its own, found by `scan` and driven by boresightd. What the axes really do is
 // judged by the device's own --print-truth, not by what the drives report.
-#include "core/mqtt/client.h"
+#include "core/mqtt/broker_client.h"
 #include "core/orientation_stream/mqtt_source.h"
 #include "core/orientation_stream/serial_source.h"
 #include "tests/fakes/mqtt_broker.h"
@@ -119,7 +119,7 @@ TEST_F(SimulateTest, IsItsOrientationSensorToo)
     const SystemClock clock;
     orientation::SerialSource source({.port = port}, clock);
     std::optional<orientation::Orientation> heard;
-    QObject::connect(&source, &orientation::Source::received, &source,
+    QObject::connect(&source, &orientation::SensorSource::received, &source,
                      [&](const orientation::Orientation& value) { heard = value; });
     source.open();
     ASSERT_TRUE(fakes::waitUntil([&] { return heard.has_value(); })) << source.status().problem.toStdString();
@@ -141,10 +141,10 @@ TEST_F(SimulateTest, ItsSensorPublishesAtABrokerAsWell)
     fakes::MqttBroker broker;
     ASSERT_TRUE(broker.start());
     const SystemClock clock;
-    mqtt::Client client(clock);
+    mqtt::BrokerClient client(clock);
     orientation::MqttSource source(client, {.orientation = QStringLiteral("roof/orientation")}, clock);
     std::vector<orientation::Orientation> heard;
-    QObject::connect(&source, &orientation::Source::received, &source,
+    QObject::connect(&source, &orientation::SensorSource::received, &source,
                      [&](const orientation::Orientation& value) { heard.push_back(value); });
     source.open();
     client.open({.host = QStringLiteral("127.0.0.1"), .port = broker.port()});

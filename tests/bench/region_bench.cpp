@@ -6,6 +6,7 @@
 // that a profile may have: 32 keep-outs around one target, and the band of the Sun where no clock tells the time.
 
 #include "core/motion/motion.h"
+#include "core/pointing/nearest_permitted.h"
 #include "core/pointing/route.h"
 #include "core/pointing/sun_keep_out.h"
 #include "core/profile/setting.h"
@@ -80,7 +81,7 @@ AxisPosition place(std::mt19937& random)
 
 AxisPosition permittedPlace(std::mt19937& random, const PermittedRegion& within = region())
 {
-    return *within.nearest(place(random));
+    return *pointing::nearestPermitted(within, place(random));
 }
 
 void prepare(benchmark::State& state)
@@ -119,7 +120,7 @@ void nearestPlace(benchmark::State& state)
 {
     std::mt19937 random(1);
     for (auto _ : state) {
-        benchmark::DoNotOptimize(region().nearest(place(random)));
+        benchmark::DoNotOptimize(pointing::nearestPermitted(region(), place(random)));
     }
 }
 BENCHMARK(nearestPlace);
@@ -160,7 +161,7 @@ void mostKeepOuts(benchmark::State& state)
             return PermittedRegion(plan, {-200_deg, 460_deg}, {0_deg, 180_deg}, model);
         });
         const AxisPosition from = permittedPlace(random, within);
-        const AxisPosition to = *timed(nearest, [&] { return within.nearest({20_deg, 45_deg}); });
+        const AxisPosition to = *timed(nearest, [&] { return pointing::nearestPermitted(within, {20_deg, 45_deg}); });
         benchmark::DoNotOptimize(timed(routed, [&] { return route(within, from, to, {10_deg_s, 8_deg_s}); }));
     }
     state.counters["worst_layout_ms"] = prepared;

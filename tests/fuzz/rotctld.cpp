@@ -23,7 +23,7 @@ using namespace boresight::rotctld;
 
 constexpr std::size_t kRotctldMaxInput = 600;
 constexpr std::size_t kMaxReply = 4096;    // the longest are the help text and the capabilities, below 2000 bytes
-constexpr std::size_t kShownCommand = 40;  // what Session::lastCommand() shows of a command
+constexpr std::size_t kShownCommand = 40;  // what ClientHabits::lastCommand() shows of a command
 constexpr double kFloatRounding = 1.0 / (1 << 23);
 
 bool isPrintable(unsigned char byte)
@@ -83,7 +83,7 @@ public:
 
     const Session* session = nullptr;
     bool refuses = false;
-    bool shownAsSent = true;  // Session::lastCommand() replaces what is not printable
+    bool shownAsSent = true;  // ClientHabits::lastCommand() replaces what is not printable
 
 private:
     [[nodiscard]] Result<> outcome() const
@@ -94,7 +94,7 @@ private:
     // That word of the client's command; nothing where the session shows the command cut off or altered.
     [[nodiscard]] std::optional<std::string> word(int index) const
     {
-        const std::string shown = session->lastCommand();
+        const std::string shown = session->habits().lastCommand();
         if (!shownAsSent || shown.size() >= kShownCommand) {
             return std::nullopt;
         }
@@ -148,7 +148,7 @@ void checkReply(std::string_view reply)
 // A default reply is numbers, names and codes; a client that reads "inf" as a number would believe it.
 void checkNumbers(const Session& session, std::string_view reply)
 {
-    const std::string command = session.lastCommand();
+    const std::string command = session.habits().lastCommand();
     const bool echoes = reply.find(": ") != std::string_view::npos || reply.find(":|") != std::string_view::npos;
     if (!echoes && std::string_view("LlDdEeBAa").find(command.front()) != std::string_view::npos) {
         require(reply.find("inf") == std::string_view::npos && reply.find("nan") == std::string_view::npos,
@@ -167,11 +167,11 @@ struct Conversation
     // One step; false when there is nothing more to do now.
     bool step()
     {
-        const std::uint64_t oddBefore = session.oddCommands();
+        const std::uint64_t oddBefore = session.habits().oddCommands();
         const bool wasPaused = session.paused();
         std::string reply;
         const bool more = session.step(reply);
-        const bool odd = session.oddCommands() > oddBefore;
+        const bool odd = session.habits().oddCommands() > oddBefore;
         if (!session.ending().empty() || !more) {
             require(reply.empty(), "who is hung up on gets no half reply");
             return more;

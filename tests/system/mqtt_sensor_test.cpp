@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/messages/calibration_status.h"
-#include "core/mqtt/client.h"
+#include "core/mqtt/broker_client.h"
 #include "core/sim/simulated_sensor.h"
 #include "tests/fakes/mqtt_test.h"
 #include "tests/fakes/wait_until.h"
@@ -88,7 +88,7 @@ private:
     SimulatedStation& m_rig;
     const fakes::MqttBroker& m_broker;
     sim::SimulatedSensor m_sensor;
-    mqtt::Client m_client{m_rig.clock};
+    mqtt::BrokerClient m_client{m_rig.clock};
     int m_ticks = 0;
 };
 

@@ -11,19 +11,20 @@ namespace {
 
 constexpr int kTermModelDecimals = 3;  // of a degree: six points of the Sun tell that much
 
-struct InForce
+struct PresentTerm
 {
     const char* key;
     Angle pointing::PointingTerms::*term;
 };
 
-constexpr InForce kInForce[] = {{"pointing.azimuth_offset_deg", &pointing::PointingTerms::azimuthOffset},
-                                {"pointing.elevation_offset_deg", &pointing::PointingTerms::elevationOffset},
-                                {"pointing.tilt_north_deg", &pointing::PointingTerms::tiltNorth},
-                                {"pointing.tilt_east_deg", &pointing::PointingTerms::tiltEast},
-                                {"pointing.collimation_deg", &pointing::PointingTerms::collimation},
-                                {"pointing.non_perpendicularity_deg", &pointing::PointingTerms::nonPerpendicularity},
-                                {"pointing.elevation_sag_deg", &pointing::PointingTerms::elevationSag}};
+constexpr PresentTerm kPresentTerms[] = {
+    {"pointing.azimuth_offset_deg", &pointing::PointingTerms::azimuthOffset},
+    {"pointing.elevation_offset_deg", &pointing::PointingTerms::elevationOffset},
+    {"pointing.tilt_north_deg", &pointing::PointingTerms::tiltNorth},
+    {"pointing.tilt_east_deg", &pointing::PointingTerms::tiltEast},
+    {"pointing.collimation_deg", &pointing::PointingTerms::collimation},
+    {"pointing.non_perpendicularity_deg", &pointing::PointingTerms::nonPerpendicularity},
+    {"pointing.elevation_sag_deg", &pointing::PointingTerms::elevationSag}};
 
 }  // namespace
 
@@ -35,7 +36,7 @@ std::vector<TermModel::Row> TermModel::rowsOf(const CalibrationStatus& calibrati
 {
     std::vector<Row> rows;
     if (!calibration.proposal) {
-        for (const InForce& one : kInForce) {
+        for (const PresentTerm& one : kPresentTerms) {
             rows.push_back({.name = termName(one.key), .present = calibration.present.*one.term});
         }
         return rows;

@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using supervision::Finding;
 using supervision::Observed;
+using supervision::Symptom;
 using supervision::Weight;
 
 std::string fileText(const fs::path& path)
@@ -110,17 +110,17 @@ TEST(AlarmCatalogue, EveryEntryIsRaisedSomewhere)
 TEST(AlarmCatalogue, EveryFindingOfTheSupervisionHasEntriesOfItsOwn)
 {
     std::set<const AlarmEntry*> seen;
-    for (int i = 0; i < supervision::kFindingCount; ++i) {
-        const Observed stop{.finding = static_cast<Finding>(i), .weight = Weight::Stop, .what = QStringLiteral("x")};
-        const AlarmEntry& entry = drive_alarms::entryOf(stop.finding);
+    for (int i = 0; i < supervision::kSymptomCount; ++i) {
+        const Observed stop{.symptom = static_cast<Symptom>(i), .weight = Weight::Stop, .what = QStringLiteral("x")};
+        const AlarmEntry& entry = drive_alarms::entryOf(stop.symptom);
         EXPECT_TRUE(seen.insert(&entry).second) << entry.id;
         EXPECT_TRUE(entry.of(Axis::Azimuth).sharesPlace(drive_alarms::supervised(stop).entry.of(Axis::Azimuth)));
     }
-    for (const Finding finding :
-         {Finding::FollowingError, Finding::Stalled, Finding::WrongWay, Finding::MovesUncommanded, Finding::EncoderJump,
-          Finding::OutsideTravel, Finding::SupplyLow, Finding::TorqueGuard}) {
+    for (const Symptom symptom :
+         {Symptom::FollowingError, Symptom::Stalled, Symptom::WrongWay, Symptom::MovesUncommanded, Symptom::EncoderJump,
+          Symptom::OutsideTravel, Symptom::SupplyLow, Symptom::TorqueGuard}) {
         const AlarmCase alarm =
-            drive_alarms::supervised({.finding = finding, .weight = Weight::Stop, .what = QStringLiteral("x")});
+            drive_alarms::supervised({.symptom = symptom, .weight = Weight::Stop, .what = QStringLiteral("x")});
         EXPECT_EQ(alarm.entry.severity, Severity::Alarm) << alarm.entry.id;
         EXPECT_TRUE(textOf(alarm.entry, alarm.arguments).remedy.contains(QStringLiteral("re-arm"))) << alarm.entry.id;
     }

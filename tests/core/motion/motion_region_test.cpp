@@ -2,6 +2,7 @@
 // The permitted region, enforced below every source of motion: random regions, targets, streams, jogs, edits.
 #include "core/moteus_mount/drive_pair.h"
 #include "core/motion/motion.h"
+#include "core/pointing/nearest_permitted.h"
 #include "tests/fakes/random_region.h"
 
 #include <gtest/gtest.h>
@@ -280,7 +281,7 @@ public:
           m_elevation(m_make.elevationTravel()),
           m_run(mount(m_make.region(), m_azimuth, m_elevation), {})
     {
-        const auto start = m_run.motion.region().nearest(m_make.place(m_azimuth, m_elevation));
+        const auto start = pointing::nearestPermitted(m_run.motion.region(), m_make.place(m_azimuth, m_elevation));
         if (start) {
             m_run.motion.start(Axis::Azimuth, start->azimuth);
             m_run.motion.start(Axis::Elevation, start->elevation);
@@ -393,8 +394,10 @@ TEST(MotionRegion, ArrivesWhereThereIsAWay)
         const profile::Profile profile = mount(make.region(), make.azimuthTravel(), make.elevationTravel());
         const pointing::PermittedRegion region(profile.limits, profile.azimuth.geometry.travel,
                                                profile.elevation.geometry.travel);
-        const auto from = region.nearest(make.place(region.ranges().azimuth, region.ranges().elevation));
-        const auto to = region.nearest(make.place(region.ranges().azimuth, region.ranges().elevation));
+        const auto from =
+            pointing::nearestPermitted(region, make.place(region.ranges().azimuth, region.ranges().elevation));
+        const auto to =
+            pointing::nearestPermitted(region, make.place(region.ranges().azimuth, region.ranges().elevation));
         if (!from || !to) {
             continue;
         }

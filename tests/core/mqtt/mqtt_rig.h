@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mqtt/client.h"
+#include "core/mqtt/broker_client.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/wait_until.h"
 
@@ -75,10 +75,10 @@ struct Rig
 {
     Rig()
     {
-        QObject::connect(&client, &Client::connected, &client, [this] { ++connections; });
-        QObject::connect(&client, &Client::problemChanged, &client,
+        QObject::connect(&client, &BrokerClient::connected, &client, [this] { ++connections; });
+        QObject::connect(&client, &BrokerClient::problemChanged, &client,
                          [this](const QString& text) { problems.push_back(text.toStdString()); });
-        QObject::connect(&client, &Client::messageReceived, &client,
+        QObject::connect(&client, &BrokerClient::messageReceived, &client,
                          [this](const QString& topic, const QByteArray& payload) {
                              messages.push_back({.topic = topic, .payload = payload});
                          });
@@ -104,7 +104,7 @@ struct Rig
     }
 
     fakes::ManualClock clock;
-    Client client{clock};
+    BrokerClient client{clock};
     int connections = 0;
     std::vector<std::string> problems;
     std::vector<Message> messages;

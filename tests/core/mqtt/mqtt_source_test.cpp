@@ -38,9 +38,9 @@ protected:
     {
         topics.silence = silence;
         source = std::make_unique<MqttSource>(station.client, topics, station.clock);
-        QObject::connect(source.get(), &Source::received, source.get(),
+        QObject::connect(source.get(), &SensorSource::received, source.get(),
                          [this](const Orientation& value) { values.push_back(value); });
-        QObject::connect(source.get(), &Source::statusChanged, source.get(), [this](const SourceStatus& status) {
+        QObject::connect(source.get(), &SensorSource::statusChanged, source.get(), [this](const SourceStatus& status) {
             states.push_back((status.open ? "open " : "closed ") + status.problem.toStdString());
         });
         source->open();

@@ -235,7 +235,7 @@ TEST_F(MqttThreaded, OfAFloodTheNewestAreReportedInOneReport)
     ASSERT_TRUE(fakes::waitUntil([this] { return broker->count("Sending SUBACK") == 1; }));
     const std::size_t before = reports.size();
     int arrived = 0;
-    QObject::connect(&worker.client(), &Client::messageReceived, [&] { ++arrived; });
+    QObject::connect(&worker.client(), &BrokerClient::messageReceived, [&] { ++arrived; });
     for (int i = 0; i < 500; ++i) {
         ASSERT_TRUE(other.client.publish({.topic = kThreadedClientTopic, .payload = QByteArray::number(i)}));
     }

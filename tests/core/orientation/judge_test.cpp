@@ -38,12 +38,12 @@ TEST(Judge, LateAfterThreeSecondsLostAfterFive)
 {
     Judge judge;
     EXPECT_EQ(judge.presence(at(100.0)), Presence::Awaited);
-    EXPECT_EQ(judge.take(value(10.0, 40.0)), Verdict::Used);
+    EXPECT_EQ(judge.take(value(10.0, 40.0)), ValueFate::Used);
     EXPECT_EQ(judge.presence(at(12.9)), Presence::Present);
     EXPECT_EQ(judge.presence(at(13.0)), Presence::Late);
     EXPECT_EQ(judge.presence(at(14.99)), Presence::Late);
     EXPECT_EQ(judge.presence(at(15.0)), Presence::Lost);
-    EXPECT_EQ(judge.take(value(16.0, 40.0)), Verdict::Used);
+    EXPECT_EQ(judge.take(value(16.0, 40.0)), ValueFate::Used);
     EXPECT_EQ(judge.presence(at(16.0)), Presence::Present);
     judge.setSettings({.lost = Seconds(2.0)});
     EXPECT_EQ(judge.presence(at(18.0)), Presence::Lost);
@@ -52,66 +52,66 @@ TEST(Judge, LateAfterThreeSecondsLostAfterFive)
 TEST(Judge, TheMarkOfADeadSensorIsNotUsed)
 {
     Judge judge;
-    EXPECT_EQ(judge.take(deadValue(1.0)), Verdict::Dead);
+    EXPECT_EQ(judge.take(deadValue(1.0)), ValueFate::Dead);
     EXPECT_TRUE(judge.dead());
     EXPECT_FALSE(judge.last());
-    EXPECT_EQ(judge.take(value(2.0, 5.07)), Verdict::Used) << "a living one may look there";
+    EXPECT_EQ(judge.take(value(2.0, 5.07)), ValueFate::Used) << "a living one may look there";
     EXPECT_FALSE(judge.dead());
     Orientation turned = deadValue(3.0);
     turned.heading = SensorHeading::folded(725.07_deg);
-    EXPECT_EQ(judge.take(turned), Verdict::Dead) << "with revolutions";
+    EXPECT_EQ(judge.take(turned), ValueFate::Dead) << "with revolutions";
     Orientation warm = deadValue(4.0);
     warm.temperature = 1.0;
-    EXPECT_NE(judge.take(warm), Verdict::Dead);
+    EXPECT_NE(judge.take(warm), ValueFate::Dead);
     Orientation plain = deadValue(5.0);
     plain.temperature.reset();
     plain.calibration.reset();
-    EXPECT_EQ(judge.take(plain), Verdict::Dead) << "by MQTT nothing else is told";
+    EXPECT_EQ(judge.take(plain), ValueFate::Dead) << "by MQTT nothing else is told";
 }
 
 // Compiled for another place, or without a declination.
 TEST(Judge, TheMarkOfADeadSensorHasTheFirmwaresDeclination)
 {
     Judge judge({.declinationInSensor = 12.5_deg});
-    EXPECT_EQ(judge.take(deadValue(1.0)), Verdict::Used) << "5.07° is a heading there";
+    EXPECT_EQ(judge.take(deadValue(1.0)), ValueFate::Used) << "5.07° is a heading there";
     Orientation dead = deadValue(20.0);
     dead.heading = SensorHeading::folded(12.5_deg);
-    EXPECT_EQ(judge.take(dead), Verdict::Dead);
+    EXPECT_EQ(judge.take(dead), ValueFate::Dead);
     judge.setSettings({.declinationInSensor = -0.004_deg});
     dead.heading = SensorHeading::folded(0_deg);
-    EXPECT_EQ(judge.take(dead), Verdict::Dead) << "on both sides of north";
+    EXPECT_EQ(judge.take(dead), ValueFate::Dead) << "on both sides of north";
     judge.setSettings({.declinationInSensor = -3_deg});
     dead.heading = SensorHeading::folded(357_deg);
-    EXPECT_EQ(judge.take(dead), Verdict::Dead);
+    EXPECT_EQ(judge.take(dead), ValueFate::Dead);
 }
 
 TEST(Judge, AJumpIsRejectedOnceAndBelievedWhenTheNextTwoAgree)
 {
     Judge judge;
     judge.take(value(0.0, 100.0));
-    EXPECT_EQ(judge.take(value(1.0, 250.0)), Verdict::Outlier);
-    EXPECT_EQ(judge.take(value(2.0, 101.0)), Verdict::Used) << "it was one alone";
-    EXPECT_EQ(judge.take(value(3.0, 250.0)), Verdict::Outlier);
-    EXPECT_EQ(judge.take(value(4.0, 251.0)), Verdict::Outlier);
+    EXPECT_EQ(judge.take(value(1.0, 250.0)), ValueFate::Outlier);
+    EXPECT_EQ(judge.take(value(2.0, 101.0)), ValueFate::Used) << "it was one alone";
+    EXPECT_EQ(judge.take(value(3.0, 250.0)), ValueFate::Outlier);
+    EXPECT_EQ(judge.take(value(4.0, 251.0)), ValueFate::Outlier);
     EXPECT_EQ(judge.last()->heading.angle(), (101_deg).wrapped360());
-    EXPECT_EQ(judge.take(value(5.0, 252.0)), Verdict::Used);
+    EXPECT_EQ(judge.take(value(5.0, 252.0)), ValueFate::Used);
     EXPECT_EQ(judge.outliers(), 3U);
-    EXPECT_EQ(judge.take(value(6.0, 10.0)), Verdict::Outlier);
-    EXPECT_EQ(judge.take(value(7.0, 100.0)), Verdict::Outlier) << "neither agrees";
-    EXPECT_EQ(judge.take(value(8.0, 100.0)), Verdict::Outlier);
-    EXPECT_EQ(judge.take(value(9.0, 100.0)), Verdict::Used);
+    EXPECT_EQ(judge.take(value(6.0, 10.0)), ValueFate::Outlier);
+    EXPECT_EQ(judge.take(value(7.0, 100.0)), ValueFate::Outlier) << "neither agrees";
+    EXPECT_EQ(judge.take(value(8.0, 100.0)), ValueFate::Outlier);
+    EXPECT_EQ(judge.take(value(9.0, 100.0)), ValueFate::Used);
 }
 
 TEST(Judge, WhatTheAxisCanDoIsNoJump)
 {
     Judge judge({.azimuthSpeed = 20_deg_s, .elevationSpeed = 6_deg_s});
     judge.take(value(0.0, 350.0));
-    EXPECT_EQ(judge.take(value(1.0, 374.0, 1)), Verdict::Used);
-    EXPECT_EQ(judge.take(value(3.0, 418.0, 1)), Verdict::Used) << "in two seconds";
+    EXPECT_EQ(judge.take(value(1.0, 374.0, 1)), ValueFate::Used);
+    EXPECT_EQ(judge.take(value(3.0, 418.0, 1)), ValueFate::Used) << "in two seconds";
     Orientation high = value(4.0, 418.0, 1);
     high.elevation = 40_deg;
-    EXPECT_EQ(judge.take(high), Verdict::Outlier);
-    EXPECT_EQ(judge.take(value(9.0, 200.0)), Verdict::Used) << "after a loss anything goes";
+    EXPECT_EQ(judge.take(high), ValueFate::Outlier);
+    EXPECT_EQ(judge.take(value(9.0, 200.0)), ValueFate::Used) << "after a loss anything goes";
 }
 
 TEST(Judge, CountsTheTurnsItself)

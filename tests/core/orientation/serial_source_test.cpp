@@ -33,11 +33,11 @@ struct SerialSourceTest : testing::Test
     SerialSourceTest()
         : source({.port = terminal.path(), .firstRetry = 20ms, .longestRetry = 80ms, .silence = 300ms}, clock)
     {
-        QObject::connect(&source, &Source::received, &source, [this](const Orientation& value) {
+        QObject::connect(&source, &SensorSource::received, &source, [this](const Orientation& value) {
             values.push_back(value);
             countsThen.push_back(source.status().counts.accepted);
         });
-        QObject::connect(&source, &Source::statusChanged, &source,
+        QObject::connect(&source, &SensorSource::statusChanged, &source,
                          [this](const SourceStatus& status) { changes.push_back(status); });
     }
 
@@ -139,7 +139,7 @@ TEST_F(SerialSourceTest, ALostPortIsFoundAgain)
     ASSERT_TRUE(QFile::link(terminal.path(), link));
     SerialSource linked({.port = link, .firstRetry = 20ms, .longestRetry = 80ms, .silence = 300ms}, clock);
     int heard = 0;
-    QObject::connect(&linked, &Source::received, &linked, [&heard] { ++heard; });
+    QObject::connect(&linked, &SensorSource::received, &linked, [&heard] { ++heard; });
     linked.open();
     ASSERT_TRUE(QTest::qWaitFor([&] { return linked.status().open; }));
     terminal.write(kSerialSourceSentence);
@@ -160,7 +160,7 @@ TEST_F(SerialSourceTest, OneTroubleIsToldOnceHoweverOftenItIsTried)
 {
     SerialSource absent({.port = QStringLiteral("/nowhere/sensor"), .firstRetry = 10ms, .longestRetry = 20ms}, clock);
     int told = 0;
-    QObject::connect(&absent, &Source::statusChanged, &absent, [&told] { ++told; });
+    QObject::connect(&absent, &SensorSource::statusChanged, &absent, [&told] { ++told; });
     absent.open();
     EXPECT_TRUE(absent.status().problem.contains(QLatin1String("is not there")));
     QTest::qWait(150);
@@ -228,7 +228,7 @@ TEST_F(SerialSourceTest, ClosedItHearsNothing)
 
 TEST_F(SerialSourceTest, ClosedByWhoTookAValueItTellsNoMoreOfTheSamePiece)
 {
-    QObject::connect(&source, &Source::received, &source, [this] { source.close(); });
+    QObject::connect(&source, &SensorSource::received, &source, [this] { source.close(); });
     source.open();
     ASSERT_TRUE(becomes(true));
     terminal.write(kSerialSourceSentence + kSerialSourceSentence + kSerialSourceSentence);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pointing/permitted_region.h"
 
+#include "core/pointing/nearest_permitted.h"
 #include "tests/core/pointing/at.h"
 #include "tests/fakes/random_region.h"
 
@@ -78,7 +79,7 @@ TEST(PermittedRegion, LimitsWithNothingInCommonPermitNothing)
     const PermittedRegion region({.azimuth = {500_deg, 600_deg}}, kPermittedRegionAzimuths, kUpright);
     EXPECT_FALSE(region.permits(at(460, 10)));
     EXPECT_FALSE(region.permits(at(500, 10)));
-    EXPECT_FALSE(region.nearest(at(460, 10)));
+    EXPECT_FALSE(nearestPermitted(region, at(460, 10)));
 }
 
 // REQ-POINTING-11
@@ -187,14 +188,14 @@ TEST(PermittedRegion, NearestPlaces)
 {
     const PermittedRegion region({.horizon = valley(), .keepOuts = {regionMast()}}, kPermittedRegionAzimuths,
                                  kPermittedRegionFlipping);
-    expectPlace(region.nearest(at(100, 50)), 100, 50);
-    expectPlace(region.nearest(at(100, 10)), 100, 25);
-    expectPlace(region.nearest(at(315, 38)), 315, 40);
-    expectPlace(region.nearest(at(301, 30)), 300, 30);
-    expectPlace(region.nearest(at(301 - 360, 30)), -60, 30);
-    expectPlace(region.nearest(at(315, 10)), 300, 25);    // its side, above the horizon
-    expectPlace(region.nearest(at(470, 200)), 442, 180);  // backwards, at the end of the valley
-    const auto foot = region.nearest(at(211, 10));        // 18.75° there: across to the falling line
+    expectPlace(nearestPermitted(region, at(100, 50)), 100, 50);
+    expectPlace(nearestPermitted(region, at(100, 10)), 100, 25);
+    expectPlace(nearestPermitted(region, at(315, 38)), 315, 40);
+    expectPlace(nearestPermitted(region, at(301, 30)), 300, 30);
+    expectPlace(nearestPermitted(region, at(301 - 360, 30)), -60, 30);
+    expectPlace(nearestPermitted(region, at(315, 10)), 300, 25);    // its side, above the horizon
+    expectPlace(nearestPermitted(region, at(470, 200)), 442, 180);  // backwards, at the end of the valley
+    const auto foot = nearestPermitted(region, at(211, 10));        // 18.75° there: across to the falling line
     ASSERT_TRUE(foot);
     EXPECT_NEAR(foot->elevation.degrees(), 25.0 - (foot->azimuth.degrees() - 210.0) * 6.25, 1e-6);
     EXPECT_GT(foot->azimuth, 212_deg);
@@ -272,7 +273,7 @@ TEST(PermittedRegion, NothingPermittedIsNearerThanTheNearest)
         const PermittedRegion region(make.region(), azimuths, elevations);
         for (int i = 0; i < 20; ++i) {
             const AxisPosition wanted = make.place(azimuths, elevations);
-            const auto nearest = region.nearest(wanted);
+            const auto nearest = nearestPermitted(region, wanted);
             if (!nearest || *nearest == wanted) {
                 continue;
             }

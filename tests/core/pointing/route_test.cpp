@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pointing/route.h"
 
+#include "core/pointing/nearest_permitted.h"
 #include "tests/core/pointing/at.h"
 #include "tests/fakes/random_region.h"
 
@@ -286,8 +287,8 @@ TEST(Route, FindsItsWayAmongAsManyKeepOutsAsThereMayBe)
         }
         const PermittedRegion region(drawn, kRouteAzimuths, {0_deg, 180_deg}, leaning);
         for (int i = 0; i < 10; ++i) {
-            const AxisPosition from = *region.nearest(make.place(kRouteAzimuths, {0_deg, 180_deg}));
-            const AxisPosition to = *region.nearest(make.place(kRouteAzimuths, {0_deg, 180_deg}));
+            const AxisPosition from = *nearestPermitted(region, make.place(kRouteAzimuths, {0_deg, 180_deg}));
+            const AxisPosition to = *nearestPermitted(region, make.place(kRouteAzimuths, {0_deg, 180_deg}));
             const auto way = route(region, from, to, kSpeed);
             if (way) {
                 expectPermitted(region, from, *way);

@@ -11,19 +11,6 @@
 using namespace boresight;
 using namespace boresight::profile;
 
-namespace {
-
-std::vector<std::string> keysOf(const std::vector<Problem>& problems)
-{
-    std::vector<std::string> keys;
-    for (const Problem& problem : problems) {
-        keys.push_back(problem.key);
-    }
-    return keys;
-}
-
-}  // namespace
-
 // REQ-PROFILE-02: Every key is described once: table, type, unit, range, text, when it applies. Its default, and the
 // ends of its range, lie in that range.
 TEST(Settings, AreDescribedOnceEach)
@@ -191,115 +178,6 @@ TEST(Settings, TheEndsOfARangeStayInside)
     }
 }
 
-// REQ-PROFILE-04: What settings mean together is checked with the rest: min below max, park inside the travel,
-// different ids, three ticks within the watchdog, jog rates in order, jerk not below acceleration per second, hints of
-// the supervision before its stops, two ticks within the reply age.
-TEST(CrossCheck, FindsEveryClashAtOnce)
-{
-    Profile profile;
-    profile.azimuth.geometry.travel = {.min = 10_deg, .max = 10_deg};
-    profile.elevation.geometry.sign = 0;
-    profile.park.elevation = 90.5_deg;
-    profile.elevation.id = profile.azimuth.id;
-    profile.control.tickHz = 20;
-    profile.jog.slow = 7_deg_s;
-    profile.elevation.limits.jerk = AngularJerk::fromDegrees(7.9);
-    EXPECT_EQ(keysOf(crossCheck(profile)),
-              (std::vector<std::string>{"azimuth.travel_min_deg", "elevation.sign", "park.elevation_deg",
-                                        "elevation.max_jerk_deg_s3", "elevation.id", "control.watchdog_s",
-                                        "jog.normal_deg_s"}));
-}
-
-// REQ-MOUNT-06: A profile has at least one axis. What turns it is known to Boresight, and the simple rotator, which is
-// only simulated, is refused on a bus.
-TEST(CrossCheck, TheDriversOfTheAxesMakeSense)
-{
-    const auto found = [](AxisDriver azimuth, AxisDriver elevation, const char* bus) {
-        Profile profile;
-        profile.bus = bus;
-        profile.azimuth.driver = azimuth;
-        profile.elevation.driver = elevation;
-        return keysOf(crossCheck(profile));
-    };
-    const auto nothing = std::vector<std::string>{};
-    const auto only = [](const char* key) { return std::vector<std::string>{key}; };
-    EXPECT_EQ(found(AxisDriver::Moteus, AxisDriver::Moteus, "socketcan:can0"), nothing);
-    EXPECT_EQ(found(AxisDriver::Simple, AxisDriver::None, "simulated"), nothing);
-    EXPECT_EQ(found(AxisDriver::None, AxisDriver::Simple, "simulated"), nothing);
-    EXPECT_EQ(found(AxisDriver::Simple, AxisDriver::Simple, "simulated"), nothing);
-    EXPECT_EQ(found(AxisDriver::None, AxisDriver::None, "simulated"), only("elevation.driver"));
-    EXPECT_EQ(found(AxisDriver::Moteus, AxisDriver::None, "socketcan:can0"), only("azimuth.driver"));
-    Profile simple;
-    simple.azimuth.driver = AxisDriver::None;
-    simple.elevation.driver = AxisDriver::Simple;
-    EXPECT_EQ(keysOf(problemsOfReal(simple)), only("elevation.driver"));
-}
-
-// REQ-PROFILE-04
-TEST(CrossCheck, ThreeTicksMustFitIntoTheWatchdog)
-{
-    Profile profile;
-    profile.control.tickHz = 60;
-    profile.control.watchdog = Seconds(0.05);
-    EXPECT_TRUE(crossCheck(profile).empty());
-    profile.control.tickHz = 59;
-    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"control.watchdog_s"});
-}
-
-// REQ-PROFILE-04
-TEST(CrossCheck, SupervisionHintsComeBeforeStops)
-{
-    Profile profile;
-    profile.supervision.followingHint = 3.1_deg;
-    profile.supervision.outsideHint = 1.6_deg;
-    profile.supervision.replyAge = Seconds(0.039);
-    profile.supervision.supplyStop = 20.0;
-    profile.supervision.supplyHigh = 20.0;
-    profile.supervision.boardHot = 75.0;
-    EXPECT_EQ(keysOf(crossCheck(profile)),
-              (std::vector<std::string>{"supervision.following_hint_deg", "supervision.outside_hint_deg",
-                                        "supervision.reply_age_s", "supervision.supply_stop_v",
-                                        "supervision.supply_low_v", "supervision.board_hot_c"}));
-}
-
-// REQ-PROFILE-05: Limits of operation leave something of the travel. Points of the horizon ascend, each azimuth once.
-// Names of keep-outs and presets are used once. 3600 points and 32 keep-outs are the most. The mount parks where
-// limits, horizon and keep-outs permit it.
-TEST(CrossCheck, LimitsLeaveSomethingOfTheTravel)
-{
-    Profile profile;
-    profile.limits.azimuth = {.min = 450_deg, .max = 500_deg};
-    profile.limits.elevation = {.min = 20_deg, .max = 20_deg};
-    EXPECT_EQ(keysOf(crossCheck(profile)),
-              (std::vector<std::string>{"limits.azimuth_min_deg", "limits.elevation_min_deg"}));
-    profile.limits.azimuth = {.min = -100_deg, .max = 500_deg};
-    profile.limits.elevation = {.min = -5_deg, .max = 0.1_deg};
-    EXPECT_TRUE(crossCheck(profile).empty()) << "as much as is left of the travel counts";
-}
-
-// REQ-PROFILE-05
-TEST(CrossCheck, TheMountParksWhereItMayBe)
-{
-    Profile profile;
-    profile.limits.azimuth = {.min = 0.1_deg, .max = 500_deg};
-    profile.limits.elevation = {.min = -5_deg, .max = 30_deg};
-    profile.park.elevation = 30.1_deg;
-    EXPECT_EQ(keysOf(crossCheck(profile)), (std::vector<std::string>{"park.azimuth_deg", "park.elevation_deg"}));
-    profile.park = {.azimuth = 0.1_deg, .elevation = 30_deg};
-    EXPECT_TRUE(crossCheck(profile).empty());
-
-    profile.limits.horizon = {{0_deg, 30.5_deg}};
-    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"park.elevation_deg"});
-    profile.limits.horizon = {{0_deg, 5_deg}};
-    EXPECT_TRUE(crossCheck(profile).empty());
-    profile.limits.keepOuts = {{"mast", 350_deg, 10_deg, 20_deg, 40_deg}};
-    const auto problems = crossCheck(profile);
-    ASSERT_EQ(keysOf(problems), std::vector<std::string>{"park.elevation_deg"});
-    EXPECT_NE(problems.front().text.find("is in the keep-out \"mast\""), std::string::npos) << problems.front().text;
-    profile.limits.keepOuts.front().elevationMin = 30_deg;
-    EXPECT_TRUE(crossCheck(profile).empty()) << "its edge is permitted";
-}
-
 // REQ-PROFILE-05a: The terms of the pointing model are settings of their own, all but the azimuth offset of 10° at
 // most. They apply at once, and the park place is checked with them.
 TEST(Settings, ThePointingModelAppliesAtOnce)
@@ -318,54 +196,6 @@ TEST(Settings, ThePointingModelAppliesAtOnce)
     EXPECT_EQ(terms, 7);
     const Angle k = Angle::fromDegrees(-9.5);
     EXPECT_EQ(profile.pointing, (pointing::PointingTerms{k, k, k, k, k, k, k}));
-}
-
-// Parked at mechanical 0° the beam looks to 37.4°, where the mast is.
-// REQ-PROFILE-05a
-TEST(CrossCheck, TheMountParksWhereTheBeamMayBe)
-{
-    Profile profile;
-    profile.limits.keepOuts = {{"mast", 30_deg, 45_deg, 0_deg, 40_deg}};
-    profile.park = {.azimuth = 0_deg, .elevation = 20_deg};
-    EXPECT_TRUE(crossCheck(profile).empty());
-    profile.pointing.azimuthOffset = 37.4_deg;
-    const auto problems = crossCheck(profile);
-    ASSERT_EQ(keysOf(problems), std::vector<std::string>{"park.elevation_deg"});
-    EXPECT_EQ(problems.front().text, "azimuth 37.4° elevation 20.0° is in the keep-out \"mast\"");
-}
-
-TEST(CrossCheck, AHorizonHasNoMorePointsThanCanBeChecked)
-{
-    Profile profile;
-    for (int i = 0; i < 3600; ++i) {
-        profile.limits.horizon.push_back({Angle::fromDegrees(0.1 * i), -90_deg});
-    }
-    EXPECT_TRUE(crossCheck(profile).empty());
-    profile.limits.horizon.push_back({359.95_deg, -90_deg});
-    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"limits.horizon"});
-}
-
-// REQ-PROFILE-05
-TEST(CrossCheck, RowsMakeSenseTogether)
-{
-    Profile profile;
-    profile.limits.horizon = {{10_deg, -5_deg}, {10_deg, -4_deg}, {5_deg, -5_deg}, {90_deg, -5_deg}};
-    profile.limits.keepOuts = {{"mast", 350_deg, 10_deg, 40_deg, 40_deg}, {"mast", 20_deg, 20_deg, 40_deg, 50_deg}};
-    profile.presets = {{"a", {}}, {"b", {}}, {"a", {}}};
-    EXPECT_EQ(
-        keysOf(crossCheck(profile)),
-        (std::vector<std::string>{"limits.horizon[2]", "limits.horizon[3]", "keep_out[2].name",
-                                  "keep_out[1].elevation_min_deg", "keep_out[2].azimuth_to_deg", "preset[3].name"}));
-}
-
-// REQ-PROFILE-06
-TEST(CrossCheck, ALockedMountSaysToWhom)
-{
-    Profile profile;
-    profile.rotctld.lead = Lead::Locked;
-    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"rotctld.locked_to"});
-    profile.rotctld.lockedTo = "::1";
-    EXPECT_TRUE(crossCheck(profile).empty());
 }
 
 TEST(Settings, TheBrokerIsAHostAndTopicsAreTopics)
@@ -390,15 +220,6 @@ TEST(Settings, TheBrokerIsAHostAndTopicsAreTopics)
     EXPECT_FALSE(takes("mqtt.port", "1883"));
 }
 
-TEST(CrossCheck, APasswordNeedsAUser)
-{
-    Profile profile;
-    profile.mqtt.password = "s3cret";
-    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"mqtt.user"});
-    profile.mqtt.user = "mount";
-    EXPECT_TRUE(crossCheck(profile).empty());
-}
-
 // REQ-PROFILE-19: A secret is in the profile's own file only, which nobody but its owner may then read. It is neither
 // in the log's lines about changes nor in diagnostics.
 TEST(Settings, ThePasswordIsTheOnlySecret)
@@ -419,76 +240,6 @@ TEST(Settings, ThePasswordIsTheOnlySecret)
     EXPECT_EQ(shown.mqtt.password, "(hidden)");
     shown.mqtt.password = profile.mqtt.password;
     EXPECT_EQ(shown, profile);
-}
-
-// The screen makes profiles without the file's reader; nothing may be applied that could not be read again.
-// REQ-PROFILE-08
-TEST(ProblemsOf, CountRangesToo)
-{
-    Profile profile;
-    EXPECT_TRUE(problemsOf(profile).empty());
-    profile.mount.name = "two\nlines";
-    profile.site.latitude = 91_deg;  // does not count while the site is unknown
-    profile.limits.horizon = {{0_deg, 0_deg}, {359.9999999_deg, -90.5_deg}};
-    profile.limits.keepOuts = {{"", 350_deg, 10_deg, 40_deg, 90_deg}};
-    profile.presets = {{"zenith", {0_deg, 180.5_deg}}};
-    profile.jog.slow = 3_deg_s;
-    EXPECT_EQ(
-        keysOf(problemsOf(profile)),
-        (std::vector<std::string>{"mount.name", "limits.horizon[2].azimuth_deg", "limits.horizon[2].elevation_deg",
-                                  "keep_out[1].name", "preset[1].elevation_deg", "jog.normal_deg_s"}));
-    profile.site.known = true;
-    EXPECT_EQ(problemsOf(profile).size(), 7U);
-}
-
-// REQ-PROFILE-05
-TEST(CrossCheck, KeepOutsHaveAMaximum)
-{
-    Profile profile;
-    for (std::size_t i = 0; i < kMaxKeepOuts; ++i) {
-        profile.limits.keepOuts.push_back({std::to_string(i), 100_deg, 110_deg, 40_deg, 50_deg});
-    }
-    EXPECT_TRUE(crossCheck(profile).empty());
-    profile.limits.keepOuts.push_back({"one more", 100_deg, 110_deg, 40_deg, 50_deg});
-    const auto problems = crossCheck(profile);
-    ASSERT_EQ(keysOf(problems), std::vector<std::string>{"keep_out"});
-    EXPECT_EQ(problems.front().text, "33 keep-outs are more than 32");
-}
-
-// REQ-PROFILE-05b: The Sun is kept away from only where the site is given.
-TEST(CrossCheck, TheSunNeedsTheSite)
-{
-    Profile profile;
-    EXPECT_EQ(profile.sun.keepAway, KeepAway::Off) << "by choice";
-    profile.sun.keepAway = KeepAway::On;
-    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"sun.keep_away"});
-    profile.site.known = true;
-    EXPECT_TRUE(crossCheck(profile).empty());
-}
-
-// REQ-PROFILE-18a: The line of the received power names an address to listen at.
-TEST(CrossCheck, UdpIsListenedForAtAnAddress)
-{
-    Profile profile;
-    EXPECT_EQ(profile.power.source, PowerSource::None);
-    EXPECT_EQ(profile.power.host, "127.0.0.1") << "nobody else is listened to unless it is wanted";
-    profile.power = {.source = PowerSource::Tcp, .host = "shack.local"};
-    EXPECT_TRUE(crossCheck(profile).empty());
-    profile.power.source = PowerSource::Udp;
-    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"power.host"});
-    profile.power.host = "0.0.0.0";
-    EXPECT_TRUE(crossCheck(profile).empty());
-}
-
-// REQ-PROFILE-04
-TEST(CrossCheck, TwoTicksMustFitIntoTheReplyAge)
-{
-    Profile profile;
-    profile.control.tickHz = 20;
-    profile.control.watchdog = Seconds(0.2);
-    EXPECT_TRUE(crossCheck(profile).empty()) << "0.1 s are 2 ticks of 20 Hz";
-    profile.supervision.replyAge = Seconds(0.099);
-    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"supervision.reply_age_s"});
 }
 
 TEST(ListenAddress, IsHostAndPort)

@@ -135,10 +135,10 @@ TEST_F(RotctldSession, BoundsWhatWaitsBehindAPause)
 TEST_F(RotctldSession, CountsAndTellsOddCommands)
 {
     EXPECT_EQ(answer("Z what\n\\foo\nP nan 1\nv FOO\n"), "RPRT -1\nRPRT -1\n");
-    EXPECT_EQ(session.oddCommands(), 4U);
+    EXPECT_EQ(session.habits().oddCommands(), 4U);
     ASSERT_EQ(rotator.remarks.size(), 3U);  // then only counted
     EXPECT_EQ(rotator.remarks[0], "unknown command \"Z what\"");
-    EXPECT_EQ(session.lastCommand(), "v FOO");
+    EXPECT_EQ(session.habits().lastCommand(), "v FOO");
     EXPECT_EQ(answer("0\n0\n0\n0\n0\np\n0\n"), "0.00\n0.00\n");  // a good one in between starts the count anew
     EXPECT_EQ(answer("0\n0\n0\n0\n0\n0\n0\np\n"), "");
     EXPECT_EQ(session.ending(), "sent 8 unknown commands in a row");
@@ -166,7 +166,7 @@ class RotctldPrograms : public SessionFixture, public ::testing::WithParamInterf
 TEST_P(RotctldPrograms, AreRecognised)
 {
     answer(GetParam().bytes);
-    EXPECT_EQ(session.program(), GetParam().program);
+    EXPECT_EQ(session.habits().program(), GetParam().program);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -94,7 +94,7 @@ TEST_F(SensorPublisherTest, IsHeardAsTheRealOneIs)
                                     .calibration = QStringLiteral("roof/calibration")},
                                    listener.clock);
     std::vector<orientation::Orientation> values;
-    QObject::connect(&source, &orientation::Source::received, &source,
+    QObject::connect(&source, &orientation::SensorSource::received, &source,
                      [&](const orientation::Orientation& value) { values.push_back(value); });
     source.open();
     begin();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/mount_factory.h"
 
-#include "core/mqtt/client.h"
+#include "core/mqtt/broker_client.h"
 #include "tests/fakes/manual_clock.h"
 
 #include <QTemporaryDir>
@@ -36,7 +36,7 @@ TEST(MountFactory, AProfileForASimulationOpensNoBus)
 TEST(MountFactory, TheSimulatedSensorIsOnTheTwoMoteusOnly)
 {
     fakes::ManualClock clock;
-    mqtt::Client broker(clock);
+    mqtt::BrokerClient broker(clock);
     profile::Profile profile;
     profile.sensor.source = profile::SensorSource::Simulated;
     const MountFactory mounts(profile, clock);

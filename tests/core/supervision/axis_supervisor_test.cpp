@@ -53,14 +53,14 @@ protected:
             tick(rate);
         }
     }
-    [[nodiscard]] std::optional<Observed> found(Finding finding) const
+    [[nodiscard]] std::optional<Observed> found(Symptom symptom) const
     {
-        const auto it = std::ranges::find(last, finding, &Observed::finding);
+        const auto it = std::ranges::find(last, symptom, &Observed::symptom);
         return it != last.end() ? std::optional(*it) : std::nullopt;
     }
-    [[nodiscard]] bool stops(Finding finding) const
+    [[nodiscard]] bool stops(Symptom symptom) const
     {
-        const auto one = found(finding);
+        const auto one = found(symptom);
         return one && one->weight == Weight::Stop;
     }
 
@@ -103,12 +103,12 @@ TEST_F(AxisSupervisorTest, AnAxisThatGetsFasterAgainstItsCommandIsTheWrongWayWha
     ticks(50);
     seen.limit = QStringLiteral("; limit 102 of the drive");
     AngularRate rate;
-    for (int i = 0; i < 20 && !stops(Finding::WrongWay); ++i) {
+    for (int i = 0; i < 20 && !stops(Symptom::WrongWay); ++i) {
         rate += 3_deg_s;
         seen.actual -= rate * Seconds(0.02) + 5_deg_s * Seconds(0.02);  // tick() takes it along with its set-point
         tick(5_deg_s);
     }
-    EXPECT_TRUE(stops(Finding::WrongWay));
+    EXPECT_TRUE(stops(Symptom::WrongWay));
     EXPECT_LT((100_deg - seen.actual).degrees(), 1.0);
 }
 
@@ -119,9 +119,9 @@ TEST_F(AxisSupervisorTest, ReArmingForgetsWhatWasFoundInTheMotion)
     ticks(50);
     seen.actual += 4_deg;
     ticks(50);
-    EXPECT_TRUE(stops(Finding::EncoderJump));
-    EXPECT_TRUE(stops(Finding::FollowingError));
-    EXPECT_FALSE(found(Finding::MovesUncommanded)) << "the axis has not moved, its angle has";
+    EXPECT_TRUE(stops(Symptom::EncoderJump));
+    EXPECT_TRUE(stops(Symptom::FollowingError));
+    EXPECT_FALSE(found(Symptom::MovesUncommanded)) << "the axis has not moved, its angle has";
     seen.commanded = seen.actual;
     supervisor.forgetMotion();
     tick();
@@ -135,8 +135,8 @@ TEST_F(AxisSupervisorTest, ReArmingForgetsWhatWasFoundInTheMotion)
     seen.commanded = seen.actual;
     seen.engaged = true;
     tick();
-    EXPECT_FALSE(found(Finding::FollowingError)) << "engaging is a new beginning, too";
-    EXPECT_TRUE(stops(Finding::EncoderJump)) << "but not for an angle that jumped";
+    EXPECT_FALSE(found(Symptom::FollowingError)) << "engaging is a new beginning, too";
+    EXPECT_TRUE(stops(Symptom::EncoderJump)) << "but not for an angle that jumped";
 }
 
 TEST_F(AxisSupervisorTest, StopsComeFirstAndEachKindOnce)
@@ -148,9 +148,9 @@ TEST_F(AxisSupervisorTest, StopsComeFirstAndEachKindOnce)
     ASSERT_GE(last.size(), 3U);
     EXPECT_TRUE(std::ranges::is_partitioned(last, [](const Observed& one) { return one.weight == Weight::Stop; }));
     for (const Observed& one : last) {
-        EXPECT_EQ(std::ranges::count(last, one.finding, &Observed::finding), 1) << one.what.toStdString();
+        EXPECT_EQ(std::ranges::count(last, one.symptom, &Observed::symptom), 1) << one.what.toStdString();
     }
-    EXPECT_TRUE(found(Finding::SupplyLow));
+    EXPECT_TRUE(found(Symptom::SupplyLow));
 }
 
 // REQ-SUPERVISION-05
@@ -166,8 +166,8 @@ TEST_F(AxisSupervisorTest, ALateReplyIsNoJumpOfTheEncoder)
     seen.actual += 10_deg_s * Seconds(0.1);
     tick(10_deg_s);
     ticks(50, 10_deg_s);
-    EXPECT_FALSE(found(Finding::EncoderJump));
-    EXPECT_FALSE(stops(Finding::FollowingError));
+    EXPECT_FALSE(found(Symptom::EncoderJump));
+    EXPECT_FALSE(stops(Symptom::FollowingError));
 }
 
 // REQ-SUPERVISION-05
@@ -201,7 +201,7 @@ TEST_F(AxisSupervisorTest, AJumpWhileEnablingStops)
     ticks(PlaceBelief::kJump);
     supervisor.forgetCommand();
     ASSERT_FALSE(last.empty());
-    EXPECT_EQ(last.front().finding, Finding::EncoderJump);
+    EXPECT_EQ(last.front().symptom, Symptom::EncoderJump);
     EXPECT_EQ(last.front().weight, Weight::Stop);
 }
 
@@ -226,7 +226,7 @@ TEST_F(AxisSupervisorTest, AFastAxisMayBeTwoTicksBehind)
     tick();
     seen.engaged = true;
     ticks(100, 60_deg_s);
-    EXPECT_FALSE(found(Finding::FollowingError));
+    EXPECT_FALSE(found(Symptom::FollowingError));
 }
 
 TEST_F(AxisSupervisorTest, ATextIsRenewedWhenAnAxisWasTurnedTwiceAsFar)
@@ -237,9 +237,9 @@ TEST_F(AxisSupervisorTest, ATextIsRenewedWhenAnAxisWasTurnedTwiceAsFar)
         seen.actual += 0.1_deg;
         tick();
     }
-    ASSERT_TRUE(found(Finding::MovesUncommanded));
-    EXPECT_EQ(found(Finding::MovesUncommanded)->weight, Weight::Hint);
-    EXPECT_THAT(found(Finding::MovesUncommanded)->what.toStdString(),
+    ASSERT_TRUE(found(Symptom::MovesUncommanded));
+    EXPECT_EQ(found(Symptom::MovesUncommanded)->weight, Weight::Hint);
+    EXPECT_THAT(found(Symptom::MovesUncommanded)->what.toStdString(),
                 ::testing::MatchesRegex("the azimuth has moved by 1[0-5]\\.[0-9]°.*not by us: by its weight.*"));
 }
 
@@ -248,15 +248,15 @@ TEST_F(AxisSupervisorTest, TheSupplyMustReturnByHalfAVoltAndStayThere)
 {
     seen.voltage = 19.9;
     ticks(50);
-    ASSERT_TRUE(found(Finding::SupplyLow));
+    ASSERT_TRUE(found(Symptom::SupplyLow));
     seen.voltage = 20.4;
     ticks(200);
-    EXPECT_TRUE(found(Finding::SupplyLow));
+    EXPECT_TRUE(found(Symptom::SupplyLow));
     seen.voltage = 20.6;
     ticks(48);
-    EXPECT_TRUE(found(Finding::SupplyLow));
+    EXPECT_TRUE(found(Symptom::SupplyLow));
     ticks(4);
-    EXPECT_FALSE(found(Finding::SupplyLow));
+    EXPECT_FALSE(found(Symptom::SupplyLow));
 }
 
 // REQ-SUPERVISION-08
@@ -265,8 +265,8 @@ TEST_F(AxisSupervisorTest, AnEmptySupplyOfADriveThatIsOffIsAHint)
     seen.engaged = false;
     seen.voltage = 8.0;
     ticks(50);
-    ASSERT_TRUE(found(Finding::SupplyLow));
-    EXPECT_FALSE(stops(Finding::SupplyLow));
+    ASSERT_TRUE(found(Symptom::SupplyLow));
+    EXPECT_FALSE(stops(Symptom::SupplyLow));
 }
 
 // REQ-SUPERVISION-09
@@ -275,10 +275,10 @@ TEST_F(AxisSupervisorTest, BoardAndMotorAreHot)
     seen.boardTemperature = 61.0;
     seen.motorTemperature = 82.0;
     ticks(2);
-    EXPECT_EQ(found(Finding::BoardHot)->what.toStdString(),
+    EXPECT_EQ(found(Symptom::BoardHot)->what.toStdString(),
               "the drive board of the azimuth is at 61 °C; it gives up at 75 °C");
-    EXPECT_EQ(found(Finding::MotorHot)->what.toStdString(), "the motor of the azimuth is at 82 °C");
-    EXPECT_FALSE(stops(Finding::BoardHot));
+    EXPECT_EQ(found(Symptom::MotorHot)->what.toStdString(), "the motor of the azimuth is at 82 °C");
+    EXPECT_FALSE(stops(Symptom::BoardHot));
 }
 
 // REQ-SUPERVISION-09
@@ -288,8 +288,8 @@ TEST_F(AxisSupervisorTest, AMotorThatWarmsUpIsToldWithTheTimeLeft)
         seen.motorTemperature = 54.0 + 6.0 * i / (60.0 * 50.0);
         tick();
     }
-    ASSERT_TRUE(found(Finding::MotorHot));
-    EXPECT_THAT(found(Finding::MotorHot)->what.toStdString(),
+    ASSERT_TRUE(found(Symptom::MotorHot));
+    EXPECT_THAT(found(Symptom::MotorHot)->what.toStdString(),
                 HasSubstr("the motor of the azimuth is at 58 °C and rising 6.0 °C/min: 80 °C in 3."));
 }
 
@@ -299,7 +299,7 @@ TEST_F(AxisSupervisorTest, AMotorThatCoolsDownIsNotTold)
     for (int i = 0; i < 60 * 50; ++i) {
         seen.motorTemperature = 79.0 - 6.0 * i / (60.0 * 50.0);
         tick();
-        ASSERT_FALSE(found(Finding::MotorHot)) << i;
+        ASSERT_FALSE(found(Symptom::MotorHot)) << i;
     }
 }
 
@@ -313,7 +313,7 @@ TEST_F(AxisSupervisorTest, WithoutTheTurnTheTravelIsNotJudged)
     EXPECT_TRUE(last.empty());
     seen.turnKnown = true;
     ticks(2);
-    EXPECT_TRUE(found(Finding::OutsideTravel));
+    EXPECT_TRUE(found(Symptom::OutsideTravel));
 }
 
 TEST_F(AxisSupervisorTest, AJumpOutOfTheTravelIsNoMotionOutwards)
@@ -321,9 +321,9 @@ TEST_F(AxisSupervisorTest, AJumpOutOfTheTravelIsNoMotionOutwards)
     ticks(50);
     seen.actual = 460_deg;
     ticks(PlaceBelief::kJump + 1);
-    EXPECT_TRUE(stops(Finding::EncoderJump));
-    ASSERT_TRUE(found(Finding::OutsideTravel));
-    EXPECT_FALSE(stops(Finding::OutsideTravel));
+    EXPECT_TRUE(stops(Symptom::EncoderJump));
+    ASSERT_TRUE(found(Symptom::OutsideTravel));
+    EXPECT_FALSE(stops(Symptom::OutsideTravel));
 }
 
 class AtTickRate : public AxisSupervisorTest, public ::testing::WithParamInterface<int>
@@ -339,7 +339,7 @@ TEST_P(AtTickRate, AStallIsFoundInTheSameTime)
     ASSERT_TRUE(last.empty());
     const Angle stuck = seen.actual;
     const SteadyTime since = seen.now;
-    while (!stops(Finding::Stalled) && seen.now - since < Seconds(2.0)) {
+    while (!stops(Symptom::Stalled) && seen.now - since < Seconds(2.0)) {
         tick(5_deg_s, period);
         seen.actual = stuck;
     }

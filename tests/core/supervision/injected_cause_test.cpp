@@ -19,19 +19,19 @@ class InjectedCause : public ::testing::Test
 {
 protected:
     // Runs until the finding comes; how long after `since`.
-    [[nodiscard]] Seconds timeTo(Finding finding, Weight weight, Seconds limit, std::optional<Seconds> since = {})
+    [[nodiscard]] Seconds timeTo(Symptom symptom, Weight weight, Seconds limit, std::optional<Seconds> since = {})
     {
         const Seconds from = since.value_or(mount.now());
         const Seconds end = mount.now() + limit;
-        while (!mount.first(finding, weight) && mount.now() < end) {
+        while (!mount.first(symptom, weight) && mount.now() < end) {
             mount.run(SupervisedMount::kTick);
         }
-        EXPECT_TRUE(mount.first(finding, weight)) << mount.report();
+        EXPECT_TRUE(mount.first(symptom, weight)) << mount.report();
         return mount.now() - from;
     }
-    [[nodiscard]] std::string text(Finding finding, Weight weight) const
+    [[nodiscard]] std::string text(Symptom symptom, Weight weight) const
     {
-        const auto found = mount.first(finding, weight);
+        const auto found = mount.first(symptom, weight);
         return found ? found->observed.what.toStdString() : std::string();
     }
 
@@ -57,11 +57,11 @@ TEST_P(StallAt, IsFoundWithinASecond)
     mount.run(Seconds(3.0));
     EXPECT_EQ(mount.report(), "");
     mount.inject(FaultKind::Stall, Axis::Azimuth);
-    EXPECT_LE(timeTo(Finding::Stalled, Weight::Stop, Seconds(3.0)), Seconds(1.0));
+    EXPECT_LE(timeTo(Symptom::Stalled, Weight::Stop, Seconds(3.0)), Seconds(1.0));
     const AxisObservation& seen = mount.seen(Axis::Azimuth);
     EXPECT_LE(abs(seen.commanded - seen.actual).degrees(), GetParam().maxError);
-    EXPECT_THAT(text(Finding::Stalled, Weight::Stop), HasSubstr("the azimuth does not move: "));
-    RecordProperty("what", text(Finding::Stalled, Weight::Stop));
+    EXPECT_THAT(text(Symptom::Stalled, Weight::Stop), HasSubstr("the azimuth does not move: "));
+    RecordProperty("what", text(Symptom::Stalled, Weight::Stop));
 }
 
 INSTANTIATE_TEST_SUITE_P(Rate, StallAt,
@@ -78,9 +78,9 @@ TEST_F(InjectedCause, AJamInASlewStopsTheMount)
         mount.run(SupervisedMount::kTick);
     }
     EXPECT_EQ(mount.report(), "");
-    EXPECT_LE(timeTo(Finding::Stalled, Weight::Stop, Seconds(3.0)), Seconds(1.0));
+    EXPECT_LE(timeTo(Symptom::Stalled, Weight::Stop, Seconds(3.0)), Seconds(1.0));
     EXPECT_LE(mount.seen(Axis::Azimuth).commanded.degrees(), 230.0);
-    EXPECT_TRUE(mount.first(Finding::FollowingError, Weight::Hint)) << mount.report();
+    EXPECT_TRUE(mount.first(Symptom::FollowingError, Weight::Hint)) << mount.report();
     mount.end(jam);
 }
 
@@ -93,8 +93,8 @@ TEST_F(InjectedCause, ABlockedAxisIsFoundWhenItIsFirstCommanded)
     mount.run(Seconds(10.0));
     EXPECT_EQ(mount.report(), "");
     mount.turn(Axis::Elevation, -1_deg_s);
-    EXPECT_LE(timeTo(Finding::Stalled, Weight::Stop, Seconds(3.0)), Seconds(1.0));
-    EXPECT_FALSE(mount.first(Finding::MovesUncommanded, Weight::Stop));
+    EXPECT_LE(timeTo(Symptom::Stalled, Weight::Stop, Seconds(3.0)), Seconds(1.0));
+    EXPECT_FALSE(mount.first(Symptom::MovesUncommanded, Weight::Stop));
 }
 
 // REQ-SUPERVISION-01: A following error of 1.5° for 0.5 s is a hint, 3° for 0.5 s stops. 0.05 s of the commanded rate
@@ -112,11 +112,11 @@ TEST_F(InjectedCause, WindAtTheLimitOfTheTorqueIsAFollowingError)
             beyond = mount.now();
         }
     };
-    static_cast<void>(timeTo(Finding::FollowingError, Weight::Stop, Seconds(10.0)));
+    static_cast<void>(timeTo(Symptom::FollowingError, Weight::Stop, Seconds(10.0)));
     ASSERT_TRUE(beyond);
     EXPECT_LE(mount.now() - *beyond, Seconds(0.6));
-    EXPECT_TRUE(mount.first(Finding::FollowingError, Weight::Hint));
-    EXPECT_THAT(text(Finding::FollowingError, Weight::Stop), HasSubstr("away from its set-point for 0.50 s"));
+    EXPECT_TRUE(mount.first(Symptom::FollowingError, Weight::Hint));
+    EXPECT_THAT(text(Symptom::FollowingError, Weight::Stop), HasSubstr("away from its set-point for 0.50 s"));
 }
 
 // REQ-SUPERVISION-03: Motion of 0.5° against the command stops. An axis that slows down while its drive reports a
@@ -128,10 +128,10 @@ TEST_F(InjectedCause, AnAxisDrivenBackIsMovingTheWrongWay)
     mount.run(Seconds(2.0));
     const Angle before = mount.seen(Axis::Azimuth).actual;
     mount.inject(FaultKind::Wind, Axis::Azimuth, -90.0);
-    EXPECT_LE(timeTo(Finding::WrongWay, Weight::Stop, Seconds(2.0)), Seconds(0.6));
+    EXPECT_LE(timeTo(Symptom::WrongWay, Weight::Stop, Seconds(2.0)), Seconds(0.6));
     EXPECT_LT(abs(mount.seen(Axis::Azimuth).actual - before), 1.5_deg);
-    EXPECT_FALSE(mount.first(Finding::Stalled, Weight::Stop));
-    EXPECT_THAT(text(Finding::WrongWay, Weight::Stop), HasSubstr("the azimuth moves the wrong way"));
+    EXPECT_FALSE(mount.first(Symptom::Stalled, Weight::Stop));
+    EXPECT_THAT(text(Symptom::WrongWay, Weight::Stop), HasSubstr("the azimuth moves the wrong way"));
 }
 
 // REQ-SUPERVISION-04: An axis that was to hold and moved by 1° stops the mount. An axis whose drive is off gives a
@@ -142,9 +142,9 @@ TEST_F(InjectedCause, AStormTurnsAnAxisThatHolds)
     mount.run(Seconds(2.0));
     const Angle held = mount.seen(Axis::Elevation).actual;
     mount.inject(FaultKind::Wind, Axis::Elevation, 90.0);
-    static_cast<void>(timeTo(Finding::MovesUncommanded, Weight::Stop, Seconds(2.0)));
+    static_cast<void>(timeTo(Symptom::MovesUncommanded, Weight::Stop, Seconds(2.0)));
     EXPECT_LT(abs(mount.seen(Axis::Elevation).actual - held), 6_deg);
-    EXPECT_THAT(text(Finding::MovesUncommanded, Weight::Stop), HasSubstr("was to hold its place and has moved by"));
+    EXPECT_THAT(text(Symptom::MovesUncommanded, Weight::Stop), HasSubstr("was to hold its place and has moved by"));
 }
 
 // REQ-SUPERVISION-04
@@ -154,10 +154,10 @@ TEST_F(InjectedCause, WindTurnsAnAxisThatIsOffAndThatIsAHint)
     mount.release();
     mount.run(Seconds(3.0));
     mount.inject(FaultKind::Wind, Axis::Azimuth, 8.0, Seconds(4.0));
-    static_cast<void>(timeTo(Finding::MovesUncommanded, Weight::Hint, Seconds(4.0)));
+    static_cast<void>(timeTo(Symptom::MovesUncommanded, Weight::Hint, Seconds(4.0)));
     mount.run(Seconds(5.0));
     EXPECT_FALSE(mount.stopped());
-    EXPECT_THAT(text(Finding::MovesUncommanded, Weight::Hint), HasSubstr("and not by us"));
+    EXPECT_THAT(text(Symptom::MovesUncommanded, Weight::Hint), HasSubstr("and not by us"));
     mount.engage();
     mount.clearFound();
     mount.run(Seconds(0.1));
@@ -174,8 +174,8 @@ TEST_F(InjectedCause, AnotherProgramShiftsTheAngleOfADrive)
     EXPECT_EQ(mount.report(), "");
     const double turns = mount.seen(Axis::Azimuth).actual.turns() + 0.01;  // one turn of the rotor
     mount.send(Axis::Azimuth, moteus::SetOutputExact{.position = turns});
-    EXPECT_LE(timeTo(Finding::EncoderJump, Weight::Stop, Seconds(1.0)), Seconds(0.16));
-    EXPECT_THAT(text(Finding::EncoderJump, Weight::Stop), HasSubstr("jumped by"));
+    EXPECT_LE(timeTo(Symptom::EncoderJump, Weight::Stop, Seconds(1.0)), Seconds(0.16));
+    EXPECT_THAT(text(Symptom::EncoderJump, Weight::Stop), HasSubstr("jumped by"));
 }
 
 // REQ-SUPERVISION-06 (OutsideTravel.*): Outside the travel is a hint from 0.5°, a stop from 1.5° while moving farther
@@ -184,9 +184,9 @@ TEST(OutsideTravel, IsAHintAtRestAndOnTheWayBack)
 {
     SupervisedMount mount(sim::commissionedPair({.azimuth = 452_deg, .elevation = -0.4_deg}));
     mount.run(Seconds(1.0));
-    ASSERT_TRUE(mount.first(Finding::OutsideTravel, Weight::Hint)) << mount.report();
+    ASSERT_TRUE(mount.first(Symptom::OutsideTravel, Weight::Hint)) << mount.report();
     EXPECT_EQ(mount.found().size(), 1U) << "-0.4° is within the allowance";
-    EXPECT_EQ(mount.first(Finding::OutsideTravel, Weight::Hint)->observed.what.toStdString(),
+    EXPECT_EQ(mount.first(Symptom::OutsideTravel, Weight::Hint)->observed.what.toStdString(),
               "the azimuth is at 452.0°, 2.0° beyond its travel -90.0°…450.0°");
     mount.engage();
     mount.turn(Axis::Azimuth, -2_deg_s);
@@ -204,14 +204,14 @@ TEST(OutsideTravel, StopsWhileMovingFartherOut)
     mount.inject(FaultKind::Wind, Axis::Azimuth, 75.0);
     Angle at;
     mount.onTick = [&] {
-        if (!mount.first(Finding::OutsideTravel, Weight::Stop)) {
+        if (!mount.first(Symptom::OutsideTravel, Weight::Stop)) {
             at = mount.seen(Axis::Azimuth).actual;
         }
     };
     mount.run(Seconds(3.0));
-    ASSERT_TRUE(mount.first(Finding::OutsideTravel, Weight::Stop)) << mount.report();
+    ASSERT_TRUE(mount.first(Symptom::OutsideTravel, Weight::Stop)) << mount.report();
     EXPECT_LT(at, 452.2_deg);
-    EXPECT_THAT(mount.first(Finding::OutsideTravel, Weight::Stop)->observed.what.toStdString(),
+    EXPECT_THAT(mount.first(Symptom::OutsideTravel, Weight::Stop)->observed.what.toStdString(),
                 HasSubstr("moves farther out"));
 }
 
@@ -219,7 +219,7 @@ TEST(OutsideTravel, StopsWhileMovingFartherOut)
 TEST_F(InjectedCause, AReplyThatIsLateIsToldWhenItComes)
 {
     mount.inject(FaultKind::Silence, Axis::Elevation, {}, Seconds(0.2));
-    EXPECT_LE(timeTo(Finding::RepliesLate, Weight::Hint, Seconds(1.0)), Seconds(0.26));
+    EXPECT_LE(timeTo(Symptom::RepliesLate, Weight::Hint, Seconds(1.0)), Seconds(0.26));
     EXPECT_EQ(mount.found().size(), 1U) << "the other axis is heard";
 }
 
@@ -229,17 +229,17 @@ TEST_F(InjectedCause, ASupplyThatSags)
 {
     mount.engage();
     mount.inject(FaultKind::SupplyVoltage, Axis::Azimuth, 19.0);
-    EXPECT_LE(timeTo(Finding::SupplyLow, Weight::Hint, Seconds(1.0)), Seconds(0.2));
+    EXPECT_LE(timeTo(Symptom::SupplyLow, Weight::Hint, Seconds(1.0)), Seconds(0.2));
     mount.inject(FaultKind::SupplyVoltage, Axis::Azimuth, 11.5);
-    EXPECT_LE(timeTo(Finding::SupplyLow, Weight::Stop, Seconds(1.0)), Seconds(0.3));
-    EXPECT_THAT(text(Finding::SupplyLow, Weight::Stop), HasSubstr(" V, below 12.0 V"));
+    EXPECT_LE(timeTo(Symptom::SupplyLow, Weight::Stop, Seconds(1.0)), Seconds(0.3));
+    EXPECT_THAT(text(Symptom::SupplyLow, Weight::Stop), HasSubstr(" V, below 12.0 V"));
 }
 
 // REQ-SUPERVISION-08
 TEST_F(InjectedCause, ASupplyThatIsTooHigh)
 {
     mount.inject(FaultKind::SupplyVoltage, Axis::Azimuth, 43.0);
-    EXPECT_LE(timeTo(Finding::SupplyHigh, Weight::Hint, Seconds(1.0)), Seconds(0.1));
+    EXPECT_LE(timeTo(Symptom::SupplyHigh, Weight::Hint, Seconds(1.0)), Seconds(0.1));
     EXPECT_FALSE(mount.stopped());
 }
 
@@ -249,14 +249,14 @@ TEST_F(InjectedCause, ABatteryThatRunsEmpty)
 {
     mount.engage();
     mount.turn(Axis::Azimuth, 0.1_deg_s);
-    while (!mount.first(Finding::SupplyLow, Weight::Hint) && mount.now() < Seconds(400.0)) {
+    while (!mount.first(Symptom::SupplyLow, Weight::Hint) && mount.now() < Seconds(400.0)) {
         mount.inject(FaultKind::SupplyVoltage, Axis::Azimuth, 24.0 - 0.01 * mount.now().count(), Seconds(1.0));
         mount.run(Seconds(1.0));
     }
-    ASSERT_TRUE(mount.first(Finding::SupplyLow, Weight::Hint));
+    ASSERT_TRUE(mount.first(Symptom::SupplyLow, Weight::Hint));
     EXPECT_LT(mount.now(), Seconds(160.0)) << "it reaches 20 V at 400 s";
-    EXPECT_THAT(text(Finding::SupplyLow, Weight::Hint), HasSubstr("falling 0."));
-    RecordProperty("what", text(Finding::SupplyLow, Weight::Hint));
+    EXPECT_THAT(text(Symptom::SupplyLow, Weight::Hint), HasSubstr("falling 0."));
+    RecordProperty("what", text(Symptom::SupplyLow, Weight::Hint));
 }
 
 // Three quarters of the torque all the time: the board warms up, which is told before it is hot.
@@ -269,11 +269,11 @@ TEST(BoardHot, IsToldBeforeItIsHot)
     SupervisedMount mount(sim::commissionedPair(kMiddle), strong);
     mount.engage();
     mount.inject(FaultKind::Wind, Axis::Azimuth, 60.0);
-    while (!mount.first(Finding::BoardHot, Weight::Hint) && mount.now() < Seconds(600.0)) {
+    while (!mount.first(Symptom::BoardHot, Weight::Hint) && mount.now() < Seconds(600.0)) {
         mount.run(Seconds(1.0));
     }
-    ASSERT_TRUE(mount.first(Finding::BoardHot, Weight::Hint)) << mount.report();
-    const std::string what = mount.first(Finding::BoardHot, Weight::Hint)->observed.what.toStdString();
+    ASSERT_TRUE(mount.first(Symptom::BoardHot, Weight::Hint)) << mount.report();
+    const std::string what = mount.first(Symptom::BoardHot, Weight::Hint)->observed.what.toStdString();
     EXPECT_THAT(what, HasSubstr(" °C/min: 75 °C in "));
     EXPECT_LT(*mount.seen(Axis::Azimuth).boardTemperature, 60.0);
     RecordProperty("what", what);
@@ -286,8 +286,8 @@ TEST_F(InjectedCause, WindThatTakesMuchOfTheTorque)
     mount.engage();
     mount.run(Seconds(1.0));
     mount.inject(FaultKind::Wind, Axis::Azimuth, 40.0);
-    EXPECT_NEAR(timeTo(Finding::TorqueHigh, Weight::Hint, Seconds(5.0)).count(), 2.0, 0.3);
-    EXPECT_THAT(text(Finding::TorqueHigh, Weight::Hint), HasSubstr(" of the 50.0 Nm allowed"));
+    EXPECT_NEAR(timeTo(Symptom::TorqueHigh, Weight::Hint, Seconds(5.0)).count(), 2.0, 0.3);
+    EXPECT_THAT(text(Symptom::TorqueHigh, Weight::Hint), HasSubstr(" of the 50.0 Nm allowed"));
     mount.run(Seconds(5.0));
     EXPECT_FALSE(mount.stopped()) << mount.report();
 }
@@ -301,10 +301,10 @@ TEST_F(InjectedCause, AnAxisThatPushesJustBeforeItsTargetIsBlocked)
     mount.engage();
     mount.inject(FaultKind::Stall, Axis::Azimuth);
     mount.goTo(Axis::Azimuth, 180.2_deg);
-    EXPECT_LE(timeTo(Finding::Stalled, Weight::Stop, Seconds(10.0)), Seconds(5.0));
-    EXPECT_THAT(text(Finding::Stalled, Weight::Stop),
+    EXPECT_LE(timeTo(Symptom::Stalled, Weight::Stop, Seconds(10.0)), Seconds(5.0));
+    EXPECT_THAT(text(Symptom::Stalled, Weight::Stop),
                 HasSubstr("0.2° from its set-point with 50.0 Nm of the 50.0 Nm allowed"));
-    EXPECT_THAT(text(Finding::Stalled, Weight::Stop), HasSubstr("limit 102 of the drive"));
+    EXPECT_THAT(text(Symptom::Stalled, Weight::Stop), HasSubstr("limit 102 of the drive"));
 }
 
 // REQ-SUPERVISION-10
@@ -313,8 +313,8 @@ TEST_F(InjectedCause, WindOnAStandingAxisIsToldFromASmallerTorqueOn)
     mount.engage();
     mount.run(Seconds(1.0));
     mount.inject(FaultKind::Wind, Axis::Azimuth, 28.0);
-    EXPECT_LE(timeTo(Finding::TorqueHigh, Weight::Hint, Seconds(5.0)), Seconds(3.0));
-    EXPECT_THAT(text(Finding::TorqueHigh, Weight::Hint), HasSubstr("more than the 20.0 Nm of weight and friction"));
+    EXPECT_LE(timeTo(Symptom::TorqueHigh, Weight::Hint, Seconds(5.0)), Seconds(3.0));
+    EXPECT_THAT(text(Symptom::TorqueHigh, Weight::Hint), HasSubstr("more than the 20.0 Nm of weight and friction"));
     mount.run(Seconds(5.0));
     EXPECT_FALSE(mount.stopped()) << mount.report();
 }
@@ -328,8 +328,8 @@ TEST_F(InjectedCause, ABlockedAxisIsToldWithTheLimitOfItsDrive)
     mount.turn(Axis::Azimuth, 6_deg_s);
     mount.run(Seconds(2.0));
     mount.inject(FaultKind::Stall, Axis::Azimuth);
-    static_cast<void>(timeTo(Finding::Stalled, Weight::Stop, Seconds(3.0)));
-    EXPECT_THAT(text(Finding::Stalled, Weight::Stop),
+    static_cast<void>(timeTo(Symptom::Stalled, Weight::Stop, Seconds(3.0)));
+    EXPECT_THAT(text(Symptom::Stalled, Weight::Stop),
                 HasSubstr("limit 102 of the drive: Limited by the maximum torque of the command"));
 }
 
@@ -346,9 +346,9 @@ TEST(TorqueGuard, StopsAnUnwindThatPullsTheCableTight)
         mount.inject(FaultKind::Wind, Axis::Azimuth, -pull, Seconds(0.5));
         mount.run(Seconds(0.5));
     }
-    ASSERT_TRUE(mount.first(Finding::TorqueGuard, Weight::Stop)) << mount.report();
+    ASSERT_TRUE(mount.first(Symptom::TorqueGuard, Weight::Stop)) << mount.report();
     EXPECT_LT(std::abs(*mount.seen(Axis::Azimuth).torque), 23.0);
-    EXPECT_THAT(mount.first(Finding::TorqueGuard, Weight::Stop)->observed.what.toStdString(),
+    EXPECT_THAT(mount.first(Symptom::TorqueGuard, Weight::Stop)->observed.what.toStdString(),
                 HasSubstr("while its turn is not known"));
 }
 

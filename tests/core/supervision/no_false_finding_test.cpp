@@ -73,8 +73,8 @@ TEST(NoFalseFinding, AReversalWithTooLittleTorqueIsNoWrongWay)
         mount.turn(Axis::Azimuth, -10_deg_s);
         mount.run(Seconds(2.0));
     }
-    EXPECT_FALSE(mount.first(Finding::WrongWay, Weight::Stop)) << mount.report();
-    const auto late = mount.first(Finding::FollowingError, Weight::Hint);
+    EXPECT_FALSE(mount.first(Symptom::WrongWay, Weight::Stop)) << mount.report();
+    const auto late = mount.first(Symptom::FollowingError, Weight::Hint);
     ASSERT_TRUE(late) << mount.report();
     EXPECT_TRUE(late->observed.what.contains(QStringLiteral("limit 102 of the drive"))) << mount.report();
 }

@@ -91,10 +91,10 @@ sim::FaultSchedule::Handle SupervisedMount::inject(sim::FaultKind kind, Axis axi
     return m_pair.faults().add({.kind = kind, .axis = axis, .at = m_now, .duration = duration, .value = value});
 }
 
-std::optional<Found> SupervisedMount::first(Finding finding, Weight weight) const
+std::optional<Found> SupervisedMount::first(Symptom symptom, Weight weight) const
 {
     const auto it = std::ranges::find_if(m_found, [&](const Found& found) {
-        return found.observed.finding == finding && found.observed.weight == weight;
+        return found.observed.symptom == symptom && found.observed.weight == weight;
     });
     return it != m_found.end() ? std::optional(*it) : std::nullopt;
 }
@@ -184,7 +184,7 @@ void SupervisedMount::judge(Side& side)
     side.seen.now = steady(m_now);
     for (const Observed& observed : side.supervisor.observe(side.seen)) {
         const bool known = std::ranges::any_of(m_found, [&](const Found& found) {
-            return found.axis == side.axis && found.observed.finding == observed.finding &&
+            return found.axis == side.axis && found.observed.symptom == observed.symptom &&
                    found.observed.weight == observed.weight;
         });
         if (!known) {

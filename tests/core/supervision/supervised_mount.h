@@ -52,7 +52,7 @@ public:
     [[nodiscard]] const AxisObservation& seen(Axis axis) { return side(axis).seen; }
 
     [[nodiscard]] const std::vector<Found>& found() const { return m_found; }
-    [[nodiscard]] std::optional<Found> first(Finding finding, Weight weight) const;
+    [[nodiscard]] std::optional<Found> first(Symptom symptom, Weight weight) const;
     [[nodiscard]] bool stopped() const;        // any finding that stops
     [[nodiscard]] std::string report() const;  // for a failed test
     void clearFound() { m_found.clear(); }

@@ -25,7 +25,7 @@ protected:
     [[nodiscard]] std::string told() const { return watch.observed() ? watch.observed()->what.toStdString() : "-"; }
     [[nodiscard]] bool stops() const { return watch.observed() && watch.observed()->weight == Weight::Stop; }
 
-    Watch watch{Finding::FollowingError};
+    Watch watch{Symptom::FollowingError};
     SteadyTime now{std::chrono::hours(1)};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The scan by hand-turned time. In real time and with faults: tests/app/bus_scan_test.cpp.
+// The scan by hand-turned time. In real time and with faults: tests/app/link_scan_test.cpp.
 #include "core/survey/bus_scan.h"
 
 #include "core/sim/simulated_pair.h"

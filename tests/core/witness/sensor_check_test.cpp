@@ -28,7 +28,7 @@ struct CheckRig
         : azimuth(std::move(azimuthThen)), elevation(std::move(elevationThen))
     {}
 
-    [[nodiscard]] SensorReading reading() const
+    [[nodiscard]] SensorDirection reading() const
     {
         double sum = 0.0;
         for (int i = 0; i < 11; ++i) {

@@ -42,7 +42,7 @@ struct SensedRig
         station->openAll();
     }
 
-    std::unique_ptr<orientation::Source> make(const profile::Profile& wanted, mqtt::Connection& broker)
+    std::unique_ptr<orientation::SensorSource> make(const profile::Profile& wanted, mqtt::Connection& broker)
     {
         auto made = sensorMaker(clock, mount)(wanted, broker);
         source = dynamic_cast<SimulatedSource*>(made.get());

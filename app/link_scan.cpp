@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/bus_scan.h"
+#include "app/link_scan.h"
 
 #include <chrono>
 
@@ -14,22 +14,22 @@ constexpr auto kStep = 3ms;
 
 }  // namespace
 
-BusScan::BusScan(CanLink& link, QObject* parent)
+LinkScan::LinkScan(CanLink& link, QObject* parent)
     : QObject(parent), m_link(link), m_scan(kSource, {moteus::versionQuery(), moteus::rotatorQuery()})
 {
     m_timer.setTimerType(Qt::PreciseTimer);
-    connect(&m_timer, &QTimer::timeout, this, &BusScan::step);
-    connect(&m_link, &CanLink::frameReceived, this, &BusScan::take);
+    connect(&m_timer, &QTimer::timeout, this, &LinkScan::step);
+    connect(&m_link, &CanLink::frameReceived, this, &LinkScan::take);
 }
 
-void BusScan::start()
+void LinkScan::start()
 {
     m_timer.start(kStep);
     m_scan.begin(m_clock.now());
     step();
 }
 
-void BusScan::step()
+void LinkScan::step()
 {
     const std::vector<CanFrame> frames = m_scan.frames(m_clock.now());
     if (!m_scan.isRunning()) {
@@ -43,14 +43,14 @@ void BusScan::step()
     }
 }
 
-void BusScan::take(const CanFrame& frame)
+void LinkScan::take(const CanFrame& frame)
 {
     if (const Result<moteus::Reply> reply = moteus::decodeReply(frame)) {
         m_scan.take(*reply);
     }
 }
 
-void BusScan::end(const QString& problem)
+void LinkScan::end(const QString& problem)
 {
     if (m_timer.isActive()) {
         m_timer.stop();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mqtt/client.h"
+#include "core/mqtt/broker_client.h"
 
 #include "core/base/text.h"
 #include "core/mqtt/broker_session.h"
@@ -8,18 +8,18 @@
 
 namespace boresight::mqtt {
 
-Client::Client(const Clock& clock, QObject* parent) : Connection(parent), m_clock(clock), m_timer(this)
+BrokerClient::BrokerClient(const Clock& clock, QObject* parent) : Connection(parent), m_clock(clock), m_timer(this)
 {
     m_timer.setInterval(kServicePeriod);
-    connect(&m_timer, &QTimer::timeout, this, &Client::service);
+    connect(&m_timer, &QTimer::timeout, this, &BrokerClient::service);
 }
 
-Client::~Client()
+BrokerClient::~BrokerClient()
 {
     dropAttempt();
 }
 
-void Client::open(const Broker& broker, const std::optional<Message>& will)
+void BrokerClient::open(const Broker& broker, const std::optional<Message>& will)
 {
     if (m_wanted && broker == m_broker && will == m_will) {
         return;
@@ -32,7 +32,7 @@ void Client::open(const Broker& broker, const std::optional<Message>& will)
     attempt();
 }
 
-void Client::close()
+void BrokerClient::close()
 {
     if (m_session != nullptr) {
         m_session->goodbye();
@@ -46,30 +46,30 @@ void Client::close()
     setProblem({});
 }
 
-void Client::subscribe(const QString& filter)
+void BrokerClient::subscribe(const QString& filter)
 {
-    if (!m_filters.contains(filter)) {
-        m_filters.append(filter);
-        if (m_connected) {
+    if (!m_subscriptions.wanted.contains(filter)) {
+        m_subscriptions.wanted.append(filter);
+        if (isConnected()) {
             m_session->subscribe(filter);
         }
     }
 }
 
-void Client::unsubscribe(const QString& filter)
+void BrokerClient::unsubscribe(const QString& filter)
 {
-    m_refused.removeOne(filter);
-    if (m_filters.removeOne(filter) && m_connected) {
+    m_subscriptions.refused.removeOne(filter);
+    if (m_subscriptions.wanted.removeOne(filter) && isConnected()) {
         m_session->unsubscribe(filter);
     }
 }
 
-bool Client::publish(const Message& message)
+bool BrokerClient::publish(const Message& message)
 {
-    return m_connected && m_session->publish(message);
+    return isConnected() && m_session->publish(message);
 }
 
-void Client::service()
+void BrokerClient::service()
 {
     if (m_nextAttempt && m_clock.now() >= *m_nextAttempt) {
         attempt();
@@ -79,7 +79,7 @@ void Client::service()
     }
 }
 
-void Client::attempt()
+void BrokerClient::attempt()
 {
     m_nextAttempt.reset();
     Q_EMIT nextAttemptChanged();
@@ -91,7 +91,7 @@ void Client::attempt()
 }
 
 // What was read is kept while it does well; a file that was mended is read again.
-Result<> Client::prepareTls()
+Result<> BrokerClient::prepareTls()
 {
     if (m_broker.encryption != Encryption::Tls || m_tls) {
         return {};
@@ -100,7 +100,7 @@ Result<> Client::prepareTls()
     return std::move(context).map([this](auto&& tls) { m_tls = std::forward<decltype(tls)>(tls); });
 }
 
-void Client::lookUp()
+void BrokerClient::lookUp()
 {
     if (const QHostAddress address(m_broker.host); !address.isNull()) {
         m_addresses = {address};
@@ -111,7 +111,7 @@ void Client::lookUp()
     }
 }
 
-void Client::takeLookup(const QHostInfo& found)
+void BrokerClient::takeLookup(const QHostInfo& found)
 {
     if (found.lookupId() != m_lookup) {
         return;  // closed meanwhile
@@ -125,56 +125,55 @@ void Client::takeLookup(const QHostInfo& found)
     }
 }
 
-void Client::tryNextAddress()
+void BrokerClient::tryNextAddress()
 {
-    m_session = new Session(m_broker, m_tls, m_will, m_clock, this);
-    connect(m_session, &Session::accepted, this, &Client::accepted);
-    connect(m_session, &Session::received, this, &Client::messageReceived);
-    connect(m_session, &Session::dropped, this, &Client::messageDropped);
-    connect(m_session, &Session::subscriptionAnswered, this, &Client::takeAnswer);
-    connect(m_session, &Session::ended, this, &Client::ended);
+    m_session = new BrokerSession(m_broker, m_tls, m_will, m_clock, this);
+    connect(m_session, &BrokerSession::accepted, this, &BrokerClient::accepted);
+    connect(m_session, &BrokerSession::received, this, &BrokerClient::messageReceived);
+    connect(m_session, &BrokerSession::dropped, this, &BrokerClient::messageDropped);
+    connect(m_session, &BrokerSession::subscriptionAnswered, this, &BrokerClient::takeAnswer);
+    connect(m_session, &BrokerSession::ended, this, &BrokerClient::ended);
     m_session->open(m_addresses.takeFirst());
 }
 
-void Client::accepted()
+void BrokerClient::accepted()
 {
-    m_connected = true;
     m_connectedAt = m_clock.now();
-    for (const QString& filter : std::as_const(m_filters)) {
+    for (const QString& filter : std::as_const(m_subscriptions.wanted)) {
         m_session->subscribe(filter);
     }
     setProblem({});
     Q_EMIT connected();
 }
 
-void Client::takeAnswer(const QString& filter, bool granted)
+void BrokerClient::takeAnswer(const QString& filter, bool granted)
 {
     if (granted) {
-        if (m_refused.removeOne(filter)) {
+        if (m_subscriptions.refused.removeOne(filter)) {
             Q_EMIT subscriptionGranted(filter);
         }
-    } else if (m_filters.contains(filter) && !m_refused.contains(filter)) {
-        m_refused.append(filter);
-        m_askAgainAt = m_clock.now() + kAskAgain;
+    } else if (m_subscriptions.wanted.contains(filter) && !m_subscriptions.refused.contains(filter)) {
+        m_subscriptions.refused.append(filter);
+        m_subscriptions.askAgainAt = m_clock.now() + kAskAgain;
         Q_EMIT subscriptionRefused(filter);
     }
 }
 
-void Client::askAgain()
+void BrokerClient::askAgain()
 {
-    if (m_connected && !m_refused.isEmpty() && m_clock.now() >= m_askAgainAt) {
-        m_askAgainAt = m_clock.now() + kAskAgain;
-        for (const QString& filter : std::as_const(m_refused)) {
+    if (isConnected() && !m_subscriptions.refused.isEmpty() && m_clock.now() >= m_subscriptions.askAgainAt) {
+        m_subscriptions.askAgainAt = m_clock.now() + kAskAgain;
+        for (const QString& filter : std::as_const(m_subscriptions.refused)) {
             m_session->subscribe(filter);
         }
     }
 }
 
-void Client::ended(const Ending& ending)
+void BrokerClient::ended(const Ending& ending)
 {
     const bool tryOthers = isOfTheAddress(ending.kind) && !m_addresses.isEmpty();
     const auto others = std::exchange(m_addresses, {});
-    const bool wasGood = m_connected && m_clock.now() - m_connectedAt >= kStable;
+    const bool wasGood = m_connectedAt && m_clock.now() - *m_connectedAt >= kStable;
     if (wasGood) {
         m_delay.reset();
     }
@@ -188,7 +187,7 @@ void Client::ended(const Ending& ending)
     }
 }
 
-void Client::giveUp(const Ending& ending)
+void BrokerClient::giveUp(const Ending& ending)
 {
     if (ending.kind == EndKind::CertificateWrong) {
         m_tls.reset();
@@ -199,22 +198,22 @@ void Client::giveUp(const Ending& ending)
 }
 
 // The session may be the one that is calling.
-void Client::dropAttempt()
+void BrokerClient::dropAttempt()
 {
     if (m_lookup >= 0) {
         QHostInfo::abortHostLookup(std::exchange(m_lookup, -1));
     }
     m_addresses.clear();
-    m_refused.clear();
-    m_connected = false;
-    if (Session* const session = std::exchange(m_session, nullptr)) {
+    m_subscriptions.refused.clear();
+    m_connectedAt.reset();
+    if (BrokerSession* const session = std::exchange(m_session, nullptr)) {
         session->drop();
         session->disconnect(this);
         session->deleteLater();
     }
 }
 
-void Client::setProblem(const QString& problem)
+void BrokerClient::setProblem(const QString& problem)
 {
     if (m_problem != problem) {
         m_problem = problem;

@@ -21,7 +21,7 @@ struct SourceStatus
     bool operator==(const SourceStatus&) const = default;
 };
 
-class Source : public QObject
+class SensorSource : public QObject
 {
     Q_OBJECT
 

@@ -17,14 +17,14 @@
 
 // An MQTT broker, as long as somebody wants it: connects, comes back by itself with growing delays, renews the
 // subscriptions, and tells in one line what is wrong. Messages go to the receivers of a signal. Lives in its owner's
-// event loop; nothing blocks: names are looked up by Qt's helpers, the rest is Session's.
+// event loop; nothing blocks: names are looked up by Qt's helpers, the rest is BrokerSession's.
 //
 // What is published while there is no connection is lost: nobody wants to know later where the mount was.
 namespace boresight::mqtt {
 
-class Session;
+class BrokerSession;
 
-class Client : public Connection
+class BrokerClient : public Connection
 {
     Q_OBJECT
 
@@ -36,9 +36,9 @@ public:
     static constexpr std::chrono::seconds kAskAgain{30};
 
     // `clock` outlives the client.
-    explicit Client(const Clock& clock, QObject* parent = nullptr);
+    explicit BrokerClient(const Clock& clock, QObject* parent = nullptr);
     // Without close(): as if the program had died, so that the broker tells the will.
-    ~Client() override;
+    ~BrokerClient() override;
 
     // From now on. With another broker or will than before the connection is made anew.
     void open(const Broker& broker, const std::optional<Message>& will = std::nullopt);
@@ -49,7 +49,7 @@ public:
     bool publish(const Message& message) override;
 
     [[nodiscard]] const Broker& broker() const override { return m_broker; }
-    [[nodiscard]] bool isConnected() const override { return m_connected; }
+    [[nodiscard]] bool isConnected() const override { return m_connectedAt.has_value(); }
     [[nodiscard]] const QString& problem() const override { return m_problem; }
 
     // Empty while there is a connection or an attempt at one.
@@ -66,6 +66,13 @@ private Q_SLOTS:
     void takeLookup(const QHostInfo& found);
 
 private:
+    struct Subscriptions
+    {
+        QStringList wanted;
+        QStringList refused;  // of them, by this connection
+        SteadyTime askAgainAt{};
+    };
+
     void attempt();
     [[nodiscard]] Result<> prepareTls();
     void lookUp();
@@ -82,18 +89,15 @@ private:
     bool m_wanted = false;
     Broker m_broker;
     std::optional<Message> m_will;
-    QStringList m_filters;
+    Subscriptions m_subscriptions;
     QTimer m_timer;
     RetryDelay m_delay;
     std::optional<SteadyTime> m_nextAttempt;
     int m_lookup = -1;                // Qt's number of it
     QList<QHostAddress> m_addresses;  // of the attempt, still untried
     std::shared_ptr<TlsContext> m_tls;
-    Session* m_session = nullptr;  // a child; replaced at each attempt
-    bool m_connected = false;
-    SteadyTime m_connectedAt{};
-    QStringList m_refused;  // of m_filters, by this connection
-    SteadyTime m_askAgainAt{};
+    BrokerSession* m_session = nullptr;  // a child; replaced at each attempt
+    std::optional<SteadyTime> m_connectedAt;
     QString m_problem;
 };
 

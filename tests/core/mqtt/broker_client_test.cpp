@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The client with a real broker that lets it in, sooner or later.
-#include "core/mqtt/client.h"
+#include "core/mqtt/broker_client.h"
 
 #include "tests/core/mqtt/mqtt_rig.h"
 #include "tests/fakes/mqtt_test.h"
@@ -76,7 +76,8 @@ TEST_F(MqttClient, AMessageThatIsTooLargeIsDroppedAndTheConnectionGoesOn)
         }
         Rig reader;
         std::vector<qint64> dropped;
-        QObject::connect(&reader.client, &Client::messageDropped, [&](qint64 bytes) { dropped.push_back(bytes); });
+        QObject::connect(&reader.client, &BrokerClient::messageDropped,
+                         [&](qint64 bytes) { dropped.push_back(bytes); });
         reader.client.subscribe(QStringLiteral("#"));
         reader.client.open(to);
         Rig writer;
@@ -299,7 +300,7 @@ TEST_F(MqttClient, TheDelayBeginsAnewOnlyAfterAGoodConnection)
         rig.letTimePass(Seconds(delay));
     }
     ASSERT_TRUE(rig.connected());
-    rig.clock.advance(Client::kStable);
+    rig.clock.advance(BrokerClient::kStable);
     broker->kill();
     ASSERT_TRUE(rig.failed());
     EXPECT_EQ(*rig.client.nextAttempt() - rig.clock.now(), RetryDelay::kFirst);
@@ -364,7 +365,7 @@ TEST_F(MqttClient, MayBeClosedByWhoReceivesAMessage)
     rig.client.subscribe(kTopic);
     rig.client.open(onLoopback(broker->port()));
     ASSERT_TRUE(rig.connected());
-    QObject::connect(&rig.client, &Client::messageReceived, &rig.client, [&] { rig.client.close(); });
+    QObject::connect(&rig.client, &BrokerClient::messageReceived, &rig.client, [&] { rig.client.close(); });
     for (int i = 0; i < 10; ++i) {
         rig.client.publish({.topic = kTopic, .payload = "x"});
     }

@@ -13,13 +13,13 @@
 // seconds. Lives with its link.
 namespace boresight::app {
 
-class BusScan final : public QObject
+class LinkScan final : public QObject
 {
     Q_OBJECT
 
 public:
     // The link outlives the scan and is open.
-    explicit BusScan(CanLink& link, QObject* parent = nullptr);
+    explicit LinkScan(CanLink& link, QObject* parent = nullptr);
 
     void start();
     // In the order of their ids.

@@ -8,7 +8,7 @@
 // What Boresight itself sees going wrong on an axis, whatever the drive says about it. Plain values for alarms.
 namespace boresight::supervision {
 
-enum class Finding
+enum class Symptom
 {
     FollowingError,    // too far behind or ahead of its set-point
     Stalled,           // does not move although commanded
@@ -24,7 +24,7 @@ enum class Finding
     TorqueHigh,
     TorqueGuard  // against resistance while the turn of the axis is unknown
 };
-inline constexpr int kFindingCount = 13;
+inline constexpr int kSymptomCount = 13;
 
 enum class Weight
 {
@@ -34,7 +34,7 @@ enum class Weight
 
 struct Observed
 {
-    Finding finding = Finding::FollowingError;
+    Symptom symptom = Symptom::FollowingError;
     Weight weight = Weight::Hint;
     QString what;  // with the numbers: "the azimuth does not move: 2.4° commanded in 0.80 s, 0.1° moved"
 

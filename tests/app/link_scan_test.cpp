@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The scan against the simulated pair, in real time: a second or two each.
-#include "app/bus_scan.h"
+#include "app/link_scan.h"
 
 #include "app/scan_report.h"
 #include "core/sim_bus/simulated_link.h"
@@ -38,7 +38,7 @@ private:
     SimulatedLink& m_inner;
 };
 
-class BusScanTest : public testing::Test
+class LinkScanTest : public testing::Test
 {
 protected:
     void run(const sim::PairSettings& pair = sim::commissionedPair(), std::optional<sim::Injection> injection = {})
@@ -49,9 +49,9 @@ protected:
         if (injection) {
             inner.inject(*injection);
         }
-        BusScan scan(link);
+        LinkScan scan(link);
         bool done = false;
-        QObject::connect(&scan, &BusScan::finished, &scan, [&](const QString& reason) {
+        QObject::connect(&scan, &LinkScan::finished, &scan, [&](const QString& reason) {
             done = true;
             problem = reason;
         });
@@ -69,7 +69,7 @@ protected:
     std::vector<moteus::Mode> modes;
 };
 
-TEST_F(BusScanTest, FindsBothAndAsksThemEverything)
+TEST_F(LinkScanTest, FindsBothAndAsksThemEverything)
 {
     run();
     EXPECT_TRUE(problem.isEmpty());
@@ -83,7 +83,7 @@ TEST_F(BusScanTest, FindsBothAndAsksThemEverything)
 }
 
 // The only register ever written is the mask that addresses a board by its UUID.
-TEST_F(BusScanTest, NeverCommandsAnything)
+TEST_F(LinkScanTest, NeverCommandsAnything)
 {
     run();
     for (const CanFrame& frame : sent) {
@@ -99,35 +99,35 @@ TEST_F(BusScanTest, NeverCommandsAnything)
     EXPECT_THAT(modes, testing::Each(moteus::Mode::Stopped));
 }
 
-TEST_F(BusScanTest, NoticesTwoBoardsFreshFromTheBox)
+TEST_F(LinkScanTest, NoticesTwoBoardsFreshFromTheBox)
 {
     run(sim::factoryPair());
     ASSERT_EQ(found.size(), 1u);
     EXPECT_TRUE(found[0].isUnreadable());
 }
 
-TEST_F(BusScanTest, FindsWhatAnswersLate)
+TEST_F(LinkScanTest, FindsWhatAnswersLate)
 {
     run(sim::commissionedPair(), sim::Injection{.kind = sim::FaultKind::LateReply, .value = 0.08});
     ASSERT_EQ(found.size(), 2u);
     EXPECT_TRUE(problems(found).empty());
 }
 
-TEST_F(BusScanTest, AsksAgainWhatGotLost)
+TEST_F(LinkScanTest, AsksAgainWhatGotLost)
 {
     run(sim::commissionedPair(), sim::Injection{.kind = sim::FaultKind::LostReply, .value = 0.1});
     ASSERT_EQ(found.size(), 2u);
     EXPECT_TRUE(problems(found).empty()) << problems(found).front();
 }
 
-TEST_F(BusScanTest, FindsNobodyOnASilentBus)
+TEST_F(LinkScanTest, FindsNobodyOnASilentBus)
 {
     run(sim::commissionedPair(), sim::Injection{.kind = sim::FaultKind::Silence});
     EXPECT_TRUE(problem.isEmpty());
     EXPECT_TRUE(found.empty());
 }
 
-TEST_F(BusScanTest, EndsAtOnceWhenTheBusRefuses)
+TEST_F(LinkScanTest, EndsAtOnceWhenTheBusRefuses)
 {
     run(sim::commissionedPair(), sim::Injection{.kind = sim::FaultKind::BusOff});
     EXPECT_TRUE(problem.contains(QStringLiteral("bus is off"))) << problem.toStdString();

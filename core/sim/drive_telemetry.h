@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/sim/console_record.h"
+#include "core/sim/state_registers.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+// The telemetry channels that the console of a simulated drive offers, and what they tell. Pure.
+namespace boresight::sim {
+
+[[nodiscard]] std::vector<std::string> telemetryChannels();
+// Empty for a channel that does not exist.
+[[nodiscard]] std::vector<ArchiveField> telemetry(const DriveState& drive, std::string_view channel);
+
+}  // namespace boresight::sim

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/moteus/codec.h"
+#include "core/survey/read_protections.h"
+
+#include <QString>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+// What changed in the drive of one axis from one complete reading to the next. The bus may have been lost in between.
+// Pure.
+namespace boresight::survey {
+
+// A setting, or the board itself, is not what it was at the reading before.
+struct Change
+{
+    QString text;          // "azimuth: servo.timeout_mode was 12, is 10"
+    bool written = false;  // by our own Fix
+
+    bool operator==(const Change&) const = default;
+};
+
+class DriveChanges
+{
+public:
+    // A complete reading. `written`: which protections Fix set since the one before.
+    void note(Axis axis, const moteus::Uuid& board, const ReadProtections& now, std::span<const std::size_t> written);
+    // Those noted since the last call.
+    [[nodiscard]] std::vector<Change> take();
+
+private:
+    struct CompleteReading
+    {
+        moteus::Uuid board{};
+        std::vector<Reading> readings;
+    };
+
+    std::optional<CompleteReading> m_last;
+    std::vector<Change> m_changes;
+};
+
+}  // namespace boresight::survey
