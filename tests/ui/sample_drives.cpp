@@ -3,6 +3,7 @@
 
 #include "tests/ui/sample_status.h"
 
+#include <algorithm>
 #include <string_view>
 
 namespace boresight::samples {
@@ -55,6 +56,27 @@ constexpr Setting kSettings[] = {
      "a small one lets the axis give way to the wind instead of holding"},
 };
 
+struct Brief
+{
+    const char* text;
+    const char* angle;
+};
+
+constexpr Brief kBriefs[] = {
+    {"-0.258333 turns (-93.0°)", "-93.0°"},   {"-0.008333 turns (-3.0°)", "-3.0°"},
+    {"-0.01 turns (-3.6°)", "-3.6°"},         {"1.25833 turns (453.0°)", "453.0°"},
+    {"0.258333 turns (93.0°)", "93.0°"},      {"0.01 turns (3.6°)", "3.6°"},
+    {"0.025 turns/s (9°/s)", "9°/s"},         {"0.166667 turns/s² (60°/s²)", "60°/s²"},
+    {"50 turns/s² (18000°/s²)", "18000°/s²"}, {"0.0277778 turns (10°)", "10°"},
+};
+
+QString briefOf(const QString& text)
+{
+    const auto* const found =
+        std::ranges::find_if(kBriefs, [&text](const Brief& one) { return text == QString::fromUtf8(one.text); });
+    return found == std::end(kBriefs) ? text : QString::fromUtf8(found->angle);
+}
+
 std::vector<ProtectionLine> protections(Axis axis, bool factory)
 {
     std::vector<ProtectionLine> lines;
@@ -63,9 +85,12 @@ std::vector<ProtectionLine> protections(Axis axis, bool factory)
         const QString wanted = QString::fromUtf8(own ? setting.wantedElevation : setting.wanted);
         const bool byHand = setting.key == std::string_view("motor_position.rotor_to_output_ratio");
         const bool differs = setting.factory != nullptr && (factory || setting.verdict == Verdict::Right);
+        const QString found = differs ? QString::fromUtf8(setting.factory) : wanted;
         lines.push_back({.key = QLatin1String(setting.key),
                          .wanted = wanted,
-                         .found = differs ? QString::fromUtf8(setting.factory) : wanted,
+                         .found = found,
+                         .wantedBrief = briefOf(wanted),
+                         .foundBrief = briefOf(found),
                          .reason = QString::fromUtf8(setting.reason),
                          .fix = differs && setting.verdict != Verdict::Right && !byHand ? wanted : QString(),
                          .verdict = differs ? setting.verdict : Verdict::Right});
@@ -123,6 +148,7 @@ StationStatus reading()
     for (ProtectionLine& line : status.drives->elevation.protections) {
         line.verdict = Verdict::Unread;
         line.found.clear();
+        line.foundBrief.clear();
     }
     status.azimuth.turnKnown = false;
     status.elevation.turnKnown = false;
