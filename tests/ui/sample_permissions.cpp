@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/sample_permissions.h"
 
+#include "core/control/beam_report.h"
 #include "core/north/calibration_gates.h"
 #include "core/pointing/pointing_model.h"
 
@@ -211,22 +212,6 @@ void judgeClients(StationStatus& status)
     }
 }
 
-void addBeam(StationStatus& status)
-{
-    const pointing::PointingModel model(status.profile->pointing);
-    const auto add = [&](std::optional<Angle> AxisStatus::*axis, std::optional<Angle> BeamAngles::*beam) {
-        const std::optional<Angle>& azimuth = status.azimuth.*axis;
-        const std::optional<Angle>& elevation = status.elevation.*axis;
-        const bool both = azimuth && elevation;
-        const SkyPointing place = both ? model.toSky({*azimuth, *elevation}) : SkyPointing{};
-        status.azimuth.beam.*beam = both ? std::optional(place.azimuth) : azimuth;
-        status.elevation.beam.*beam = both ? std::optional(place.elevation) : elevation;
-    };
-    add(&AxisStatus::actual, &BeamAngles::actual);
-    add(&AxisStatus::commanded, &BeamAngles::commanded);
-    add(&AxisStatus::target, &BeamAngles::target);
-}
-
 }  // namespace
 
 StationStatus judged(StationStatus status)
@@ -243,7 +228,7 @@ StationStatus judged(StationStatus status)
     for (int action = 0; action < static_cast<int>(Action::Count); ++action) {
         status.permissions.refuse(static_cast<Action>(action), own.reason(static_cast<Action>(action)));
     }
-    addBeam(status);
+    addBeam(status, pointing::PointingModel(status.profile->pointing));
     return status;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/sample_status.h"
 
+#include "core/control/beam_report.h"
 #include "tests/ui/sample_drives.h"
 #include "tests/ui/sample_permissions.h"
 
@@ -234,7 +235,8 @@ StationStatus routed()
     status.azimuth.state = AxisState::Moving;
     status.elevation.state = AxisState::Moving;
     place(status, {31_deg, 20_deg}, {33_deg, 22_deg}, {100_deg, 20_deg});
-    status.route = {{62_deg, 48_deg}, {74_deg, 48_deg}, {100_deg, 20_deg}};
+    status.route = beamPath({status.profile->azimuth.geometry, status.profile->elevation.geometry},
+                            {{33_deg, 22_deg}, {62_deg, 48_deg}, {74_deg, 48_deg}, {100_deg, 20_deg}});
     status.targetText = QStringLiteral("go to 100.0° 20.0°");
     return status;
 }
