@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/sample_drives.h"
 
+#include "tests/ui/sample_permissions.h"
 #include "tests/ui/sample_status.h"
 
 #include <algorithm>
@@ -130,6 +131,7 @@ StationStatus factoryDrives()
     status.drives->switchedOn = false;
     status.drives->armingObstacle =
         QStringLiteral("5 settings of each drive are dangerous, first: azimuth servopos.position_min");
+    status.permissions = withoutMotion(status.drives->armingObstacle);
     for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
         DriveStatus& one = axis == Axis::Azimuth ? status.drives->azimuth : status.drives->elevation;
         one.protections = protections(axis, true);
@@ -145,6 +147,10 @@ StationStatus reading()
     status.drives->survey = SurveyState::Running;
     status.drives->surveyText = QStringLiteral("reading servo.timeout_mode of elevation");
     status.drives->armingObstacle = QStringLiteral("the drives are being read");
+    status.permissions = withoutMotion(status.drives->armingObstacle);
+    for (const Action action : {Action::ReadDrives, Action::FixDrives, Action::SetAzimuth, Action::SetElevation}) {
+        status.permissions.refuse(action, status.drives->armingObstacle);
+    }
     for (ProtectionLine& line : status.drives->elevation.protections) {
         line.verdict = Verdict::Unread;
         line.found.clear();
@@ -160,6 +166,12 @@ StationStatus released()
     StationStatus status = withAge(idle(), std::chrono::milliseconds(9000));
     status.state = StationState::Disconnected;
     status.stateReason = QStringLiteral("bus released to other tools");
+    const QString left = QStringLiteral("the bus is left to other tools: take it back first");
+    status.permissions = withoutMotion(left);
+    for (const Action action : {Action::ReadDrives, Action::SwitchOff, Action::SetAzimuth, Action::SetElevation}) {
+        status.permissions.refuse(action, left);
+    }
+    status.permissions.refuse(Action::FixDrives, QStringLiteral("the drives are not read yet"));
     status.line.state = MountLine::State::Closed;
     status.azimuth.state = AxisState::NoData;
     status.elevation.state = AxisState::NoData;
@@ -175,6 +187,7 @@ StationStatus proving()
     StationStatus status = idle();
     status.state = StationState::Calibrate;
     status.stateReason = QStringLiteral("crash-stop proof");
+    status.permissions = inMotion(withoutMoves(QStringLiteral("the crash-stop proof moves the mount: end it first")));
     place(status, {31.4_deg, 20_deg}, {31.45_deg, 20_deg}, {34_deg, 20_deg});
     status.azimuth.state = AxisState::Moving;
     dropTarget(status);
@@ -213,6 +226,14 @@ StationStatus asking(Axis axis, int places, Angle period, bool proposed)
     DriveStatus& one = axis == Axis::Azimuth ? status.drives->azimuth : status.drives->elevation;
     (axis == Axis::Azimuth ? status.azimuth : status.elevation).turnKnown = false;
     one.turnQuestion = question;
+    const QString why =
+        QStringLiteral(
+            "it is not known on which turn the axis of the %1 stands: the operator must tell; "
+            "slow jogging only")
+            .arg(axis == Axis::Azimuth ? QStringLiteral("azimuth drive") : QStringLiteral("elevation drive"));
+    status.permissions = withoutPointing(why);
+    status.permissions.refuse(setAction(axis), why);
+    status.permissions.fastestJog = status.profile->jog.slow;
     return status;
 }
 
