@@ -2,6 +2,7 @@
 #include "core/control/status_report.h"
 
 #include "core/base/text.h"
+#include "core/control/beam_report.h"
 #include "core/control/permission_report.h"
 #include "core/mount/mount_service.h"
 
@@ -205,25 +206,15 @@ AxisStatus StatusReport::axisStatus(Axis axis) const
     return status;
 }
 
-// One angle of a skewed model needs both of the axes.
-void StatusReport::addBeam(StationStatus& status) const
+// From the set-points on.
+std::vector<SkyPointing> StatusReport::route() const
 {
-    const pointing::PointingModel& model = m_of.model.pointing();
-    const auto add = [&](std::optional<Angle> AxisStatus::*axis, std::optional<Angle> BeamAngles::*beam) {
-        const std::optional<Angle>& azimuth = status.azimuth.*axis;
-        const std::optional<Angle>& elevation = status.elevation.*axis;
-        if (model.isIdentity()) {
-            status.azimuth.beam.*beam = azimuth;
-            status.elevation.beam.*beam = elevation;
-        } else if (azimuth && elevation) {
-            const SkyPointing direction = model.toSky({*azimuth, *elevation});
-            status.azimuth.beam.*beam = direction.azimuth;
-            status.elevation.beam.*beam = direction.elevation;
-        }
-    };
-    add(&AxisStatus::actual, &BeamAngles::actual);
-    add(&AxisStatus::commanded, &BeamAngles::commanded);
-    add(&AxisStatus::target, &BeamAngles::target);
+    std::vector<AxisPosition> corners = m_of.motion.route();
+    if (corners.empty() || !m_of.mount.follows() || !m_of.mount.wrapsKnown()) {
+        return {};
+    }
+    corners.insert(corners.begin(), m_of.motion.place());
+    return beamPath(m_of.model, corners);
 }
 
 // Only an answer to this very tick counts: an older one would be drawn as if it were new.
@@ -271,14 +262,14 @@ StationStatus StatusReport::status() const
                          .commander = m_of.current.commander(),
                          .limited = !limitedReason().isEmpty(),
                          .limitedReason = limitedReason(),
-                         .route = m_of.motion.route(),
+                         .route = route(),
                          .cableEnd = m_of.cable.end(),
                          .authority = m_of.arming.authority(),
                          .drives = drivesStatus(),
                          .alarms = m_of.alarms.list(),
                          .utc = m_of.clock.utc(),
                          .tick = m_of.tick};
-    addBeam(status);
+    addBeam(status, m_of.model.pointing());
     status.stopLatched = m_of.arming.stopLatched();
     status.stateReason = !m_of.mount.available()
                              ? Text::tr("the bus is left to other tools")

@@ -5,6 +5,7 @@
 #include "core/messages/station_status.h"
 
 #include <optional>
+#include <vector>
 
 // What the control knows, as the world sees it: the state of the mount and of its axes, in values and words. Made anew
 // from the parts each time that it is asked for; decides nothing. Station thread only.
@@ -27,7 +28,7 @@ public:
 
 private:
     [[nodiscard]] AxisStatus axisStatus(Axis axis) const;
-    void addBeam(StationStatus& status) const;
+    [[nodiscard]] std::vector<SkyPointing> route() const;
     [[nodiscard]] AxisSample axisSample(Axis axis) const;
     [[nodiscard]] std::optional<std::chrono::milliseconds> age(const AxisReport& report) const;
     [[nodiscard]] AxisState axisState(Axis axis, const AxisReport& report) const;

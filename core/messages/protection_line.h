@@ -18,8 +18,11 @@ enum class Verdict
 struct ProtectionLine
 {
     QString key;     // as the drive calls it: "servopos.position_min"
-    QString wanted;  // with its unit: "-0.258 turns"
+    QString wanted;  // with its unit: "-0.258 turns (-93.0°)"
     QString found;   // empty while unread
+    // The same two where there is little room: "-93.0°".
+    QString wantedBrief;
+    QString foundBrief;
     QString reason;  // why it matters, for the operator
     QString fix;     // what Fix would write, with its unit; empty: it is right, or only a person may change it
     Verdict verdict = Verdict::Unread;

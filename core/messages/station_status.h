@@ -187,7 +187,7 @@ struct StationStatus
     Source commander;                  // whose target it is
     bool limited = false;              // the target was outside the limits; the nearest permitted point is driven
     QString limitedReason;             // then why: "elevation -5.0° below limit 0.0°"
-    std::vector<AxisPosition> route;   // the way to the target around what is forbidden, its end included
+    std::vector<SkyPointing> route;    // of the beam around what is forbidden, from `commanded` to the target
     std::optional<SkyPointing> trim;   // what the operator's nudges add to a client's targets
     std::optional<CableEnd> cableEnd;  // told in time: at least 30° or 30 s ahead
     Authority authority = Authority::Clients;

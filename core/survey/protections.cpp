@@ -65,12 +65,16 @@ struct DriveScale
             return rounded(turns / perDegree) + unit;
         };
     }
+    // "10 to 20°/s", of turns.
+    [[nodiscard]] QString angles(double least, double most, const QString& unit) const
+    {
+        const double perDegree = turns(Angle::fromDegrees(1.0));
+        return Text::tr("%1 to %2%3").arg(rounded(least / perDegree), rounded(most / perDegree), unit);
+    }
     // "0.0278 to 0.0556 turns/s (10 to 20°/s)".
     [[nodiscard]] QString range(double least, double most, const QString& unit, const QString& ofAngle) const
     {
-        const double perDegree = turns(Angle::fromDegrees(1.0));
-        return Text::tr("%1 to %2 %3 (%4 to %5%6)")
-            .arg(rounded(least), rounded(most), unit, rounded(least / perDegree), rounded(most / perDegree), ofAngle);
+        return Text::tr("%1 to %2 %3 (%4)").arg(rounded(least), rounded(most), unit, angles(least, most, ofAngle));
     }
 };
 
@@ -84,11 +88,17 @@ QString shown(const Protection& protection, double value)
     return explains ? QStringLiteral("%1 (%2)").arg(text, protection.explain(value)) : text;
 }
 
+QString brief(const Protection& protection, double value)
+{
+    return protection.isAngle && std::isfinite(value) ? protection.explain(value) : shown(protection, value);
+}
+
 // Fix writes the middle, and it is what the operator is told.
 void addWithRemedy(List& list, Protection protection)
 {
     if (protection.wanted.isEmpty() && protection.remedy) {
         protection.wanted = shown(protection, *protection.remedy);
+        protection.wantedBrief = brief(protection, *protection.remedy);
     }
     list.push_back(std::move(protection));
 }
@@ -123,6 +133,7 @@ void addBound(List& list, const profile::Profile& profile, const DriveScale& sca
                          .reason = Text::tr("the drive ends a move here by itself, a little beyond the travel"),
                          .consequence = [=](double found) { return boundConsequence(found, beyond(found) < nearest); },
                          .explain = scale.asAngle(),
+                         .isAngle = true,
                          .reversed = scale.geometry.sign < 0});
 }
 
@@ -228,20 +239,24 @@ void addLimits(List& list, const profile::AxisSettings& axis, const DriveScale& 
     addWithRemedy(list, {.key = "servo.default_velocity_limit",
                          .unit = Text::tr("turns/s"),
                          .wanted = scale.range(speed, 2.0 * speed, Text::tr("turns/s"), QStringLiteral("°/s")),
+                         .wantedBrief = scale.angles(speed, 2.0 * speed, QStringLiteral("°/s")),
                          .isRight = [speed](double found) { return isWithin(found, speed, 2.0 * speed); },
                          .remedy = tracking::kLimitGuard * speed,
                          .reason = Text::tr("the speed of every order that names none; the factory has no limit"),
-                         .explain = scale.asSpan(QStringLiteral("°/s"))});
+                         .explain = scale.asSpan(QStringLiteral("°/s")),
+                         .isAngle = true});
     const double braking = scale.turns(Angle::fromDegrees(tracking::emergencyBraking(axis.limits).degrees()));
     const double lowest = 0.8 * braking;  // 0.1 s from full speed
     addWithRemedy(list, {.key = "servo.default_accel_limit",
                          .unit = Text::tr("turns/s²"),
                          .wanted = scale.range(lowest, 2.0 * braking, Text::tr("turns/s²"), QStringLiteral("°/s²")),
+                         .wantedBrief = scale.angles(lowest, 2.0 * braking, QStringLiteral("°/s²")),
                          .isRight = [=](double found) { return isWithin(found, lowest, 2.0 * braking); },
                          .remedy = braking,
                          .reason = Text::tr("with it the drive brakes when the computer dies: too low and the axis "
                                             "runs on, too high (the factory's 50 turns/s²) and the mount is hit hard"),
-                         .explain = scale.asSpan(QStringLiteral("°/s²"))});
+                         .explain = scale.asSpan(QStringLiteral("°/s²")),
+                         .isAngle = true});
 }
 
 void addGear(List& list, const profile::AxisSettings& axis)
@@ -279,11 +294,13 @@ void addSecondLines(List& list, const DriveScale& scale)
         {.key = "servo.fault_position_error",
          .unit = Text::tr("turns"),
          .wanted = scale.range(least, most, Text::tr("turns"), QStringLiteral("°")),
+         .wantedBrief = scale.angles(least, most, QStringLiteral("°")),
          .isRight = [=](double found) { return isWithin(found, least, most); },
          .remedy = scale.turns(10.0_deg),
          .reason = Text::tr(
              "second line against a jam: so far behind its order the drive gives up (fault 49) without this program"),
-         .explain = scale.asSpan(QStringLiteral("°"))});
+         .explain = scale.asSpan(QStringLiteral("°")),
+         .isAngle = true});
     const double slip = scale.turns(1.0_deg);
     addWithRemedy(list, {.key = "servo.max_position_slip",
                          .unit = Text::tr("turns"),
@@ -291,7 +308,8 @@ void addSecondLines(List& list, const DriveScale& scale)
                          .isRight = [slip](double found) { return std::isnan(found) || found >= slip; },
                          .remedy = kNone,
                          .reason = Text::tr("a small one lets the axis give way to the wind instead of holding"),
-                         .explain = scale.asSpan(QStringLiteral("°"))});
+                         .explain = scale.asSpan(QStringLiteral("°")),
+                         .isAngle = true});
 }
 
 }  // namespace
@@ -339,12 +357,14 @@ ProtectionLine judged(const Protection& protection, const Reading& reading)
     ProtectionLine line{.key = QString::fromStdString(protection.key),
                         .wanted = protection.wanted,
                         .found = foundText(protection, reading),
+                        .wantedBrief = protection.wantedBrief.isEmpty() ? protection.wanted : protection.wantedBrief,
                         .reason = protection.reason,
                         .reversed = protection.reversed};
     if (reading.state == Reading::State::Unread) {
         return line;
     }
     const std::optional<double> value = reading.value();
+    line.foundBrief = value ? brief(protection, *value) : line.found;
     const bool right = value && protection.isRight(*value);
     line.verdict = right ? Verdict::Right : protection.otherwise;
     if (value && !right && protection.consequence) {

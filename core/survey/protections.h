@@ -37,6 +37,7 @@ struct Protection
     std::string key;
     QString unit;
     QString wanted;
+    QString wantedBrief{};  // where there is little room; empty: as it is
     std::function<bool(double)> isRight;
     Verdict otherwise = Verdict::Advised;
     std::optional<double> remedy;  // what Fix writes; empty: only a person may change it
@@ -45,6 +46,7 @@ struct Protection
     std::function<QString(double)> consequence;
     // The value as the operator thinks of it, behind the drive's own; may be absent.
     std::function<QString(double)> explain;
+    bool isAngle = false;   // what explains it is enough where there is little room
     bool reversed = false;  // see ProtectionLine
 };
 

@@ -3181,8 +3181,12 @@ do eixo</translation>
         <translation>Verifique a alimentação dos acionamentos, o cabo do barramento, e se as duas pontas têm 120 Ω.</translation>
     </message>
     <message>
-        <source>%1 to %2 %3 (%4 to %5%6)</source>
-        <translation>%1 a %2 %3 (%4 a %5%6)</translation>
+        <source>%1 to %2 %3 (%4)</source>
+        <translation>%1 a %2 %3 (%4)</translation>
+    </message>
+    <message>
+        <source>%1 to %2%3</source>
+        <translation>%1 a %2%3</translation>
     </message>
     <message>
         <source>the drive has no limit of its own: nothing but this program ends a move</source>

@@ -117,15 +117,15 @@ TEST_F(AccessibleTest, EveryReadoutTellsItsValue)
 TEST_F(AccessibleTest, ThePlotIsToldInNumbers)
 {
     give(samples::update(samples::tracking(330)));
-    QTest::qWait(1100);  // once a second
     QAccessibleInterface* const plot = QAccessible::queryAccessibleInterface(window.findChild<PolarPlot*>());
     EXPECT_EQ(plot->role(), QAccessible::Chart);
     EXPECT_FALSE(plot->text(QAccessible::Name).isEmpty());
-    const QString words = plot->text(QAccessible::Description);
+    const auto words = [plot] { return plot->text(QAccessible::Description); };  // once a second
     const StationStatus status = samples::tracking(330);
     for (const auto& direction : {status.actual, status.target}) {
         const QString azimuth = QString::number(direction->azimuth.degrees(), 'f', 1);
-        EXPECT_TRUE(words.contains(azimuth)) << azimuth.toStdString() << " in " << words.toStdString();
+        EXPECT_TRUE(QTest::qWaitFor([&] { return words().contains(azimuth); }))
+            << azimuth.toStdString() << " in " << words().toStdString();
     }
 }
 

@@ -40,13 +40,16 @@ protected:
         }
         ADD_FAILURE() << "no choice " << text.toStdString();
     }
-    static StationUpdate with(profile::Lead lead, const char* lockedTo)
+    static StationUpdate with(profile::Lead lead, const char* lockedTo, const char* leadObstacle)
     {
         StationStatus status = samples::fighting();
         profile::Profile profile = *status.profile;
         profile.rotctld.lead = lead;
         profile.rotctld.lockedTo = lockedTo;
         status.profile = std::make_shared<const profile::Profile>(profile);
+        for (ClientStatus& client : status.clients) {
+            client.leadObstacle = QLatin1String(leadObstacle);
+        }
         return samples::update(status);
     }
 };
@@ -169,7 +172,7 @@ TEST_F(ClientsPanelTest, TheRuleFollowsTheStatusNotTheClick)
     EXPECT_TRUE(
         named<ChoiceButton>("The first client moves the mount until it has asked for no motion for 10 s, or left")
             ->isChecked());
-    StationUpdate answer = with(profile::Lead::Last, "");
+    StationUpdate answer = with(profile::Lead::Last, "", "whoever sends last moves the mount");
     answer.answers.push_back({requests.back().id, std::nullopt});
     give(answer);
     EXPECT_TRUE(named<ChoiceButton>("Whoever sent the last target moves the mount, as with Hamlib")->isChecked());
@@ -193,7 +196,7 @@ TEST_F(ClientsPanelTest, ARefusedRuleSaysWhyAndLeavesNoEdit)
 
 TEST_F(ClientsPanelTest, WhoIsLockedOutCanNotBeGivenControl)
 {
-    give(with(profile::Lead::Locked, "10.0.0.77"));
+    give(with(profile::Lead::Locked, "10.0.0.77", "the mount is locked to 10.0.0.77: unlock it first"));
     select(1);
     EXPECT_TRUE(named<QPushButton>("Give control")
                     ->toolTip()

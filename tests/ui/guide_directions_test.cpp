@@ -106,6 +106,21 @@ TEST_F(GuideTest, TheArrowFollowsTheMotionAndConfirmingNeedsBothToBeSeen)
     EXPECT_EQ(current(), GuideStep::Travel);
 }
 
+// Story: nothing that the mount has was left to be moved, and the directions could not be confirmed.
+// REQ-MOUNT-03
+TEST_F(GuideTest, OfAMountWithOneAxisThatOneHasToBeSeen)
+{
+    status.capabilities.axes[index(Axis::Elevation)].reset();
+    open<GuideDirections>(GuideStep::Directions);
+    moveTo({.azimuth = 10.2_deg, .elevation = 20_deg});
+    moveTo({.azimuth = 10.2_deg, .elevation = 20_deg}, AxisState::Holding);
+    auto& confirm = inGuide<QPushButton>("Both turn as the arrows show");
+    EXPECT_FALSE(confirm.isEnabled()) << "too little to be seen";
+    moveTo({.azimuth = 12_deg, .elevation = 20_deg});
+    moveTo({.azimuth = 12_deg, .elevation = 20_deg}, AxisState::Holding);
+    EXPECT_TRUE(confirm.isEnabled()) << confirm.toolTip().toStdString();
+}
+
 TEST_F(GuideTest, WrongMotorsAreSwappedAndAWrongDirectionReversedByOnePress)
 {
     open<GuideDirections>(GuideStep::Directions);

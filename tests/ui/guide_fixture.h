@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/profile/commissioning.h"
+#include "tests/ui/sample_permissions.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/guide/guide_page.h"
 #include "ui/guide/step_button.h"
@@ -74,6 +75,8 @@ protected:
         status.elevation.actual = place.elevation;
         status.azimuth.state = state;
         status.elevation.state = state;
+        const Permissions standing = samples::freshMount().permissions;
+        status.permissions = state == AxisState::Moving ? samples::inMotion(standing) : standing;
         aim();
         give(samples::update(status));
     }

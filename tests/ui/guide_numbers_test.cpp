@@ -76,6 +76,19 @@ TEST_F(GuideTest, NorthIsSetInThePointingModelAtOnceAndTheCableKeepsItsNumbers)
     EXPECT_EQ(asked<request::Reconnect>().size(), connects) << "it applies now";
 }
 
+// Story: a mount without elevation could not be given its north: the elevation cannot be set.
+// REQ-MOUNT-03
+TEST_F(GuideTest, NorthIsSetOfAMountThatHasNoElevation)
+{
+    status.capabilities.axes[index(Axis::Elevation)].reset();
+    status.permissions.refuse(Action::SetElevation, QStringLiteral("This mount has no elevation axis."));
+    give(samples::update(status));
+    open<GuideNorth>(GuideStep::North);
+    inGuide<QDoubleSpinBox>("True azimuth of the antenna").setValue(350.0);
+    EXPECT_TRUE(inGuide<QPushButton>("Set north").isEnabled())
+        << inGuide<QPushButton>("Set north").toolTip().toStdString();
+}
+
 // Story: F3 and one click on "Set north" with the preset 0.00° put -21.30° in the place of a north that was found.
 TEST_F(GuideTest, ANorthThatIsKnownIsReplacedOnlyOnPurpose)
 {

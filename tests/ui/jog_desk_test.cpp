@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/sample_permissions.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/hold/jog_button.h"
 #include "ui/jog/jog_panel.h"
@@ -90,6 +91,7 @@ TEST_F(JogDeskTest, BeforeTheDirectionsAreConfirmedOnlyJoggingIsOfferedAndNotFas
     profile::Profile profile = *status.profile;
     profile.mount.directions = profile::Directions::Unconfirmed;
     status.profile = std::make_shared<const profile::Profile>(profile);
+    status.permissions = samples::freshMount().permissions;
     give(samples::update(status));
     for (const char* const name : {"Go", "Horizon", "Home", "Park", "Go to"}) {
         EXPECT_FALSE(named<CommandButton>(name)->isEnabled()) << name;
@@ -148,12 +150,11 @@ TEST_F(JogDeskTest, AWoundCableIsUnwoundByOneClick)
     EXPECT_FALSE(named<CommandButton>("Unwind")->isEnabled());
     EXPECT_TRUE(named<CommandButton>("Unwind")->toolTip().contains(QStringLiteral("can not be wound less")));
     StationStatus status = holding();
-    status.azimuth.travel = {-90_deg, 450_deg};
-    status.azimuth.actual = 425_deg;
+    status.permissions = samples::permitted();
     give(samples::update(status));
     click("Unwind");
     EXPECT_EQ(asked<request::Unwind>().size(), 1u);
-    status.state = StationState::Stopped;
+    status.permissions = samples::withoutMotion(QStringLiteral("STOP is latched: reset STOP first"));
     give(samples::acceptance(status, requests.back().id));
     EXPECT_FALSE(named<CommandButton>("Unwind")->isEnabled());
 }

@@ -2,6 +2,7 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/kit/command_button.h"
 #include "ui/limits/limits_panel.h"
+#include "ui/link/forbidden.h"
 #include "ui/sky/plot_editor.h"
 #include "ui/sky/polar_plot.h"
 #include "ui/window/panel_tabs.h"
@@ -348,6 +349,18 @@ TEST_F(LimitsTest, TheBarSaysWhyAPickedPlaceIsForbiddenAndOffersNoWayThere)
     status.profile = std::make_shared<const profile::Profile>(open);
     give(samples::update(status));
     EXPECT_TRUE(named<CommandButton>("Go here")->isEnabled());
+}
+
+// As the station obeys them. Story: "Go here" was refused by the limits of an elevation that the mount does not have.
+// REQ-MOUNT-04
+TEST(Forbidden, OfAMissingAxisOnlyAKeepOutIsLeftAndHoldsForAllOfIt)
+{
+    StationStatus status = samples::bounded();
+    EXPECT_EQ(whyForbidden(status, {68_deg, 80_deg}), QString());
+    EXPECT_NE(whyForbidden(status, {180_deg, 10_deg}), QString()) << "below the hill";
+    status.capabilities.axes[index(Axis::Elevation)].reset();
+    EXPECT_TRUE(whyForbidden(status, {68_deg, 80_deg}).contains(QStringLiteral("mast")));
+    EXPECT_EQ(whyForbidden(status, {180_deg, 10_deg}), QString());
 }
 
 TEST_F(LimitsTest, AHorizonGoesOutAsTextAndComesBack)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/sample_calibration.h"
 
+#include "tests/ui/sample_permissions.h"
 #include "tests/ui/sample_status.h"
 
 #include <cmath>
@@ -166,6 +167,7 @@ StationStatus swinging()
     StationStatus status = bounded();
     status.state = StationState::Calibrate;
     status.stateReason = QStringLiteral("compass swing");
+    status.permissions = inMotion();
     status.azimuth.state = AxisState::Moving;
     CalibrationStatus calibration = sample(status);
     calibration.progress = {.run = CalibrationRun::Swing,
@@ -247,6 +249,7 @@ StationStatus followingSun()
     StationStatus status = bounded();
     status.state = StationState::Track;
     status.stateReason = QStringLiteral("following the Sun");
+    status.permissions = inMotion();
     status.targetText = QStringLiteral("Sun");
     status.commander = {SourceKind::Station, 0, QStringLiteral("calibration")};
     status.trim = SkyPointing{.azimuth = 0.3_deg, .elevation = -0.1_deg};

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/sample_drives.h"
 
+#include "tests/ui/sample_permissions.h"
 #include "tests/ui/sample_status.h"
 
+#include <algorithm>
 #include <string_view>
 
 namespace boresight::samples {
@@ -55,6 +57,27 @@ constexpr Setting kSettings[] = {
      "a small one lets the axis give way to the wind instead of holding"},
 };
 
+struct Brief
+{
+    const char* text;
+    const char* angle;
+};
+
+constexpr Brief kBriefs[] = {
+    {"-0.258333 turns (-93.0°)", "-93.0°"},   {"-0.008333 turns (-3.0°)", "-3.0°"},
+    {"-0.01 turns (-3.6°)", "-3.6°"},         {"1.25833 turns (453.0°)", "453.0°"},
+    {"0.258333 turns (93.0°)", "93.0°"},      {"0.01 turns (3.6°)", "3.6°"},
+    {"0.025 turns/s (9°/s)", "9°/s"},         {"0.166667 turns/s² (60°/s²)", "60°/s²"},
+    {"50 turns/s² (18000°/s²)", "18000°/s²"}, {"0.0277778 turns (10°)", "10°"},
+};
+
+QString briefOf(const QString& text)
+{
+    const auto* const found =
+        std::ranges::find_if(kBriefs, [&text](const Brief& one) { return text == QString::fromUtf8(one.text); });
+    return found == std::end(kBriefs) ? text : QString::fromUtf8(found->angle);
+}
+
 std::vector<ProtectionLine> protections(Axis axis, bool factory)
 {
     std::vector<ProtectionLine> lines;
@@ -63,9 +86,12 @@ std::vector<ProtectionLine> protections(Axis axis, bool factory)
         const QString wanted = QString::fromUtf8(own ? setting.wantedElevation : setting.wanted);
         const bool byHand = setting.key == std::string_view("motor_position.rotor_to_output_ratio");
         const bool differs = setting.factory != nullptr && (factory || setting.verdict == Verdict::Right);
+        const QString found = differs ? QString::fromUtf8(setting.factory) : wanted;
         lines.push_back({.key = QLatin1String(setting.key),
                          .wanted = wanted,
-                         .found = differs ? QString::fromUtf8(setting.factory) : wanted,
+                         .found = found,
+                         .wantedBrief = briefOf(wanted),
+                         .foundBrief = briefOf(found),
                          .reason = QString::fromUtf8(setting.reason),
                          .fix = differs && setting.verdict != Verdict::Right && !byHand ? wanted : QString(),
                          .verdict = differs ? setting.verdict : Verdict::Right});
@@ -105,6 +131,7 @@ StationStatus factoryDrives()
     status.drives->switchedOn = false;
     status.drives->armingObstacle =
         QStringLiteral("5 settings of each drive are dangerous, first: azimuth servopos.position_min");
+    status.permissions = withoutMotion(status.drives->armingObstacle);
     for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
         DriveStatus& one = axis == Axis::Azimuth ? status.drives->azimuth : status.drives->elevation;
         one.protections = protections(axis, true);
@@ -120,9 +147,14 @@ StationStatus reading()
     status.drives->survey = SurveyState::Running;
     status.drives->surveyText = QStringLiteral("reading servo.timeout_mode of elevation");
     status.drives->armingObstacle = QStringLiteral("the drives are being read");
+    status.permissions = withoutMotion(status.drives->armingObstacle);
+    for (const Action action : {Action::ReadDrives, Action::FixDrives, Action::SetAzimuth, Action::SetElevation}) {
+        status.permissions.refuse(action, status.drives->armingObstacle);
+    }
     for (ProtectionLine& line : status.drives->elevation.protections) {
         line.verdict = Verdict::Unread;
         line.found.clear();
+        line.foundBrief.clear();
     }
     status.azimuth.turnKnown = false;
     status.elevation.turnKnown = false;
@@ -134,6 +166,12 @@ StationStatus released()
     StationStatus status = withAge(idle(), std::chrono::milliseconds(9000));
     status.state = StationState::Disconnected;
     status.stateReason = QStringLiteral("bus released to other tools");
+    const QString left = QStringLiteral("the bus is left to other tools: take it back first");
+    status.permissions = withoutMotion(left);
+    for (const Action action : {Action::ReadDrives, Action::SwitchOff, Action::SetAzimuth, Action::SetElevation}) {
+        status.permissions.refuse(action, left);
+    }
+    status.permissions.refuse(Action::FixDrives, QStringLiteral("the drives are not read yet"));
     status.line.state = MountLine::State::Closed;
     status.azimuth.state = AxisState::NoData;
     status.elevation.state = AxisState::NoData;
@@ -149,6 +187,7 @@ StationStatus proving()
     StationStatus status = idle();
     status.state = StationState::Calibrate;
     status.stateReason = QStringLiteral("crash-stop proof");
+    status.permissions = inMotion(withoutMoves(QStringLiteral("the crash-stop proof moves the mount: end it first")));
     place(status, {31.4_deg, 20_deg}, {31.45_deg, 20_deg}, {34_deg, 20_deg});
     status.azimuth.state = AxisState::Moving;
     dropTarget(status);
@@ -187,6 +226,14 @@ StationStatus asking(Axis axis, int places, Angle period, bool proposed)
     DriveStatus& one = axis == Axis::Azimuth ? status.drives->azimuth : status.drives->elevation;
     (axis == Axis::Azimuth ? status.azimuth : status.elevation).turnKnown = false;
     one.turnQuestion = question;
+    const QString why =
+        QStringLiteral(
+            "it is not known on which turn the axis of the %1 stands: the operator must tell; "
+            "slow jogging only")
+            .arg(axis == Axis::Azimuth ? QStringLiteral("azimuth drive") : QStringLiteral("elevation drive"));
+    status.permissions = withoutPointing(why);
+    status.permissions.refuse(setAction(axis), why);
+    status.permissions.fastestJog = status.profile->jog.slow;
     return status;
 }
 

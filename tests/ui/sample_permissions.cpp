@@ -1,249 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/sample_permissions.h"
 
+#include "core/control/beam_report.h"
 #include "core/north/calibration_gates.h"
 #include "core/pointing/pointing_model.h"
 
-#include <algorithm>
-#include <array>
-#include <memory>
-#include <utility>
-
 namespace boresight::samples {
 
-namespace {
-
-constexpr std::array kBoth{Axis::Azimuth, Axis::Elevation};
-constexpr Angle kAtEnd = 0.05_deg;
-constexpr std::chrono::seconds kOldest{1};
-
-const AxisStatus& axisOf(const StationStatus& status, Axis axis)
+Permissions permitted()
 {
-    return axis == Axis::Azimuth ? status.azimuth : status.elevation;
+    Permissions may = Permissions::all();
+    may.fastestJog = profile::JogSettings().fast;
+    return may;
 }
 
-const DrivesStatus& drivesOf(const StationStatus& status)
+Permissions withoutMoves(const QString& why, Permissions may)
 {
-    static const DrivesStatus none;
-    return status.drives ? *status.drives : none;
-}
-
-const DriveStatus& driveOf(const StationStatus& status, Axis axis)
-{
-    return axis == Axis::Azimuth ? drivesOf(status).azimuth : drivesOf(status).elevation;
-}
-
-QString driveName(Axis axis)
-{
-    return axis == Axis::Azimuth ? QStringLiteral("azimuth drive") : QStringLiteral("elevation drive");
-}
-
-QString firstOf(const QString& one, const QString& other)
-{
-    return one.isEmpty() ? other : one;
-}
-
-QString noMotion(const StationStatus& status)
-{
-    if (drivesOf(status).released) {
-        return QStringLiteral("the bus is left to other tools: take it back first");
+    for (const Action action : {Action::Move, Action::JogUp, Action::JogDown, Action::JogLeft, Action::JogRight}) {
+        may.refuse(action, why);
     }
-    if (status.state == StationState::Disconnected) {
-        return QStringLiteral("no reply from the azimuth drive");
+    return withoutPointing(why, may);
+}
+
+Permissions withoutMotion(const QString& why, Permissions may)
+{
+    may.refuse(Action::Hold, why);
+    return withoutMoves(why, may);
+}
+
+Permissions withoutPointing(const QString& why, Permissions may)
+{
+    for (const Action action : {Action::Point, Action::Park, Action::Home, Action::Unwind, Action::StepUp,
+                                Action::StepDown, Action::StepLeft, Action::StepRight, Action::ProveCrashStop}) {
+        may.refuse(action, why);
     }
-    if (drivesOf(status).proofRunning) {
-        return QStringLiteral("the crash-stop proof moves the mount: end it first");
+    return may;
+}
+
+Permissions inMotion(Permissions may)
+{
+    for (const Action action : {Action::SetAzimuth, Action::SetElevation, Action::ReadDrives, Action::SwitchOff,
+                                Action::ReleaseBus, Action::ProveCrashStop, Action::Reconnect}) {
+        may.refuse(action, QStringLiteral("the mount moves: stop it first"));
     }
-    if (status.stopLatched || status.state == StationState::Stopped) {
-        return QStringLiteral("STOP is latched: reset STOP first");
-    }
-    return status.state == StationState::Fault ? QStringLiteral("%1: re-arm first").arg(status.stateReason)
-                                               : drivesOf(status).armingObstacle;
+    return may;
 }
-
-QString notPlaced(const StationStatus& status, Axis axis)
-{
-    return axisOf(status, axis).turnKnown
-               ? QString()
-               : QStringLiteral(
-                     "it is not known on which turn the axis of the %1 stands: the operator must tell; "
-                     "slow jogging only")
-                     .arg(driveName(axis));
-}
-
-bool arePlaced(const StationStatus& status)
-{
-    return status.azimuth.turnKnown && status.elevation.turnKnown;
-}
-
-QString noPointing(const StationStatus& status)
-{
-    const QString unconfirmed =
-        status.profile->mount.directions == profile::Directions::Confirmed
-            ? QString()
-            : QStringLiteral("it is not confirmed yet which way the axes turn: jog each a little and confirm it first");
-    return firstOf(firstOf(noMotion(status), unconfirmed),
-                   firstOf(notPlaced(status, Axis::Azimuth), notPlaced(status, Axis::Elevation)));
-}
-
-bool moves(const StationStatus& status)
-{
-    return status.state == StationState::Slew || status.state == StationState::Track ||
-           status.state == StationState::Jog || status.state == StationState::Calibrate;
-}
-
-QString moving(const StationStatus& status)
-{
-    const bool anyAxis = status.azimuth.state == AxisState::Moving || status.elevation.state == AxisState::Moving;
-    return anyAxis || moves(status) ? QStringLiteral("the mount moves: stop it first") : QString();
-}
-
-QString noWayOn(const StationStatus& status, Axis which, bool upwards)
-{
-    const AxisStatus& axis = axisOf(status, which);
-    if (!axis.actual || axis.travel.max <= axis.travel.min || !axis.turnKnown) {
-        return {};
-    }
-    if (upwards && *axis.actual > axis.travel.max - kAtEnd) {
-        return QStringLiteral("at the upper limit %1°").arg(axis.travel.max.degrees(), 0, 'f', 1);
-    }
-    return !upwards && *axis.actual < axis.travel.min + kAtEnd
-               ? QStringLiteral("at the lower limit %1°").arg(axis.travel.min.degrees(), 0, 'f', 1)
-               : QString();
-}
-
-void judgeMotions(StationStatus& status)
-{
-    const QString motion = noMotion(status);
-    const QString pointing = noPointing(status);
-    Permissions& may = status.permissions;
-    may.refuse(Action::Move, motion);
-    may.refuse(Action::Hold, moves(status) ? QString() : motion);
-    for (const Action action : {Action::Point, Action::Park, Action::Home}) {
-        may.refuse(action, pointing);
-    }
-    const bool wound = status.azimuth.actual && abs(*status.azimuth.actual) > 180_deg;
-    may.refuse(Action::Unwind,
-               !pointing.isEmpty() ? pointing
-               : wound             ? QString()
-                       : QStringLiteral("in this direction the azimuth cable can not be wound less than it is"));
-    const auto judge = [&](JogDirection direction, Axis axis, bool upwards) {
-        const QString jog = firstOf(motion, noWayOn(status, axis, upwards));
-        may.refuse(jogAction(direction), jog);
-        may.refuse(stepAction(direction), firstOf(pointing, jog));
-    };
-    judge(JogDirection::Up, Axis::Elevation, true);
-    judge(JogDirection::Down, Axis::Elevation, false);
-    judge(JogDirection::Right, Axis::Azimuth, true);
-    judge(JogDirection::Left, Axis::Azimuth, false);
-    const profile::JogSettings& jog = status.profile->jog;
-    const bool confirmed = status.profile->mount.directions == profile::Directions::Confirmed;
-    may.fastestJog = !arePlaced(status) ? std::min(jog.slow, jog.unwind)
-                     : confirmed        ? jog.fast
-                                        : std::min(jog.fast, profile::kFastestUnconfirmed);
-}
-
-QString noFix(const StationStatus& status)
-{
-    const auto right = [&status](Axis axis) {
-        return std::ranges::none_of(driveOf(status, axis).protections, differs);
-    };
-    if (drivesOf(status).survey != SurveyState::Done) {
-        return QStringLiteral("the drives are not read yet");
-    }
-    if (!drivesOf(status).fixable) {
-        return std::ranges::all_of(kBoth, right)
-                   ? QStringLiteral("every setting is right")
-                   : QStringLiteral(
-                         "there is nothing that can be written: what is wrong is for a person to change, "
-                         "as its line says");
-    }
-    return drivesOf(status).switchedOn ? QStringLiteral(
-                                             "the azimuth drive is switched on: support the elevation, "
-                                             "switch the drives off")
-                                       : QString();
-}
-
-void judgeDrives(StationStatus& status)
-{
-    const DrivesStatus& drives = drivesOf(status);
-    const QString released =
-        drives.released ? QStringLiteral("the bus is left to other tools: take it back first") : QString();
-    const QString writing = drives.survey == SurveyState::Fixing
-                                ? QStringLiteral("the drives' settings are being written: wait until that is done")
-                                : QString();
-    const QString reading =
-        drives.survey == SurveyState::Running ? QStringLiteral("the drives are being read") : writing;
-    const QString silent =
-        status.state == StationState::Disconnected ? QStringLiteral("both drives must answer") : QString();
-    const QString moves = moving(status);
-    Permissions& may = status.permissions;
-    may.refuse(Action::ReadDrives, firstOf(reading, firstOf(released, moves)));
-    may.refuse(Action::FixDrives, firstOf(reading, firstOf(noFix(status), silent)));
-    may.refuse(Action::SwitchOff, firstOf(moves, silent));
-    may.refuse(Action::ReleaseBus, firstOf(writing, moves));
-    may.refuse(Action::Reconnect, moves);
-    may.refuse(Action::ProveCrashStop, firstOf(noPointing(status), moves));
-    for (const Axis axis : kBoth) {
-        const AxisStatus& now = axisOf(status, axis);
-        const bool fresh = now.actual && now.age && *now.age < kOldest;
-        may.refuse(setAction(axis), fresh ? firstOf(notPlaced(status, axis), moves)
-                                          : QStringLiteral("no fresh position from the %1").arg(driveName(axis)));
-    }
-}
-
-void judgeClients(StationStatus& status)
-{
-    const profile::RotctldSettings& rules = status.profile->rotctld;
-    for (ClientStatus& client : status.clients) {
-        if (status.stopLatched) {
-            client.leadObstacle = QStringLiteral("STOP is latched: reset STOP first");
-        } else if (rules.lead == profile::Lead::Locked && !client.locked) {
-            client.leadObstacle = QStringLiteral("the mount is locked to %1: unlock it first")
-                                      .arg(QString::fromStdString(rules.lockedTo));
-        } else if (status.authority == Authority::Operator || client.readOnly) {
-            client.leadObstacle.clear();
-        } else if (rules.lead == profile::Lead::Last) {
-            client.leadObstacle = QStringLiteral("whoever sends last moves the mount");
-        } else {
-            client.leadObstacle = client.leading ? QStringLiteral("it has the control") : QString();
-        }
-    }
-}
-
-void addBeam(StationStatus& status)
-{
-    const pointing::PointingModel model(status.profile->pointing);
-    const auto add = [&](std::optional<Angle> AxisStatus::*axis, std::optional<Angle> BeamAngles::*beam) {
-        const std::optional<Angle>& azimuth = status.azimuth.*axis;
-        const std::optional<Angle>& elevation = status.elevation.*axis;
-        const bool both = azimuth && elevation;
-        const SkyPointing place = both ? model.toSky({*azimuth, *elevation}) : SkyPointing{};
-        status.azimuth.beam.*beam = both ? std::optional(place.azimuth) : azimuth;
-        status.elevation.beam.*beam = both ? std::optional(place.elevation) : elevation;
-    };
-    add(&AxisStatus::actual, &BeamAngles::actual);
-    add(&AxisStatus::commanded, &BeamAngles::commanded);
-    add(&AxisStatus::target, &BeamAngles::target);
-}
-
-}  // namespace
 
 StationStatus judged(StationStatus status)
 {
-    const Permissions own = status.permissions;
-    status.permissions = Permissions::all();
-    judgeMotions(status);
-    judgeDrives(status);
-    judgeClients(status);
-    const auto calibration = std::exchange(
-        status.calibration, status.calibration ? status.calibration : std::make_shared<const CalibrationStatus>());
     judgeCalibration(status);
-    status.calibration = calibration;
-    for (int action = 0; action < static_cast<int>(Action::Count); ++action) {
-        status.permissions.refuse(static_cast<Action>(action), own.reason(static_cast<Action>(action)));
-    }
-    addBeam(status);
+    addBeam(status, pointing::PointingModel(status.profile->pointing));
     return status;
 }
 

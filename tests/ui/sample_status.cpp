@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/sample_status.h"
 
+#include "core/control/beam_report.h"
 #include "tests/ui/sample_drives.h"
 #include "tests/ui/sample_permissions.h"
 
@@ -120,7 +121,10 @@ void dropTarget(StationStatus& status)
 StationStatus idle()
 {
     StationStatus status;
-    status.permissions = Permissions::all();
+    status.permissions = permitted();
+    status.permissions.refuse(Action::FixDrives, QStringLiteral("every setting is right"));
+    status.permissions.refuse(Action::Unwind,
+                              QStringLiteral("in this direction the azimuth cable can not be wound less than it is"));
     status.profile = sampleProfile();
     status.state = StationState::Parked;
     status.stateReason = QStringLiteral("park position reached");
@@ -150,6 +154,7 @@ StationStatus tracking(double seconds)
     StationStatus status = idle();
     status.state = StationState::Track;
     status.stateReason = QStringLiteral("rotctld client sends targets");
+    status.permissions = inMotion();
     place(status, passAt(seconds), passAt(seconds + 0.05), passAt(seconds + 0.6));
     status.azimuth.state = AxisState::Moving;
     status.elevation.state = AxisState::Moving;
@@ -168,6 +173,7 @@ StationStatus stopped()
     status.state = StationState::Stopped;
     status.stopLatched = true;
     status.stateReason = QStringLiteral("STOP pressed by operator");
+    status.permissions = withoutMotion(QStringLiteral("STOP is latched: reset STOP first"));
     status.azimuth.state = AxisState::Stopped;
     status.elevation.state = AxisState::Stopped;
     dropTarget(status);
@@ -179,6 +185,7 @@ StationStatus faulted()
     StationStatus status = tracking(240.0);
     status.state = StationState::Fault;
     status.stateReason = QStringLiteral("azimuth drive: over temperature");
+    status.permissions = withoutMotion(QStringLiteral("azimuth drive: over temperature: re-arm first"));
     status.azimuth.state = AxisState::Fault;
     status.azimuth.stateText = QStringLiteral("over temperature (38)");
     status.drives->azimuth.registers = QStringLiteral("moteus mode 1, fault 38");
@@ -202,6 +209,10 @@ StationStatus disconnected()
     StationStatus status = withAge(tracking(150.0), std::chrono::milliseconds(3400));
     status.state = StationState::Disconnected;
     status.stateReason = QStringLiteral("no reply from azimuth and elevation");
+    status.permissions = withoutMotion(QStringLiteral("no reply from the azimuth drive"));
+    status.permissions.refuse(Action::SetAzimuth, QStringLiteral("no fresh position from the azimuth drive"));
+    status.permissions.refuse(Action::SetElevation, QStringLiteral("no fresh position from the elevation drive"));
+    status.permissions.refuse(Action::SwitchOff, QStringLiteral("both drives must answer"));
     status.azimuth.state = AxisState::NoData;
     status.elevation.state = AxisState::NoData;
     status.line.state = MountLine::State::Lost;
@@ -231,10 +242,12 @@ StationStatus routed()
     StationStatus status = bounded();
     status.state = StationState::Slew;
     status.stateReason = QStringLiteral("on the way to the target");
+    status.permissions = inMotion();
     status.azimuth.state = AxisState::Moving;
     status.elevation.state = AxisState::Moving;
     place(status, {31_deg, 20_deg}, {33_deg, 22_deg}, {100_deg, 20_deg});
-    status.route = {{62_deg, 48_deg}, {74_deg, 48_deg}, {100_deg, 20_deg}};
+    status.route = beamPath({status.profile->azimuth.geometry, status.profile->elevation.geometry},
+                            {{33_deg, 22_deg}, {62_deg, 48_deg}, {74_deg, 48_deg}, {100_deg, 20_deg}});
     status.targetText = QStringLiteral("go to 100.0° 20.0°");
     return status;
 }
@@ -262,6 +275,12 @@ StationStatus limited()
     status.azimuth.state = AxisState::Limit;
     status.azimuth.stateText = QStringLiteral("at travel limit 150.0°");
     status.elevation.state = AxisState::Limit;
+    for (const Action action : {Action::JogRight, Action::StepRight}) {
+        status.permissions.refuse(action, QStringLiteral("at the upper limit 150.0°"));
+    }
+    for (const Action action : {Action::JogDown, Action::StepDown}) {
+        status.permissions.refuse(action, QStringLiteral("at the lower limit 10.0°"));
+    }
     status.targetText = QStringLiteral("P 171.25 -2.40");
     status.limited = true;
     status.limitedReason = QStringLiteral("elevation -2.4° below limit 10.0°");
@@ -289,6 +308,9 @@ StationStatus freshMount()
     profile::Profile fresh = *status.profile;
     fresh.mount.directions = profile::Directions::Unconfirmed;
     status.profile = std::make_shared<const profile::Profile>(fresh);
+    status.permissions = withoutPointing(
+        QStringLiteral("it is not confirmed yet which way the axes turn: jog each a little and confirm it first"));
+    status.permissions.fastestJog = profile::kFastestUnconfirmed;
     status.state = StationState::Hold;
     place(status, {10_deg, 20_deg}, {10_deg, 20_deg}, {10_deg, 20_deg});
     return status;
@@ -328,7 +350,8 @@ StationStatus fighting()
         .commandsPerSecond = 1.3,
         .driving = true,
         .leading = true,
-        .advice = QStringLiteral("this Gpredict updates only every 10°: set Threshold to 0.1 in its Antenna Control")};
+        .advice = QStringLiteral("this Gpredict updates only every 10°: set Threshold to 0.1 in its Antenna Control"),
+        .leadObstacle = QStringLiteral("it has the control")};
     status.clients[1] = {.id = 2,
                          .address = QStringLiteral("192.168.100.109:50112"),
                          .program = QStringLiteral("CQRLOG"),

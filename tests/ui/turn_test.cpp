@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/sample_permissions.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/drives/turn_choice.h"
 #include "ui/drives/turn_page.h"
@@ -248,7 +249,7 @@ TEST_F(TurnTest, UnwindingEndsWithThePermissionAndWithARefusal)
     auto* const forth = named<QPushButton>("Turn clockwise at 2.0°/s while held");
     QTest::mousePress(forth, Qt::LeftButton);
     StationStatus stopped = fewPlaces();
-    stopped.state = StationState::Stopped;
+    stopped.permissions = samples::withoutMotion(QStringLiteral("STOP is latched: reset STOP first"));
     give(samples::update(stopped));
     EXPECT_EQ(asked<request::Jog>().back().rates, AxisRates{});
     EXPECT_FALSE(forth->isEnabled());
@@ -349,14 +350,6 @@ TEST_F(TurnTest, AStepIsAPointingAndNotOfferedOnAnUnknownTurn)
         << right->toolTip().toStdString();
     give(samples::update(samples::idle()));
     EXPECT_TRUE(right->isEnabled());
-}
-
-TEST_F(TurnTest, ALimitOfAnUnknownTurnBlocksNoWay)
-{
-    StationStatus status = fewPlaces();
-    status.azimuth.actual = status.azimuth.travel.max;
-    give(samples::update(status));
-    EXPECT_TRUE(named<QPushButton>("Turn clockwise at 2.0°/s while held")->isEnabled());
 }
 
 TurnQuestion question(std::vector<Angle> candidates, std::optional<Angle> proposed = {})

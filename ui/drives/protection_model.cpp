@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/drives/protection_model.h"
 
-#include "core/base/numbers.h"
 #include "ui/kit/axes.h"
 #include "ui/kit/symbol.h"
 
@@ -53,18 +52,6 @@ QString labelOf(const ProtectionLine& line)
     const auto* const label = std::find_if(std::begin(kLabels), std::end(kLabels),
                                            [&key](const Label& one) { return key == QLatin1String(one.key); });
     return label == std::end(kLabels) ? key : ProtectionModel::tr(label->text);
-}
-
-// There is room for a few characters: of "-0.2583 turns (-93.0°)" the angle. The whole text is in the tooltip.
-QString shortText(const QString& text)
-{
-    const auto open = text.indexOf(QLatin1String(" ("));
-    if (open < 0 || !text.endsWith(QLatin1Char(')'))) {
-        return text;
-    }
-    const QString inner = text.mid(open + 2).chopped(1);
-    const bool number = parseFinite(text.section(QLatin1Char(' '), 0, 0).toStdString()).has_value();
-    return number && inner.contains(QStringLiteral("°")) ? inner : text;
 }
 
 struct ShownLine
@@ -194,8 +181,9 @@ ProtectionModel::Row& ProtectionModel::rowFor(Axis axis, const ProtectionLine& l
         return *same;
     }
     const auto first = std::find_if(rows.begin(), rows.end(), sameLabel);
-    return *rows.insert(first == rows.end() ? first : std::next(first),
-                        Row{.label = label, .key = line.key, .wanted = line.wanted, .found = {}});
+    return *rows.insert(
+        first == rows.end() ? first : std::next(first),
+        Row{.label = label, .key = line.key, .wanted = line.wanted, .wantedBrief = line.wantedBrief, .found = {}});
 }
 
 int ProtectionModel::count(boresight::Verdict verdict) const
@@ -215,14 +203,13 @@ QString ProtectionModel::explanation(int row) const
     QStringList reasons;
     for (const Axis axis : kAxes) {
         if (const auto& line = one.found[axisIndex(axis)]) {
-            found << shortName(axis) + QLatin1Char(' ') +
-                         (line->found.isEmpty() ? tr("unread") : shortText(line->found));
+            found << shortName(axis) + QLatin1Char(' ') + (line->found.isEmpty() ? tr("unread") : line->foundBrief);
             reasons << line->reason;
         }
     }
     reasons.removeDuplicates();
     return tr("%1: wanted %2, found %3.\n%4")
-        .arg(one.key, shortText(one.wanted), found.join(QStringLiteral(", ")), reasons.join(QStringLiteral(" / ")));
+        .arg(one.key, one.wantedBrief, found.join(QStringLiteral(", ")), reasons.join(QStringLiteral(" / ")));
 }
 
 QStringList ProtectionModel::changes() const
@@ -267,6 +254,21 @@ QString ProtectionModel::text(const Row& row, int column) const
     }
 }
 
+// There is room for a few characters. The whole text is in the tooltip.
+QString ProtectionModel::briefText(const Row& row, int column) const
+{
+    switch (column) {
+        case Wanted:
+            return row.wantedBrief;
+        case FoundAzimuth:
+            return row.found[0] ? row.found[0]->foundBrief : QString();
+        case FoundElevation:
+            return row.found[1] ? row.found[1]->foundBrief : QString();
+        default:
+            return text(row, column);
+    }
+}
+
 Verdict ProtectionModel::verdictOf(const Row& row)
 {
     const auto& [azimuth, elevation] = row.found;
@@ -300,7 +302,7 @@ QVariant ProtectionModel::data(const QModelIndex& index, int role) const
     const ShownLine look = verdict ? shown(*verdict) : ShownLine{};
     switch (role) {
         case Qt::DisplayRole:
-            return index.column() == Verdict ? look.word : shortText(text(row, index.column()));
+            return index.column() == Verdict ? look.word : briefText(row, index.column());
         case Qt::DecorationRole:
             return decoration(look);
         case Qt::ForegroundRole:

@@ -52,6 +52,7 @@ private:
         QString label;
         QString key;
         QString wanted;
+        QString wantedBrief;
         std::array<std::optional<ProtectionLine>, 2> found;  // by axis
     };
 
@@ -60,6 +61,7 @@ private:
     [[nodiscard]] static boresight::Verdict verdictOf(const Row& row);
     [[nodiscard]] static Row& rowFor(Axis axis, const ProtectionLine& line, std::vector<Row>& rows);
     [[nodiscard]] QString text(const Row& row, int column) const;
+    [[nodiscard]] QString briefText(const Row& row, int column) const;
     [[nodiscard]] std::optional<boresight::Verdict> verdictIn(const Row& row, int column) const;
 
     Lines m_lines;

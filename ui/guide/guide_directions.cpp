@@ -146,14 +146,14 @@ void GuideDirections::showButtons()
         const auto turned = [axis](profile::Profile& profile) { profile::reverse(profile, axis, std::nullopt); };
         m_rows[axisIndex(axis)].reverse->setBlocked(m_change.whyNot(m_status, turned));
     }
-    const auto unseen = std::ranges::find_if(m_rows, [](const Row& row) { return row.farthest < kSeen; });
+    const auto unseen = std::ranges::find_if(kAxes, [this](Axis axis) {
+        return m_status.capabilities.has(axis) && m_rows[axisIndex(axis)].farthest < kSeen;
+    });
     const bool confirmed = m_status.profile->mount.directions == profile::Directions::Confirmed;
     const auto confirm = [](profile::Profile& p) { p.mount.directions = profile::Directions::Confirmed; };
-    m_confirm->setBlocked(confirmed ? tr("it is confirmed already")
-                          : unseen != m_rows.end()
-                              ? tr("move the %1 a little first, and look at it")
-                                    .arg(name(unseen == m_rows.begin() ? Axis::Azimuth : Axis::Elevation))
-                              : m_change.whyNot(m_status, confirm));
+    m_confirm->setBlocked(confirmed               ? tr("it is confirmed already")
+                          : unseen != kAxes.end() ? tr("move the %1 a little first, and look at it").arg(name(*unseen))
+                                                  : m_change.whyNot(m_status, confirm));
 }
 
 void GuideDirections::reverse(Axis axis)

@@ -186,7 +186,8 @@ AxisPosition GuideNorth::axes() const
 QString GuideNorth::whyNot() const
 {
     for (const Axis axis : kAxes) {
-        if (const QString reason = m_status.permissions.reason(setAction(axis)); !reason.isEmpty()) {
+        const QString reason = m_status.permissions.reason(setAction(axis));
+        if (m_status.capabilities.has(axis) && !reason.isEmpty()) {
             return reason;
         }
     }

@@ -1,21 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/link/forbidden.h"
 
+#include "core/pointing/missing_axis.h"
 #include "core/pointing/mount_model.h"
 #include "core/pointing/permitted_region.h"
 #include "core/pointing/sun_keep_out.h"
 
 #include <QCoreApplication>
 
+#include <array>
+
 namespace boresight::ui {
 
 namespace {
 
+// As the station obeys it: what a missing axis would show is not known.
 pointing::PermittedRegion regionOf(const StationStatus& status)
 {
     const profile::Profile& profile = *status.profile;
-    return {pointing::withSun(profile.limits, status.sunKeepOuts), profile.azimuth.geometry.travel,
-            profile.elevation.geometry.travel, pointing::PointingModel(profile.pointing)};
+    pointing::Region region = pointing::withSun(profile.limits, status.sunKeepOuts);
+    std::array<TravelRange, 2> travel;
+    for (const Axis axis : kAxes) {
+        const bool present = status.capabilities.has(axis);
+        travel[index(axis)] = present ? profile.axis(axis).geometry.travel : pointing::kMissingAxisTravel;
+        region = present ? region : pointing::withoutAxis(region, axis);
+    }
+    return {region, travel[0], travel[1], pointing::PointingModel(profile.pointing)};
 }
 
 QString forbidden(const QString& reason)

@@ -59,17 +59,6 @@ QString placeText(const QString& what, const std::optional<SkyPointing>& place)
     return place ? what + QLatin1Char(' ') + directionText(*place) + QStringLiteral(". ") : QString();
 }
 
-// From the set-point to the end of the route: straight in both axes between its points.
-std::vector<AxisPosition> wayAhead(const StationStatus& status)
-{
-    std::vector<AxisPosition> way;
-    if (!status.route.empty() && status.azimuth.commanded && status.elevation.commanded) {
-        way.push_back({*status.azimuth.commanded, *status.elevation.commanded});
-        way.insert(way.end(), status.route.begin(), status.route.end());
-    }
-    return way;
-}
-
 QwtScaleDiv scaleDiv(double from, double to, const std::vector<double>& lines)
 {
     return QwtScaleDiv(from, to, {}, {}, QList<double>(lines.begin(), lines.end()));
@@ -308,8 +297,7 @@ void PolarPlot::showMarkers(const StationStatus& status)
         m_hasSensor = !m_hasSensor;
         drawGround();
     }
-    markers.pointing = m_travel.pointing;
-    markers.way = markers.commanded ? wayAhead(status) : std::vector<AxisPosition>();
+    markers.way = markers.commanded ? status.route : std::vector<SkyPointing>();
     markers.targetLabel = targetLabel(status);
     markers.beamWidth = m_beamWidth;
     markers.live = age == Freshness::Live && known;

@@ -22,7 +22,6 @@ constexpr Angle kPathStep = 0.2_deg;  // finer than a pixel of any screen
 constexpr std::chrono::minutes kPathAge{15};
 constexpr std::chrono::minutes kForgetEvery{1};
 constexpr std::size_t kPathLength = 20000;  // 15 minutes without rest at 4°/s
-constexpr Angle kWayStep = 2_deg;
 constexpr int kTextMargin = 3;
 
 // Good enough for small angles, also near the zenith.
@@ -92,17 +91,8 @@ void SkyMarkers::rebuildWay()
 {
     m_wayPixels.clear();
     QPolygonF line;
-    for (std::size_t i = 1; i < m_markers.way.size(); ++i) {
-        const AxisPosition& from = m_markers.way[i - 1];
-        const AxisPosition& to = m_markers.way[i];
-        const Angle longest = std::max(abs(to.azimuth - from.azimuth), abs(to.elevation - from.elevation));
-        const int steps = std::max(1, static_cast<int>(std::ceil(longest / kWayStep)));
-        for (int step = 0; step <= steps; ++step) {
-            const double part = double(step) / steps;
-            line << m_projection.toPixel(
-                m_markers.pointing.toSky({from.azimuth + (to.azimuth - from.azimuth) * part,
-                                          from.elevation + (to.elevation - from.elevation) * part}));
-        }
+    for (const SkyPointing& place : m_markers.way) {
+        line << m_projection.toPixel(place);
     }
     m_wayPixels.addPolygon(line);
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/pointing/pointing_model.h"
 #include "ui/sky/sky_projection.h"
 
 #include <QPainterPath>
@@ -26,8 +25,7 @@ struct MarkerData
     std::optional<SkyPointing> target;
     std::optional<SkyPointing> sensor;  // where the independent sensor says that the beam points
     std::optional<SkyPointing> picked;  // clicked by the operator
-    std::vector<AxisPosition> way;      // from the set-point to the target, its corners; straight in both angles
-    pointing::PointingModel pointing;   // where the axes look
+    std::vector<SkyPointing> way;       // from the commanded place to the target, around what is forbidden
     QString targetLabel;
     Angle beamWidth;
     bool live = false;       // the actual place is measured now; else it is where the mount was last seen

@@ -192,6 +192,7 @@ void HeaderBar::build()
     for (ValueLabel* const marked : {m_state, m_limited, m_line, m_azimuth, m_elevation, m_sensor, m_clients}) {
         marked->setSymbolRoom(true);
     }
+    m_line->setCollapsing(true);
     m_sensor->setCollapsing(true);
     m_simulated->setOutlined(true);
     m_simulated->setToolTip(
@@ -275,7 +276,7 @@ void HeaderBar::showLinks(const StationStatus& status)
                                                     : Shown{tr("rotctld %1").arg(status.clients.size())});
     setShown(*m_sensor, sensorShown(status.sensor));
     m_sensor->setToolTip(status.sensor.configured() ? sensorHelp(status.sensor) : QString());
-    m_line->setToolTip(lineHelp(status));
+    m_line->setToolTip(status.line.kind.isEmpty() ? QString() : lineHelp(status));
     m_azimuth->setToolTip(status.azimuth.stateText);
     m_elevation->setToolTip(status.elevation.stateText);
     m_clients->setToolTip(clientsHelp(status));

@@ -181,7 +181,10 @@ void PanelTabs::showStatus(const StationStatus& status)
 void PanelTabs::showMountTabs(const StationStatus& status)
 {
     for (QWidget* const panel : {static_cast<QWidget*>(m_drives), static_cast<QWidget*>(m_protection)}) {
-        m_mountTabs->setTabVisible(m_mountTabs->indexOf(panel), status.drives.has_value());
+        const int tab = m_mountTabs->indexOf(panel);
+        if (m_mountTabs->isTabVisible(tab) != status.drives.has_value()) {
+            m_mountTabs->setTabVisible(tab, status.drives.has_value());  // lays the tabs out, each time
+        }
     }
 }
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace boresight {
 namespace {
 
@@ -95,7 +97,13 @@ TEST(StationRegion, AGoToIsDrivenAroundAndShowsItsRoute)
     rig.settlePermitted();
     ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 340_deg, .elevation = 5_deg}}));
     rig.tick();
-    EXPECT_EQ(rig.control.status().route.size(), 3U);
+    const StationStatus status = rig.control.status();
+    ASSERT_FALSE(status.route.empty());
+    EXPECT_EQ(status.route.front(), *status.commanded);
+    EXPECT_NEAR(status.route.back().azimuth.degrees(), 340, 1e-9);
+    EXPECT_NEAR(status.route.back().elevation.degrees(), 5, 1e-9);
+    const SkyPointing highest = std::ranges::max(status.route, {}, &SkyPointing::elevation);
+    EXPECT_NEAR(highest.elevation.degrees(), 40, 0.1) << "over the mast";
     rig.settlePermitted();
     EXPECT_EQ(rig.state(), StationState::Hold);
     EXPECT_NEAR(rig.azimuthDegrees(), 340, 0.001);

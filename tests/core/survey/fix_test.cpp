@@ -41,7 +41,9 @@ TEST(Fix, WritesAllButWhatOnlyAPersonMayChange)
     EXPECT_THAT(rig.drives.takeChanges(),
                 Contains(Change{.text = QStringLiteral("azimuth: servo.timeout_mode was 12 (damp), is 10 (hold)"),
                                 .written = true}));
-    EXPECT_FALSE(rig.drives.fix(rig.now())) << "nothing is left that can be written";
+    const Result<> again = rig.drives.fix(rig.now());
+    ASSERT_FALSE(again) << "nothing is left that can be written";
+    EXPECT_EQ(again.error().code, ErrorCode::NotAvailable);
 }
 
 TEST(Fix, IsStoredForThePowerUp)
@@ -81,10 +83,14 @@ TEST(Fix, TheWrittenBoundsLieAMarginBeyondTheTravel)
 TEST(Fix, IsRefusedBeforeEverythingIsRead)
 {
     SurveyRig rig(freshFromTheBox());
-    EXPECT_FALSE(rig.drives.fix(rig.now()));
+    const auto isBusy = [&rig] {
+        const Result<> may = rig.drives.fix(rig.now());
+        return !may && may.error().code == ErrorCode::Busy;
+    };
+    EXPECT_TRUE(isBusy());
     rig.drives.begin(rig.now());
     rig.run(Seconds(1.5));
-    EXPECT_FALSE(rig.drives.fix(rig.now()));
+    EXPECT_TRUE(isBusy());
 }
 
 // REQ-SURVEY-05

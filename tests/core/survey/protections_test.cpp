@@ -147,11 +147,28 @@ TEST(Protections, WhatMayVaryIsWantedAsARangeAndReadInRoundNumbers)
     const ProtectionLine speed = judgedAs(reference(), Axis::Azimuth, "servo.default_velocity_limit", "0.040000");
     EXPECT_EQ(speed.wanted, QStringLiteral("0.0278 to 0.0556 turns/s (10 to 20°/s)"));
     EXPECT_EQ(speed.found, QStringLiteral("0.04 turns/s (14.4°/s)"));
+    EXPECT_EQ(speed.wantedBrief, QStringLiteral("10 to 20°/s"));
+    EXPECT_EQ(speed.foundBrief, QStringLiteral("14.4°/s"));
     EXPECT_EQ(speed.verdict, Verdict::Right);
     EXPECT_EQ(judgedAs(reference(), Axis::Azimuth, "servo.fault_position_error", "0.027778").found,
               QStringLiteral("0.027778 turns (10°)"));
     EXPECT_EQ(judgedAs(reference(), Axis::Azimuth, "servo.timeout_mode", "12").found, QStringLiteral("12 (damp)"));
     EXPECT_EQ(judgedAs(reference(), Axis::Azimuth, "servo.timeout_mode", "12").wanted, QStringLiteral("10 (hold)"));
+}
+
+TEST(Protections, AnAngleIsEnoughWhereThereIsLittleRoom)
+{
+    const auto line = [](const char* key, const char* found) {
+        return judgedAs(reference(), Axis::Azimuth, key, found);
+    };
+    EXPECT_EQ(line("servopos.position_max", "0.010000").wantedBrief, QStringLiteral("453.0°"));
+    EXPECT_EQ(line("servopos.position_max", "0.010000").foundBrief, QStringLiteral("3.6°"));
+    EXPECT_EQ(line("servopos.position_max", "nan").foundBrief, QStringLiteral("none"));
+    EXPECT_EQ(line("servopos.position_max", "rubbish").foundBrief, QStringLiteral("\"rubbish\""));
+    EXPECT_EQ(line("servo.timeout_mode", "12").foundBrief, QStringLiteral("12 (damp)"));
+    EXPECT_EQ(line("servo.timeout_mode", "12").wantedBrief, QStringLiteral("10 (hold)"));
+    EXPECT_EQ(line("id.id", "2").wantedBrief, QStringLiteral("1"));
+    EXPECT_TRUE(judged(protection(reference(), Axis::Azimuth, "id.id"), {}).foundBrief.isEmpty());
 }
 
 TEST(Protections, TheGearIsComparedWithTheDrivesSixDecimals)
