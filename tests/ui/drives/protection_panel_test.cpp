@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/drives/protection_panel.h"
 
-#include "tests/ui/drives_fixture.h"
+#include "tests/ui/drives/drives_fixture.h"
 
 namespace boresight::ui {
 namespace {

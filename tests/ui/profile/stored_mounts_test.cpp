@@ -3,7 +3,7 @@
 
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_history.h"
-#include "tests/ui/profile_fixture.h"
+#include "tests/ui/profile/profile_fixture.h"
 
 #include <QFile>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/profile/profile_page.h"
 
-#include "tests/ui/profile_fixture.h"
+#include "tests/ui/profile/profile_fixture.h"
 #include "ui/kit/command_button.h"
 #include "ui/profile/setting_tree.h"
 
