@@ -77,18 +77,17 @@ endfunction()
 
 option(BORESIGHT_UNITY "Compile several sources of a folder at once: half of the time of a build from nothing" ON)
 
-# boresight_unite(TARGET [SIZE])
+# boresight_unite(TARGET [FOLDERS_TOGETHER])
 # Call after all sources were added. Sources of different folders are never compiled together, so that a name in an
-# anonymous namespace has to be the only one of its folder. What a source needs it includes itself: the preset dev
+# anonymous namespace has to be the only one of its folder. With FOLDERS_TOGETHER they are, for a target of many small
+# folders, and the name has to be the only one of the target. What a source needs it includes itself: the preset dev
 # compiles each alone.
 function(boresight_unite target)
   if(NOT BORESIGHT_UNITY)
     return()
   endif()
+  cmake_parse_arguments(U "FOLDERS_TOGETHER" "" "" ${ARGN})
   set(size 12)
-  if(ARGC GREATER 1)
-    set(size ${ARGV1})
-  endif()
   get_target_property(sources ${target} SOURCES)
   get_target_property(home ${target} SOURCE_DIR)
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
@@ -96,6 +95,9 @@ function(boresight_unite target)
   foreach(source IN LISTS sources)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY "${home}" NORMALIZE OUTPUT_VARIABLE path)
     cmake_path(GET path PARENT_PATH folder)
+    if(U_FOLDERS_TOGETHER)
+      set(folder "${home}")
+    endif()
     string(MD5 key "${folder}")
     list(APPEND of_${key} "${path}")
     list(APPEND folders ${key})

@@ -13,10 +13,12 @@ set(BORESIGHT_TEST_RESULTS "${CMAKE_BINARY_DIR}/test-results")  # one XML file o
 #   ONE_THREAD  ThreadSanitizer has nothing to find in it, or nothing that another test does not show: left out there
 #   SHARDS n    a long one, run as n tests of ctest beside each other
 #   TIMEOUT s   of each; 600 s if it is not said
+#   FOLDERS_TOGETHER  its sources lie in many small folders (boresight_unite)
 #   HEADERS …   precompiled for this program besides the usual ones, which all other programs share
 #   OPTIMISED   for a long one; tests are not, for what they test is, and half of a build from nothing goes into them
 function(boresight_add_test name)
-  cmake_parse_arguments(T "QT_MAIN;OWN_MAIN;SERIAL;ONE_THREAD;OPTIMISED" "LABEL;TIMEOUT;SHARDS" "SOURCES;LIBRARIES;HEADERS" ${ARGN})
+  cmake_parse_arguments(T "QT_MAIN;OWN_MAIN;SERIAL;ONE_THREAD;OPTIMISED;FOLDERS_TOGETHER" "LABEL;TIMEOUT;SHARDS"
+    "SOURCES;LIBRARIES;HEADERS" ${ARGN})
   if((T_ONE_THREAD AND BORESIGHT_SANITIZE MATCHES "thread") OR (T_LABEL STREQUAL "unit" AND NOT BORESIGHT_UNIT_TESTS))
     return()
   endif()
@@ -32,7 +34,11 @@ function(boresight_add_test name)
   add_executable(${name} ${T_SOURCES})
   set_target_properties(${name} PROPERTIES AUTOMOC OFF)
   target_link_libraries(${name} PRIVATE boresight_fakes ${T_LIBRARIES} Qt6::Test ${main} GTest::gmock)
-  boresight_unite(${name})
+  set(together "")
+  if(T_FOLDERS_TOGETHER)
+    set(together FOLDERS_TOGETHER)
+  endif()
+  boresight_unite(${name} ${together})
   if(T_OPTIMISED)
     target_compile_options(${name} PRIVATE -O1)
     boresight_precompile(${name} ${test_headers})

@@ -9444,94 +9444,6 @@ el %2</translation>
         <translation>aplique ou reverta primeiro as alterações</translation>
     </message>
     <message>
-        <source>Different: %1</source>
-        <translation>Diferente: %1</translation>
-    </message>
-    <message>
-        <source>%1: %2 → %3</source>
-        <translation>%1: %2 → %3</translation>
-    </message>
-    <message>
-        <source>%1: %2 → %3, on reconnect</source>
-        <translation>%1: %2 → %3, ao reconectar</translation>
-    </message>
-    <message>
-        <source>Switch to the mount &quot;%1&quot;?</source>
-        <translation>Trocar para a montagem &quot;%1&quot;?</translation>
-    </message>
-    <message>
-        <source>Switch</source>
-        <translation>Trocar</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is kept as a mount of its own</source>
-        <translation>&quot;%1&quot; está guardada como montagem própria</translation>
-    </message>
-    <message>
-        <source>Duplicate the mount &quot;%1&quot;?</source>
-        <translation>Duplicar a montagem &quot;%1&quot;?</translation>
-    </message>
-    <message>
-        <source>A new mount with the same settings. What this one remembers, such as the turns of its axes, is not copied.</source>
-        <translation>Uma montagem nova com os mesmos parâmetros. O que esta recorda, como as voltas dos seus eixos, não é copiado.</translation>
-    </message>
-    <message>
-        <source>Duplicate</source>
-        <translation>Duplicar</translation>
-    </message>
-    <message>
-        <source>Name of the new mount</source>
-        <translation>Nome da nova montagem</translation>
-    </message>
-    <message>
-        <source>%1 copy</source>
-        <translation>%1 cópia</translation>
-    </message>
-    <message>
-        <source>Apply keeps the new name; Reconnect puts it in force</source>
-        <translation>Aplicar guarda o novo nome; Reconectar põe-no em vigor</translation>
-    </message>
-    <message>
-        <source>The mount is called &quot;%1&quot; now</source>
-        <translation>A montagem chama-se agora &quot;%1&quot;</translation>
-    </message>
-    <message>
-        <source>Rename the mount &quot;%1&quot;?</source>
-        <translation>Mudar o nome da montagem &quot;%1&quot;?</translation>
-    </message>
-    <message>
-        <source>What a mount remembers is kept under its name: under a new one the turns of the axes are asked for again, unless the drives can tell them.</source>
-        <translation>O que uma montagem recorda fica guardado sob o seu nome: sob um novo pergunta-se de novo pelas voltas dos eixos, a não ser que os acionamentos as saibam dizer.</translation>
-    </message>
-    <message>
-        <source>Rename</source>
-        <translation>Mudar nome</translation>
-    </message>
-    <message>
-        <source>New name of the mount</source>
-        <translation>Novo nome da montagem</translation>
-    </message>
-    <message>
-        <source>This mount is in force: switch to another one first</source>
-        <translation>Esta montagem está em vigor: troque primeiro para outra</translation>
-    </message>
-    <message>
-        <source>Remove the mount &quot;%1&quot;?</source>
-        <translation>Retirar a montagem &quot;%1&quot;?</translation>
-    </message>
-    <message>
-        <source>It leaves the list. Its file is kept under the name %1.removed.</source>
-        <translation>Sai da lista. O seu arquivo fica guardado com o nome %1.removed.</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Retirar</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is removed</source>
-        <translation>&quot;%1&quot; foi retirada</translation>
-    </message>
-    <message>
         <source>Import the profile of a mount</source>
         <translation>Importar o perfil de uma montagem</translation>
     </message>
@@ -9544,128 +9456,8 @@ el %2</translation>
         <translation>Todos os arquivos (*)</translation>
     </message>
     <message>
-        <source>Import the mount &quot;%1&quot;?</source>
-        <translation>Importar a montagem &quot;%1&quot;?</translation>
-    </message>
-    <message>
-        <source>It is kept as a mount of its own; nothing else changes.
-
-Bus: %1
-Beside the mount in force:
-%2</source>
-        <translation>Fica guardada como montagem própria; nada mais muda.
-
-Barramento: %1
-Ao lado da montagem em vigor:
-%2</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>Importar</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is kept</source>
-        <translation>&quot;%1&quot; está guardada</translation>
-    </message>
-    <message>
-        <source>Take this file over into &quot;%1&quot;?</source>
-        <translation>Levar este arquivo para &quot;%1&quot;?</translation>
-    </message>
-    <message>
-        <source>This mount is in force. The values come into the page as edits; Apply puts them in force.
-
-%1</source>
-        <translation>Esta montagem está em vigor. Os valores entram na página como alterações; Aplicar põe-nos em vigor.
-
-%1</translation>
-    </message>
-    <message>
-        <source>Take over</source>
-        <translation>Levar</translation>
-    </message>
-    <message>
-        <source>Overwrite the mount &quot;%1&quot;?</source>
-        <translation>Sobrescrever a montagem &quot;%1&quot;?</translation>
-    </message>
-    <message>
-        <source>The version of now is kept as the one before.
-
-%1</source>
-        <translation>A versão de agora fica guardada como a anterior.
-
-%1</translation>
-    </message>
-    <message>
-        <source>Overwrite</source>
-        <translation>Sobrescrever</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is overwritten</source>
-        <translation>&quot;%1&quot; foi sobrescrita</translation>
-    </message>
-    <message>
-        <source>In the page, not applied: %1</source>
-        <translation>Na página, por aplicar: %1</translation>
-    </message>
-    <message>
         <source>Export the profile of &quot;%1&quot;</source>
         <translation>Exportar o perfil de &quot;%1&quot;</translation>
-    </message>
-    <message>
-        <source>Written: %1</source>
-        <translation>Gravado: %1</translation>
-    </message>
-    <message>
-        <source>This mount has no file with a version before</source>
-        <translation>Esta montagem não tem arquivo com uma versão anterior</translation>
-    </message>
-    <message>
-        <source>Apply or revert the edits first</source>
-        <translation>Aplique ou reverta primeiro as alterações</translation>
-    </message>
-    <message>
-        <source>Take back the last saved change of &quot;%1&quot;?</source>
-        <translation>Anular a última alteração gravada de &quot;%1&quot;?</translation>
-    </message>
-    <message>
-        <source>Taking it back can be taken back too.
-
-%1</source>
-        <translation>A anulação também pode ser anulada.
-
-%1</translation>
-    </message>
-    <message>
-        <source>Take back</source>
-        <translation>Anular</translation>
-    </message>
-    <message>
-        <source>The last change of &quot;%1&quot; is taken back</source>
-        <translation>A última alteração de &quot;%1&quot; foi anulada</translation>
-    </message>
-    <message>
-        <source>The last change is taken back</source>
-        <translation>A última alteração foi anulada</translation>
-    </message>
-    <message>
-        <source>Bus: simulated, because Boresight was started with --simulate. That of this mount, %1, is not used.</source>
-        <translation>Barramento: simulado, porque o Boresight foi iniciado com --simulate. O desta montagem, %1, não é usado.</translation>
-    </message>
-    <message>
-        <source>Bus: %1</source>
-        <translation>Barramento: %1</translation>
-    </message>
-    <message>
-        <source>The mount of now is left as at the end of the program, and the other one is connected as at a start. Nothing moves; the window stays.</source>
-        <translation>A montagem de agora é deixada como no fim do programa, e a outra é conectada como no início. Nada se move; a janela fica.</translation>
-    </message>
-    <message>
-        <source>The simulated mount has no profile that can be duplicated</source>
-        <translation>A montagem simulada não tem perfil que se possa duplicar</translation>
-    </message>
-    <message>
-        <source>This file names no bus of a real mount: it may hold what was found of the simulated one</source>
-        <translation>Este arquivo não indica o barramento de uma montagem real: pode conter o que se achou da simulada</translation>
     </message>
 </context>
 <context>
@@ -10503,6 +10295,217 @@ This is a function of the program. It does not replace the hard-wired emergency 
     <message>
         <source>latched</source>
         <translation>ativo</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::StoredMounts</name>
+    <message>
+        <source>Different: %1</source>
+        <translation>Diferente: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3</source>
+        <translation>%1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3, on reconnect</source>
+        <translation>%1: %2 → %3, ao reconectar</translation>
+    </message>
+    <message>
+        <source>Bus: simulated, because Boresight was started with --simulate. That of this mount, %1, is not used.</source>
+        <translation>Barramento: simulado, porque o Boresight foi iniciado com --simulate. O desta montagem, %1, não é usado.</translation>
+    </message>
+    <message>
+        <source>Bus: %1</source>
+        <translation>Barramento: %1</translation>
+    </message>
+    <message>
+        <source>The mount of now is left as at the end of the program, and the other one is connected as at a start. Nothing moves; the window stays.</source>
+        <translation>A montagem de agora é deixada como no fim do programa, e a outra é conectada como no início. Nada se move; a janela fica.</translation>
+    </message>
+    <message>
+        <source>Switch to the mount &quot;%1&quot;?</source>
+        <translation>Trocar para a montagem &quot;%1&quot;?</translation>
+    </message>
+    <message>
+        <source>Switch</source>
+        <translation>Trocar</translation>
+    </message>
+    <message>
+        <source>The simulated mount has no profile that can be duplicated</source>
+        <translation>A montagem simulada não tem perfil que se possa duplicar</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is kept as a mount of its own</source>
+        <translation>&quot;%1&quot; está guardada como montagem própria</translation>
+    </message>
+    <message>
+        <source>Duplicate the mount &quot;%1&quot;?</source>
+        <translation>Duplicar a montagem &quot;%1&quot;?</translation>
+    </message>
+    <message>
+        <source>A new mount with the same settings. What this one remembers, such as the turns of its axes, is not copied.</source>
+        <translation>Uma montagem nova com os mesmos parâmetros. O que esta recorda, como as voltas dos seus eixos, não é copiado.</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplicar</translation>
+    </message>
+    <message>
+        <source>Name of the new mount</source>
+        <translation>Nome da nova montagem</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <translation>%1 cópia</translation>
+    </message>
+    <message>
+        <source>Apply keeps the new name; Reconnect puts it in force</source>
+        <translation>Aplicar guarda o novo nome; Reconectar põe-no em vigor</translation>
+    </message>
+    <message>
+        <source>The mount is called &quot;%1&quot; now</source>
+        <translation>A montagem chama-se agora &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>Rename the mount &quot;%1&quot;?</source>
+        <translation>Mudar o nome da montagem &quot;%1&quot;?</translation>
+    </message>
+    <message>
+        <source>What a mount remembers is kept under its name: under a new one the turns of the axes are asked for again, unless the drives can tell them.</source>
+        <translation>O que uma montagem recorda fica guardado sob o seu nome: sob um novo pergunta-se de novo pelas voltas dos eixos, a não ser que os acionamentos as saibam dizer.</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Mudar nome</translation>
+    </message>
+    <message>
+        <source>New name of the mount</source>
+        <translation>Novo nome da montagem</translation>
+    </message>
+    <message>
+        <source>This mount is in force: switch to another one first</source>
+        <translation>Esta montagem está em vigor: troque primeiro para outra</translation>
+    </message>
+    <message>
+        <source>Remove the mount &quot;%1&quot;?</source>
+        <translation>Retirar a montagem &quot;%1&quot;?</translation>
+    </message>
+    <message>
+        <source>It leaves the list. Its file is kept under the name %1.removed.</source>
+        <translation>Sai da lista. O seu arquivo fica guardado com o nome %1.removed.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirar</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is removed</source>
+        <translation>&quot;%1&quot; foi retirada</translation>
+    </message>
+    <message>
+        <source>Import the mount &quot;%1&quot;?</source>
+        <translation>Importar a montagem &quot;%1&quot;?</translation>
+    </message>
+    <message>
+        <source>It is kept as a mount of its own; nothing else changes.
+
+Bus: %1
+Beside the mount in force:
+%2</source>
+        <translation>Fica guardada como montagem própria; nada mais muda.
+
+Barramento: %1
+Ao lado da montagem em vigor:
+%2</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importar</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is kept</source>
+        <translation>&quot;%1&quot; está guardada</translation>
+    </message>
+    <message>
+        <source>Take this file over into &quot;%1&quot;?</source>
+        <translation>Levar este arquivo para &quot;%1&quot;?</translation>
+    </message>
+    <message>
+        <source>This mount is in force. The values come into the page as edits; Apply puts them in force.
+
+%1</source>
+        <translation>Esta montagem está em vigor. Os valores entram na página como alterações; Aplicar põe-nos em vigor.
+
+%1</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>Levar</translation>
+    </message>
+    <message>
+        <source>This file names no bus of a real mount: it may hold what was found of the simulated one</source>
+        <translation>Este arquivo não indica o barramento de uma montagem real: pode conter o que se achou da simulada</translation>
+    </message>
+    <message>
+        <source>Overwrite the mount &quot;%1&quot;?</source>
+        <translation>Sobrescrever a montagem &quot;%1&quot;?</translation>
+    </message>
+    <message>
+        <source>The version of now is kept as the one before.
+
+%1</source>
+        <translation>A versão de agora fica guardada como a anterior.
+
+%1</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Sobrescrever</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is overwritten</source>
+        <translation>&quot;%1&quot; foi sobrescrita</translation>
+    </message>
+    <message>
+        <source>In the page, not applied: %1</source>
+        <translation>Na página, por aplicar: %1</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Gravado: %1</translation>
+    </message>
+    <message>
+        <source>This mount has no file with a version before</source>
+        <translation>Esta montagem não tem arquivo com uma versão anterior</translation>
+    </message>
+    <message>
+        <source>Apply or revert the edits first</source>
+        <translation>Aplique ou reverta primeiro as alterações</translation>
+    </message>
+    <message>
+        <source>Take back the last saved change of &quot;%1&quot;?</source>
+        <translation>Anular a última alteração gravada de &quot;%1&quot;?</translation>
+    </message>
+    <message>
+        <source>Taking it back can be taken back too.
+
+%1</source>
+        <translation>A anulação também pode ser anulada.
+
+%1</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Anular</translation>
+    </message>
+    <message>
+        <source>The last change of &quot;%1&quot; is taken back</source>
+        <translation>A última alteração de &quot;%1&quot; foi anulada</translation>
+    </message>
+    <message>
+        <source>The last change is taken back</source>
+        <translation>A última alteração foi anulada</translation>
     </message>
 </context>
 <context>

@@ -19,6 +19,7 @@ class QGridLayout;
 // The charts of one axis, one above the other: position, error, and a quantity of its drive; with the buttons that
 // choose what is shown. Now is at the right end; paused, the picture stands still and the data are collected on.
 // Where nothing came from the drives, nothing is drawn. It can stand in its panel or, larger, in the place of the sky.
+// More than 15 members: the widgets that it composes, and what they show.
 namespace boresight::ui {
 
 class ChoiceButton;

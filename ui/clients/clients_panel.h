@@ -12,6 +12,7 @@ class QTableView;
 
 // The rotctld clients: who is connected, who of them moves the mount and by which rule, and what the operator can do
 // about each; below, the MQTT broker, if there is to be one. The rule is a setting of the profile and applied at once.
+// More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
 class ChoiceButton;

@@ -18,6 +18,7 @@ class QPlainTextEdit;
 // The question which turn an axis is on: a picture of its travel with the places it may be at, what speaks for each,
 // and the answer: one of a few, or an angle read off the mount that selects the nearest of many. Nothing is selected
 // unless the evidence proposes it, and nothing is sent without a press. One axis at a time, azimuth first.
+// More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
 class CommandButton;

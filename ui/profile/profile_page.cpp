@@ -2,6 +2,7 @@
 #include "ui/profile/profile_page.h"
 
 #include "ui/kit/command_button.h"
+#include "ui/kit/file_dialog.h"
 #include "ui/kit/push_button.h"
 #include "ui/kit/value_label.h"
 #include "ui/link/profile_draft_bar.h"
@@ -18,8 +19,7 @@ namespace boresight::ui {
 ProfilePage::ProfilePage(ProfileDraft& draft, RequestDesk& desk, const QString& configDir, QWidget* parent)
     : AskingPanel(desk, parent),
       m_draft(draft),
-      m_hasStore(!configDir.isEmpty()),
-      m_store(configDir),
+      m_mounts(draft, configDir),
       m_choice(new QComboBox(this)),
       m_menuButton(makePushButton({.text = tr("Mounts"),
                                    .name = tr("Duplicate, rename, import, export the chosen mount"),
@@ -32,10 +32,14 @@ ProfilePage::ProfilePage(ProfileDraft& draft, RequestDesk& desk, const QString& 
       m_bar(new ProfileDraftBar(draft, desk, this))
 {
     build();
-    connect(m_switch, &QPushButton::clicked, this, &ProfilePage::switchTo);
+    connect(m_switch, &QPushButton::clicked, this, [this] { m_mounts.switchTo(chosen()); });
     connect(m_choice, &QComboBox::currentIndexChanged, this, &ProfilePage::showChoice);
     connect(&m_draft, &ProfileDraft::changed, this, &ProfilePage::showChoice);
-    showMounts({});
+    connect(&m_mounts, &StoredMounts::listed, this, &ProfilePage::showMounts);
+    connect(&m_mounts, &StoredMounts::asked, this, [this](const Question& question) { askFirst(question, m_status); });
+    connect(&m_mounts, &StoredMounts::done, this, &ProfilePage::tell);
+    connect(&m_mounts, &StoredMounts::failed, this, &ProfilePage::warn);
+    showMounts();
 }
 
 void ProfilePage::build()
@@ -66,25 +70,25 @@ QWidget* ProfilePage::makeMountRow()
     m_choice->setToolTip(tr("The mounts of this computer; choosing one does nothing yet"));
     m_menuButton->setMinimumSize(m_switch->minimumSizeHint());
     m_menuButton->setMenu(m_menu);
-    addAction(tr("Duplicate …"), &ProfilePage::duplicate);
-    addAction(tr("Rename …"), &ProfilePage::rename);
-    addAction(tr("Take back the last saved change …"), &ProfilePage::takeBack);
+    addAction(tr("Duplicate …"), [this] { m_mounts.duplicate(chosen()); });
+    addAction(tr("Rename …"), [this] { m_mounts.rename(chosen()); });
+    addAction(tr("Take back the last saved change …"), [this] { m_mounts.takeBack(chosen()); });
     m_menu->addSeparator();
-    addAction(tr("Import …"), &ProfilePage::chooseImport);
-    addAction(tr("Export …"), &ProfilePage::chooseExport);
+    addAction(tr("Import …"), [this] { chooseImport(); });
+    addAction(tr("Export …"), [this] { chooseExport(); });
     m_menu->addSeparator();
-    addAction(tr("Remove …"), &ProfilePage::remove);
+    addAction(tr("Remove …"), [this] { m_mounts.remove(chosen()); });
     line->addWidget(m_choice, 1);
     line->addWidget(m_switch);
     line->addWidget(m_menuButton);
     return row;
 }
 
-void ProfilePage::addAction(const QString& text, void (ProfilePage::*act)())
+void ProfilePage::addAction(const QString& text, const std::function<void()>& act)
 {
     m_menu->addAction(text, this, [this, act] {
         tell({});
-        (this->*act)();
+        act();
     });
 }
 
@@ -99,50 +103,36 @@ void ProfilePage::showStatus(const StationStatus& status)
     m_status = status;
     if (otherMount) {
         m_choice->setCurrentIndex(-1);  // it is the one to look at now
-        showMounts(m_mounts);
-        refresh();  // the station's mount may have got its file by now
     }
+    m_mounts.showStatus(status);
     m_switch->setBlocked(whyNoSwitch());
     showWhetherPossible(status);
 }
 
 void ProfilePage::showEvent(QShowEvent* event)
 {
-    refresh();  // another program may have changed the folder
+    m_mounts.refresh();
     AskingPanel::showEvent(event);
 }
 
-void ProfilePage::refresh()
+// What was chosen stays chosen.
+void ProfilePage::showMounts()
 {
-    if (m_hasStore) {
-        m_files.run(
-            this, [store = m_store] { return store.list(); },
-            [this](const std::vector<profile::StoredProfile>& mounts) { showMounts(mounts); });
-    }
-}
-
-// The mount in force is in the list also before it has a file. What was chosen stays chosen.
-void ProfilePage::showMounts(const std::vector<profile::StoredProfile>& mounts)
-{
-    const QString before = chosen().mountName;
-    m_mounts = mounts;
-    std::erase_if(m_mounts, [](const profile::StoredProfile& one) { return one.path.isEmpty(); });
-    if (std::ranges::none_of(m_mounts, [this](const auto& one) { return isInForce(one); })) {
-        m_mounts.insert(m_mounts.begin(),
-                        {.path = {}, .mountName = QString::fromStdString(m_status.profile->mount.name)});
-    }
+    const QString before = m_choice->currentData().toString();
+    const std::vector<profile::StoredProfile>& mounts = m_mounts.list();
     const QSignalBlocker quiet(m_choice);
     m_choice->clear();
-    for (const profile::StoredProfile& mount : m_mounts) {
-        m_choice->addItem(isInForce(mount)           ? tr("%1 (in force)").arg(mount.mountName)
-                          : !mount.problem.isEmpty() ? tr("▲ %1").arg(mount.mountName)
-                                                     : mount.mountName);
+    for (const profile::StoredProfile& mount : mounts) {
+        const QString text = m_mounts.isInForce(mount)  ? tr("%1 (in force)").arg(mount.mountName)
+                             : !mount.problem.isEmpty() ? tr("▲ %1").arg(mount.mountName)
+                                                        : mount.mountName;
+        m_choice->addItem(text, mount.mountName);
     }
-    auto found = std::ranges::find(m_mounts, before, &profile::StoredProfile::mountName);
-    if (found == m_mounts.end()) {
-        found = std::ranges::find_if(m_mounts, [this](const auto& one) { return isInForce(one); });
+    auto found = std::ranges::find(mounts, before, &profile::StoredProfile::mountName);
+    if (found == mounts.end()) {
+        found = std::ranges::find_if(mounts, [this](const auto& one) { return m_mounts.isInForce(one); });
     }
-    m_choice->setCurrentIndex(static_cast<int>(found - m_mounts.begin()));
+    m_choice->setCurrentIndex(static_cast<int>(found - mounts.begin()));
     showChoice();
 }
 
@@ -157,26 +147,29 @@ void ProfilePage::showChoice()
 profile::StoredProfile ProfilePage::chosen() const
 {
     const int index = m_choice->currentIndex();
-    return index < 0 ? profile::StoredProfile() : m_mounts[static_cast<std::size_t>(index)];
+    return index < 0 ? profile::StoredProfile() : m_mounts.list()[static_cast<std::size_t>(index)];
 }
 
-bool ProfilePage::isInForce(const profile::StoredProfile& mount) const
+void ProfilePage::chooseImport()
 {
-    return mount.problem.isEmpty() && mount.mountName.toStdString() == m_status.profile->mount.name;
+    const QFileDialog* const dialog = askForFile(*this, tr("Import the profile of a mount"), QFileDialog::AcceptOpen,
+                                                 {tr("Profile (*.toml)"), tr("All files (*)")});
+    connect(dialog, &QFileDialog::fileSelected, &m_mounts, &StoredMounts::importFile);
 }
 
-const profile::StoredProfile* ProfilePage::stored(const QString& mountName) const
+void ProfilePage::chooseExport()
 {
-    const auto found = std::ranges::find_if(m_mounts, [&mountName](const profile::StoredProfile& one) {
-        return one.problem.isEmpty() && one.mountName == mountName;
-    });
-    return found == m_mounts.end() ? nullptr : &*found;
+    QFileDialog* const dialog = askForFile(*this, tr("Export the profile of \"%1\"").arg(chosen().mountName),
+                                           QFileDialog::AcceptSave, {tr("Profile (*.toml)")});
+    dialog->selectFile(chosen().mountName + QStringLiteral(".toml"));
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this](const QString& file) { m_mounts.exportTo(file, chosen()); });
 }
 
 QString ProfilePage::whyNoSwitch() const
 {
     const profile::StoredProfile mount = chosen();
-    if (isInForce(mount)) {
+    if (m_mounts.isInForce(mount)) {
         return tr("this mount is in force");
     }
     if (!mount.problem.isEmpty()) {

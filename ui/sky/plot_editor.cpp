@@ -2,12 +2,13 @@
 #include "ui/sky/plot_editor.h"
 
 #include "ui/kit/format.h"
-#include "ui/kit/theme.h"
+#include "ui/sky/region_marks.h"
 
 #include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QPainter>
 
 namespace boresight::ui {
 
@@ -105,6 +106,22 @@ void PlotEditor::select(const std::optional<Grip>& grip)
 {
     m_selected = grip;
     update();
+}
+
+void PlotEditor::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    paint(painter);
+}
+
+void PlotEditor::paint(QPainter& painter) const
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    const RegionMarks marks(edited(), m_travel, m_sky);
+    marks.paintChanges(painter, m_draft.inForce().limits);
+    if (m_editing) {
+        marks.paintGrips(painter, m_selected);
+    }
 }
 
 void PlotEditor::mousePressEvent(QMouseEvent* event)

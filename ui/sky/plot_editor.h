@@ -57,10 +57,6 @@ private:
     void removeSelected();
     void showReadout();
 
-    void paintChanges(QPainter& painter) const;
-    void paintKeepOuts(QPainter& painter) const;
-    void paintGrips(QPainter& painter) const;
-
     ProfileDraft& m_draft;
     SkyProjection m_sky;
     Travel m_travel;

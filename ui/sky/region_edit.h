@@ -1,51 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/pointing/region.h"
-#include "ui/sky/sky_limits.h"
-#include "ui/sky/sky_projection.h"
+#include "ui/sky/region_grip.h"
 
 #include <QString>
 
-#include <optional>
-
-// The region of the profile taken by the hand: which part of it lies under a pixel of the plot, and what it becomes
-// when that part is dragged. Pure values; PlotEditor brings mouse and keys.
+// What the region of the profile becomes when a part of it is dragged, added or removed. Pure values; PlotEditor brings
+// mouse and keys.
 namespace boresight::ui {
 
-enum class RegionPart
-{
-    AzimuthMin,
-    AzimuthMax,
-    ElevationMin,
-    ElevationMax,
-    HorizonPoint,
-    KeepOut
-};
-
-// The sides of a keep-out that move with the hand: one for an edge, two for a corner, all for the whole.
-struct KeepOutSides
-{
-    bool from = false;
-    bool to = false;
-    bool min = false;
-    bool max = false;
-
-    bool operator==(const KeepOutSides&) const = default;
-};
-
-struct Grip
-{
-    RegionPart part = RegionPart::HorizonPoint;
-    std::size_t index = 0;  // of the horizon point or keep-out
-    KeepOutSides sides{};   // of a keep-out
-
-    bool operator==(const Grip&) const = default;
-};
-
-// `reach` in pixels. Points go before edges, edges before areas.
-[[nodiscard]] std::optional<Grip> gripAt(const pointing::Region& region, const Travel& travel, const SkyProjection& sky,
-                                         QPointF pixel, double reach);
 [[nodiscard]] QString describe(const pointing::Region& region, const Travel& travel, const Grip& grip);
 
 // The region as it is after the hand went from where it took hold to where it is now. The azimuth is followed through

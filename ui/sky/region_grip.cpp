@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which part of the region lies under a pixel.
-#include "ui/sky/region_edit.h"
+#include "ui/sky/region_grip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +7,6 @@
 namespace boresight::ui {
 
 namespace {
-
-constexpr Angle kRegionGripTick =
-    10_deg;  // how far up the mark of an azimuth limit reaches while the whole circle is permitted
 
 double distance(QPointF a, QPointF b)
 {
@@ -51,10 +47,9 @@ private:
 
     // What the axes show where the beam looks there.
     [[nodiscard]] AxisPosition axesUnder() const { return m_limits.pointing.toAxes(under()).axes; }
-    [[nodiscard]] Angle level() const { return -m_limits.pointing.terms().elevationOffset; }
     [[nodiscard]] bool onLimitRing(Angle elevation) const
     {
-        return abs(axesUnder().elevation - std::max(elevation, level())) / 90_deg * m_sky.radius <= m_reach;
+        return abs(axesUnder().elevation - std::max(elevation, m_limits.level())) / 90_deg * m_sky.radius <= m_reach;
     }
     [[nodiscard]] bool onLimitRay(Angle azimuth) const
     {
@@ -88,7 +83,7 @@ private:
     {
         const auto& [min, max] = m_limits.azimuth;
         const bool wholeCircle = max - min >= 360_deg;
-        if (max <= min || (wholeCircle && axesUnder().elevation > level() + kRegionGripTick)) {
+        if (max <= min || (wholeCircle && axesUnder().elevation > m_limits.level() + kLimitMark)) {
             return std::nullopt;
         }
         const bool onMin = onLimitRay(min);
@@ -106,7 +101,7 @@ private:
         if (max <= min) {
             return std::nullopt;
         }
-        if (max <= level() + 90_deg && onLimitRing(max)) {
+        if (max <= m_limits.level() + 90_deg && onLimitRing(max)) {
             return Grip{.part = RegionPart::ElevationMax};
         }
         return onLimitRing(min) ? std::optional(Grip{.part = RegionPart::ElevationMin}) : std::nullopt;

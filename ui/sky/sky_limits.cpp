@@ -57,7 +57,7 @@ std::vector<SkySector> unreachable(const Travel& permitted)
         return sectors;  // no profile heard of yet
     }
     // Where the axes look to the horizon and to their zenith.
-    const Angle level = -pointing.terms().elevationOffset;
+    const Angle level = permitted.level();
     const Angle zenith = 90_deg + level;
     const auto add = [&](Angle from, Angle to, Angle low, Angle high, const QString& name, SectorKind kind) {
         sectors.push_back({from, to, low, high, name, kind, pointing});

@@ -48,6 +48,8 @@ struct Travel
     TravelRange elevation;
     pointing::PointingModel pointing{};
 
+    // The elevation of the axes at which they look to the horizon.
+    [[nodiscard]] Angle level() const { return -pointing.terms().elevationOffset; }
     bool operator==(const Travel&) const = default;
 };
 

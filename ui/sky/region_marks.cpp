@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the limits being changed look on the plot.
-#include "ui/kit/theme.h"
-#include "ui/sky/plot_editor.h"
+#include "ui/sky/region_marks.h"
 
-#include <QPaintEvent>
+#include "ui/kit/theme.h"
+
 #include <QPainter>
 
 #include <algorithm>
@@ -12,8 +11,7 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr double kGripSize = 8.0;               // px
-constexpr Angle kPlotEditorPaintTick = 10_deg;  // of an azimuth limit where the whole circle is permitted
+constexpr double kGripSize = 8.0;  // px
 
 QPen dashed()
 {
@@ -28,41 +26,24 @@ void drawGrip(QPainter& painter, QPointF at, bool selected)
     painter.drawRect(selected ? box.adjusted(-2, -2, 2, 2) : box);
 }
 
-// Where the axes look to the horizon.
-Angle levelOf(const Travel& travel)
-{
-    return -travel.pointing.terms().elevationOffset;
-}
-
 }  // namespace
 
-void PlotEditor::paintEvent(QPaintEvent*)
+void RegionMarks::paintChanges(QPainter& painter, const pointing::Region& inForce) const
 {
-    QPainter painter(this);
-    paint(painter);
-}
-
-void PlotEditor::paint(QPainter& painter) const
-{
-    painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(dashed());
-    paintChanges(painter);
-    paintKeepOuts(painter);
-    if (m_editing) {
-        paintGrips(painter);
+    if (m_edited.horizon != inForce.horizon) {
+        painter.drawPath(horizonLine(m_edited.horizon, m_sky));
     }
+    paintLimits(painter, inForce);
+    paintKeepOuts(painter, inForce.keepOuts);
 }
 
-void PlotEditor::paintChanges(QPainter& painter) const
+void RegionMarks::paintLimits(QPainter& painter, const pointing::Region& inForce) const
 {
-    const pointing::Region& inForce = m_draft.inForce().limits;
     const Travel before = permitted(inForce, m_travel);
-    const Travel after = permitted(edited(), m_travel);
-    const Angle level = levelOf(m_travel);
-    if (edited().horizon != inForce.horizon) {
-        painter.drawPath(horizonLine(edited().horizon, m_sky));
-    }
+    const Travel after = permitted(m_edited, m_travel);
+    const Angle level = m_travel.level();
     for (const auto& [was, is] :
          {std::pair(before.azimuth.min, after.azimuth.min), std::pair(before.azimuth.max, after.azimuth.max)}) {
         if (was != is) {
@@ -78,16 +59,15 @@ void PlotEditor::paintChanges(QPainter& painter) const
 }
 
 // New and moved ones dashed; one that is to go is crossed out.
-void PlotEditor::paintKeepOuts(QPainter& painter) const
+void RegionMarks::paintKeepOuts(QPainter& painter, const std::vector<pointing::KeepOut>& inForce) const
 {
-    const std::vector<pointing::KeepOut>& inForce = m_draft.inForce().limits.keepOuts;
-    for (const pointing::KeepOut& keepOut : edited().keepOuts) {
+    for (const pointing::KeepOut& keepOut : m_edited.keepOuts) {
         if (std::ranges::find(inForce, keepOut) == inForce.end()) {
             painter.drawPath(outline(sectorOf(keepOut), m_sky));
         }
     }
     for (const pointing::KeepOut& keepOut : inForce) {
-        if (std::ranges::find(edited().keepOuts, keepOut.name, &pointing::KeepOut::name) == edited().keepOuts.end()) {
+        if (std::ranges::find(m_edited.keepOuts, keepOut.name, &pointing::KeepOut::name) == m_edited.keepOuts.end()) {
             painter.drawLine(m_sky.toPixel({keepOut.azimuthFrom, keepOut.elevationMin}),
                              m_sky.toPixel({keepOut.azimuthTo, keepOut.elevationMax}));
             painter.drawLine(m_sky.toPixel({keepOut.azimuthFrom, keepOut.elevationMax}),
@@ -96,31 +76,30 @@ void PlotEditor::paintKeepOuts(QPainter& painter) const
     }
 }
 
-void PlotEditor::paintGrips(QPainter& painter) const
+void RegionMarks::paintGrips(QPainter& painter, const std::optional<Grip>& selected) const
 {
-    const auto isSelected = [this](RegionPart part, std::size_t index) {
-        return m_selected && m_selected->part == part && m_selected->index == index;
+    const auto isSelected = [&selected](RegionPart part, std::size_t index) {
+        return selected && selected->part == part && selected->index == index;
     };
-    const Travel limits = permitted(edited(), m_travel);
+    const Travel limits = permitted(m_edited, m_travel);
     const bool wholeCircle = limits.azimuth.max - limits.azimuth.min >= 360_deg;
-    const Angle level = levelOf(limits);
+    const Angle level = limits.level();
     for (const auto& [part, azimuth] : {std::pair(RegionPart::AzimuthMin, limits.azimuth.min),
                                         std::pair(RegionPart::AzimuthMax, limits.azimuth.max)}) {
         painter.setPen(QPen(currentTheme().accent, isSelected(part, 0) ? 4.0 : 2.5));
-        painter.drawPath(meridian(azimuth, level,
-                                  level + (wholeCircle ? kPlotEditorPaintTick : kPlotEditorPaintTick * 0.5),
-                                  limits.pointing, m_sky));
+        painter.drawPath(
+            meridian(azimuth, level, level + (wholeCircle ? kLimitMark : kLimitMark * 0.5), limits.pointing, m_sky));
     }
-    for (std::size_t i = 0; i < edited().keepOuts.size(); ++i) {
-        const SkySector sector = sectorOf(edited().keepOuts[i]);
+    for (std::size_t i = 0; i < m_edited.keepOuts.size(); ++i) {
+        const SkySector sector = sectorOf(m_edited.keepOuts[i]);
         for (const Angle azimuth : {sector.fromAzimuth, sector.toAzimuth}) {
             for (const Angle elevation : {sector.fromElevation, sector.toElevation}) {
                 drawGrip(painter, m_sky.toPixel({azimuth, elevation}), isSelected(RegionPart::KeepOut, i));
             }
         }
     }
-    for (std::size_t i = 0; i < edited().horizon.size(); ++i) {
-        const pointing::HorizonPoint& point = edited().horizon[i];
+    for (std::size_t i = 0; i < m_edited.horizon.size(); ++i) {
+        const pointing::HorizonPoint& point = m_edited.horizon[i];
         drawGrip(painter, m_sky.toPixel({point.azimuth, point.elevation}), isSelected(RegionPart::HorizonPoint, i));
     }
     const auto southOf = [&](Angle elevation) {

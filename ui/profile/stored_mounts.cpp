@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of ProfilePage for what is done with whole profiles: switch, duplicate, import, take back …
+#include "ui/profile/stored_mounts.h"
+
 #include "core/profile/commissioning.h"
 #include "core/profile/profile_diff.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_history.h"
 #include "core/profile/setting.h"
-#include "ui/kit/file_dialog.h"
-#include "ui/profile/profile_page.h"
 
 #include <QFileInfo>
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace boresight::ui {
@@ -22,10 +23,10 @@ const QString kNameKey = QStringLiteral("mount.name");
 QString differences(const profile::Profile& from, const profile::Profile& to)
 {
     const auto changes = profile::changesBetween(from, to);
-    QString text = ProfilePage::tr("Different: %1").arg(changes.size());
+    QString text = StoredMounts::tr("Different: %1").arg(changes.size());
     for (const profile::Change& change : changes) {
-        const QString line = change.applies == profile::Applies::Now ? ProfilePage::tr("%1: %2 → %3")
-                                                                     : ProfilePage::tr("%1: %2 → %3, on reconnect");
+        const QString line = change.applies == profile::Applies::Now ? StoredMounts::tr("%1: %2 → %3")
+                                                                     : StoredMounts::tr("%1: %2 → %3, on reconnect");
         text += QLatin1Char('\n') + line.arg(QString::fromStdString(change.key), QString::fromStdString(change.before),
                                              QString::fromStdString(change.after));
     }
@@ -49,7 +50,58 @@ QString text(const Error& error)
 
 }  // namespace
 
-void ProfilePage::load(const QString& path, const std::function<void(const profile::Profile&)>& then)
+StoredMounts::StoredMounts(ProfileDraft& draft, const QString& configDir)
+    : m_draft(draft),
+      m_hasStore(!configDir.isEmpty()),
+      m_store(configDir),
+      m_inForce(StationStatus().profile->mount.name)
+{
+    takeList({});
+}
+
+void StoredMounts::showStatus(const StationStatus& status)
+{
+    m_simulated = status.simulated;
+    if (status.profile->mount.name != m_inForce) {
+        m_inForce = status.profile->mount.name;
+        takeList(m_mounts);
+        refresh();  // the station's mount may have got its file by now
+    }
+}
+
+void StoredMounts::refresh()
+{
+    if (m_hasStore) {
+        m_files.run(
+            this, [store = m_store] { return store.list(); },
+            [this](const std::vector<profile::StoredProfile>& mounts) { takeList(mounts); });
+    }
+}
+
+void StoredMounts::takeList(std::vector<profile::StoredProfile> mounts)
+{
+    std::erase_if(mounts, [](const profile::StoredProfile& one) { return one.path.isEmpty(); });
+    if (std::ranges::none_of(mounts, [this](const auto& one) { return isInForce(one); })) {
+        mounts.insert(mounts.begin(), {.path = {}, .mountName = QString::fromStdString(m_inForce)});
+    }
+    m_mounts = std::move(mounts);
+    Q_EMIT listed();
+}
+
+bool StoredMounts::isInForce(const profile::StoredProfile& mount) const
+{
+    return mount.problem.isEmpty() && mount.mountName.toStdString() == m_inForce;
+}
+
+const profile::StoredProfile* StoredMounts::stored(const QString& mountName) const
+{
+    const auto found = std::ranges::find_if(m_mounts, [&mountName](const profile::StoredProfile& one) {
+        return one.problem.isEmpty() && one.mountName == mountName;
+    });
+    return found == m_mounts.end() ? nullptr : &*found;
+}
+
+void StoredMounts::load(const QString& path, const std::function<void(const profile::Profile&)>& then)
 {
     m_files.run(
         this, [path] { return profile::loadProfile(path); },
@@ -57,31 +109,31 @@ void ProfilePage::load(const QString& path, const std::function<void(const profi
             if (read) {
                 then(*read);
             } else {
-                warn(text(read.error()));
+                Q_EMIT failed(text(read.error()));
             }
         });
 }
 
-void ProfilePage::write(const Outcome& work, const QString& done)
+void StoredMounts::write(const Outcome& work, const QString& outcome)
 {
-    m_files.run(this, work, [this, done](const Result<>& written) {
+    m_files.run(this, work, [this, outcome](const Result<>& written) {
         if (written) {
-            tell(done);
+            Q_EMIT done(outcome);
         } else {
-            warn(text(written.error()));
+            Q_EMIT failed(text(written.error()));
         }
         refresh();
     });
 }
 
-void ProfilePage::ask(const QString& title, const QString& text, const QString& act, const Perform& perform)
+void StoredMounts::ask(const QString& title, const QString& text, const QString& act, const Perform& perform)
 {
-    askFirst({.title = title, .text = text, .act = act, .request = {}, .perform = perform}, m_status);
+    Q_EMIT asked({.title = title, .text = text, .act = act, .request = {}, .perform = perform});
 }
 
-void ProfilePage::switchTo()
+void StoredMounts::switchTo(const profile::StoredProfile& mount)
 {
-    load(chosen().path, [this](const profile::Profile& other) {
+    load(mount.path, [this](const profile::Profile& other) {
         const QString bus = QString::fromStdString(other.bus);
         const QString lines =
             (m_draft.keepsSimulated() ? tr("Bus: simulated, because Boresight was started with --simulate. That of "
@@ -92,22 +144,20 @@ void ProfilePage::switchTo()
             tr("The mount of now is left as at the end of the program, and the other one is connected as at a start. "
                "Nothing moves; the window stays.") +
             QStringLiteral("\n\n") + differences(m_draft.applied(), other);
-        askFirst({.title = tr("Switch to the mount \"%1\"?").arg(nameOf(other)),
-                  .text = lines,
-                  .act = tr("Switch"),
-                  .request = request::Reconnect{other},
-                  .action = Action::Reconnect},
-                 m_status);
+        Q_EMIT asked({.title = tr("Switch to the mount \"%1\"?").arg(nameOf(other)),
+                      .text = lines,
+                      .act = tr("Switch"),
+                      .request = request::Reconnect{other},
+                      .action = Action::Reconnect});
     });
 }
 
-void ProfilePage::duplicate()
+void StoredMounts::duplicate(const profile::StoredProfile& mount)
 {
-    const profile::StoredProfile mount = chosen();
     // What was found in a simulation is no mount of its own.
-    const bool asApplied = isInForce(mount) && !m_status.simulated;
+    const bool asApplied = isInForce(mount) && !m_simulated;
     if (mount.path.isEmpty() && !asApplied) {
-        warn(tr("The simulated mount has no profile that can be duplicated"));
+        Q_EMIT failed(tr("The simulated mount has no profile that can be duplicated"));
         return;
     }
     const auto perform = [this, mount, asApplied, applied = m_draft.applied()](const QString& name) {
@@ -120,7 +170,7 @@ void ProfilePage::duplicate()
         };
         write(work, tr("\"%1\" is kept as a mount of its own").arg(name));
     };
-    askFirst(
+    Q_EMIT asked(
         {.title = tr("Duplicate the mount \"%1\"?").arg(mount.mountName),
          .text = tr("A new mount with the same settings. What this one remembers, such as the turns of its axes, is "
                     "not copied."),
@@ -128,22 +178,20 @@ void ProfilePage::duplicate()
          .request = {},
          .perform = perform,
          .typedName = tr("Name of the new mount"),
-         .typed = tr("%1 copy").arg(mount.mountName)},
-        m_status);
+         .typed = tr("%1 copy").arg(mount.mountName)});
 }
 
-void ProfilePage::rename()
+void StoredMounts::rename(const profile::StoredProfile& mount)
 {
-    const profile::StoredProfile mount = chosen();
     const auto perform = [this, mount](const QString& name) {
         if (isInForce(mount)) {
             profile::Profile renamed = m_draft.edited();
             if (const Result<> fits = setName(renamed, name); !fits) {
-                warn(text(fits.error()));
+                Q_EMIT failed(text(fits.error()));
                 return;
             }
             m_draft.edit([&renamed](profile::Profile& profile) { profile = renamed; });
-            tell(tr("Apply keeps the new name; Reconnect puts it in force"));
+            Q_EMIT done(tr("Apply keeps the new name; Reconnect puts it in force"));
             return;
         }
         const auto work = [mount, name, store = m_store] {
@@ -153,7 +201,7 @@ void ProfilePage::rename()
         };
         write(work, tr("The mount is called \"%1\" now").arg(name));
     };
-    askFirst(
+    Q_EMIT asked(
         {.title = tr("Rename the mount \"%1\"?").arg(mount.mountName),
          .text = tr("What a mount remembers is kept under its name: under a new one the turns of the axes are asked "
                     "for again, unless the drives can tell them."),
@@ -161,15 +209,13 @@ void ProfilePage::rename()
          .request = {},
          .perform = perform,
          .typedName = tr("New name of the mount"),
-         .typed = mount.mountName},
-        m_status);
+         .typed = mount.mountName});
 }
 
-void ProfilePage::remove()
+void StoredMounts::remove(const profile::StoredProfile& mount)
 {
-    const profile::StoredProfile mount = chosen();
     if (isInForce(mount)) {
-        warn(tr("This mount is in force: switch to another one first"));
+        Q_EMIT failed(tr("This mount is in force: switch to another one first"));
         return;
     }
     ask(tr("Remove the mount \"%1\"?").arg(mount.mountName),
@@ -180,19 +226,12 @@ void ProfilePage::remove()
         });
 }
 
-void ProfilePage::chooseImport()
-{
-    const QFileDialog* const dialog = askForFile(*this, tr("Import the profile of a mount"), QFileDialog::AcceptOpen,
-                                                 {tr("Profile (*.toml)"), tr("All files (*)")});
-    connect(dialog, &QFileDialog::fileSelected, this, &ProfilePage::import);
-}
-
-void ProfilePage::import(const QString& file)
+void StoredMounts::importFile(const QString& file)
 {
     load(file, [this](const profile::Profile& read) { askImport(read); });
 }
 
-void ProfilePage::askImport(const profile::Profile& read)
+void StoredMounts::askImport(const profile::Profile& read)
 {
     const profile::StoredProfile* const mount = stored(nameOf(read));
     if (mount == nullptr) {
@@ -210,56 +249,52 @@ void ProfilePage::askImport(const profile::Profile& read)
             tr("Take over"),
             [this, read](const QString&) { takeOver(read, profile::changedKeys(m_draft.applied(), read)); });
     } else {
-        load(mount->path, [this, read, mount = *mount](const profile::Profile& kept) {
-            if (profile::namesNoBus(read) && !profile::namesNoBus(kept)) {
-                warn(tr("This file names no bus of a real mount: it may hold what was found of the simulated one"));
-                return;
-            }
-            ask(tr("Overwrite the mount \"%1\"?").arg(nameOf(read)),
-                tr("The version of now is kept as the one before.\n\n%1").arg(differences(kept, read)), tr("Overwrite"),
-                [this, read, mount](const QString&) {
-                    write([read, mount, store = m_store] { return store.save(read, mount.path); },
-                          tr("\"%1\" is overwritten").arg(nameOf(read)));
-                });
-        });
+        load(mount->path,
+             [this, read, mount = *mount](const profile::Profile& kept) { askOverwrite(read, mount, kept); });
     }
 }
 
-void ProfilePage::takeOver(const profile::Profile& from, const std::vector<std::string>& keys)
+void StoredMounts::askOverwrite(const profile::Profile& read, const profile::StoredProfile& mount,
+                                const profile::Profile& kept)
 {
-    m_draft.takeOver(from, keys);
-    tell(tr("In the page, not applied: %1").arg(m_draft.editedKeys().size()));
+    if (profile::namesNoBus(read) && !profile::namesNoBus(kept)) {
+        Q_EMIT failed(tr("This file names no bus of a real mount: it may hold what was found of the simulated one"));
+        return;
+    }
+    ask(tr("Overwrite the mount \"%1\"?").arg(nameOf(read)),
+        tr("The version of now is kept as the one before.\n\n%1").arg(differences(kept, read)), tr("Overwrite"),
+        [this, read, mount](const QString&) {
+            write([read, mount, store = m_store] { return store.save(read, mount.path); },
+                  tr("\"%1\" is overwritten").arg(nameOf(read)));
+        });
 }
 
-void ProfilePage::chooseExport()
+void StoredMounts::takeOver(const profile::Profile& from, const std::vector<std::string>& keys)
 {
-    QFileDialog* const dialog = askForFile(*this, tr("Export the profile of \"%1\"").arg(chosen().mountName),
-                                           QFileDialog::AcceptSave, {tr("Profile (*.toml)")});
-    dialog->selectFile(chosen().mountName + QStringLiteral(".toml"));
-    connect(dialog, &QFileDialog::fileSelected, this, &ProfilePage::exportTo);
+    m_draft.takeOver(from, keys);
+    Q_EMIT done(tr("In the page, not applied: %1").arg(m_draft.editedKeys().size()));
 }
 
 // Of the mount in force as it is applied: its file may hold what the command line overrides. What was changed in a
 // simulation goes without the bus, so that no real mount takes it for its own.
-void ProfilePage::exportTo(const QString& file)
+void StoredMounts::exportTo(const QString& file, const profile::StoredProfile& mount)
 {
     const profile::Profile& inForce = m_draft.applied();
-    const auto work = [file, mount = chosen(), applied = m_status.simulated ? profile::withoutBus(inForce) : inForce,
-                       store = m_store, asApplied = isInForce(chosen())] {
+    const auto work = [file, mount, applied = m_simulated ? profile::withoutBus(inForce) : inForce, store = m_store,
+                       asApplied = isInForce(mount)] {
         return asApplied ? profile::saveProfile(applied, file) : store.exportFile(mount.path, file);
     };
     write(work, tr("Written: %1").arg(file));
 }
 
-void ProfilePage::takeBack()
+void StoredMounts::takeBack(const profile::StoredProfile& mount)
 {
-    const profile::StoredProfile mount = chosen();
     if (mount.path.isEmpty() || !mount.problem.isEmpty()) {
-        warn(tr("This mount has no file with a version before"));
+        Q_EMIT failed(tr("This mount has no file with a version before"));
         return;
     }
     if (isInForce(mount) && m_draft.hasEdits()) {
-        warn(tr("Apply or revert the edits first"));
+        Q_EMIT failed(tr("Apply or revert the edits first"));
         return;
     }
     load(mount.path, [this, mount](const profile::Profile& now) {
@@ -268,8 +303,8 @@ void ProfilePage::takeBack()
     });
 }
 
-void ProfilePage::askTakeBack(const profile::StoredProfile& mount, const profile::Profile& now,
-                              const profile::Profile& before)
+void StoredMounts::askTakeBack(const profile::StoredProfile& mount, const profile::Profile& now,
+                               const profile::Profile& before)
 {
     ask(tr("Take back the last saved change of \"%1\"?").arg(mount.mountName),
         tr("Taking it back can be taken back too.\n\n%1").arg(differences(now, before)), tr("Take back"),
@@ -282,9 +317,9 @@ void ProfilePage::askTakeBack(const profile::StoredProfile& mount, const profile
             takeOver(before, profile::changedKeys(now, before));
             m_draft.apply(this, [this](const std::optional<Error>& error) {
                 if (error) {
-                    warn(text(*error));
+                    Q_EMIT failed(text(*error));
                 } else {
-                    tell(tr("The last change is taken back"));
+                    Q_EMIT done(tr("The last change is taken back"));
                 }
             });
         });

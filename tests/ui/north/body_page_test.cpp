@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/ui/north_fixture.h"
+#include "tests/ui/north/north_fixture.h"
 #include "ui/hold/jog_button.h"
 #include "ui/kit/format.h"
 #include "ui/kit/touch_combo.h"

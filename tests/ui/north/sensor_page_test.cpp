@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/ui/north_fixture.h"
+#include "tests/ui/north/north_fixture.h"
 #include "ui/north/compass_dial.h"
 #include "ui/north/deviation_plot.h"
 #include "ui/north/sensor_levels.h"

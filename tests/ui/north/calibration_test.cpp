@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/ui/north_fixture.h"
+#include "tests/ui/north/north_fixture.h"
 #include "ui/window/stop_button.h"
 
 #include <QApplication>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/ui/guide_fixture.h"
+#include "tests/ui/guide/guide_fixture.h"
 #include "ui/guide/guide_north.h"
 #include "ui/guide/guide_site.h"
 #include "ui/guide/guide_travel.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/ui/north_fixture.h"
+#include "tests/ui/north/north_fixture.h"
 #include "ui/north/residual_sky.h"
 #include "ui/sky/sky_projection.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/adapters.h"
-#include "tests/ui/guide_fixture.h"
+#include "tests/ui/guide/guide_fixture.h"
 #include "ui/drives/protection_panel.h"
 #include "ui/guide/guide_client.h"
 #include "ui/guide/guide_connect.h"

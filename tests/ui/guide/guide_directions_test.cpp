@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/guide/guide_directions.h"
 
-#include "tests/ui/guide_fixture.h"
+#include "tests/ui/guide/guide_fixture.h"
 #include "ui/guide/direction_arrow.h"
 
 // Test moves: which motor is which, and which way it turns.

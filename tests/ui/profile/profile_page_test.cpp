@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/profile/profile_page.h"
+
+#include "tests/ui/profile/profile_fixture.h"
+#include "ui/kit/command_button.h"
+#include "ui/profile/setting_tree.h"
+
+#include <QFile>
+
+namespace boresight::ui {
+namespace {
+
+using profile::Profile;
+
+// REQ-UI-29: The profile is shown whole: each setting once, with unit, range and when it applies. A setting is found
+// by words of its name or meaning, and edited by keyboard. What is no value is refused with the reason. What clashes
+// is marked and not applied. A bus that leaves the simulation shows what goes to the real mount.
+TEST_F(ProfilePageTest, EverySettingIsThereOnceWithItsUnitRangeAndWhenItApplies)
+{
+    const QAbstractItemModel& model = *tree()->model();
+    std::size_t lines = 0;
+    for (int group = 0; group < model.rowCount(); ++group) {
+        const QModelIndex parent = model.index(group, 0);
+        EXPECT_FALSE(parent.data().toString().isEmpty());
+        lines += static_cast<std::size_t>(model.rowCount(parent));
+    }
+    EXPECT_EQ(lines, profile::settings().size() + 3) << "horizon, keep-outs and presets are one line each";
+    QTest::keyClicks(search(), QStringLiteral("azimuth.max_speed"));
+    EXPECT_EQ(firstCell(SettingTree::Name), QStringLiteral("max_speed_deg_s"));
+    EXPECT_EQ(firstCell(SettingTree::Value), QStringLiteral("10.0 °/s"));
+    EXPECT_EQ(firstCell(SettingTree::Range), QStringLiteral("0.01 … 360 °/s"));
+    EXPECT_EQ(firstCell(SettingTree::AppliesWhen), QStringLiteral("at once"));
+}
+
+// REQ-UI-29
+TEST_F(ProfilePageTest, TheSearchLooksThroughNamesAndMeanings)
+{
+    QTest::keyClicks(search(), QStringLiteral("watchdog"));
+    ASSERT_GT(tree()->model()->rowCount(), 0);
+    QTest::keyClicks(search(), QStringLiteral(" nowhere"));
+    EXPECT_EQ(tree()->model()->rowCount(), 0);
+    search()->clear();
+    QTest::keyClicks(search(), QStringLiteral("rotctld server"));
+    EXPECT_EQ(tree()->model()->rowCount(), 1) << "the title of a group finds all of it";
+    EXPECT_GT(tree()->model()->rowCount(tree()->model()->index(0, 0)), 5);
+}
+
+// REQ-UI-29
+TEST_F(ProfilePageTest, AValueIsEditedByKeyboardAppliedAndReverted)
+{
+    edit("azimuth.max_speed", "8");
+    EXPECT_TRUE(requests.empty()) << "an edit is no order";
+    EXPECT_EQ(firstCell(SettingTree::Value), QStringLiteral("8.0 °/s (was 10.0 °/s)"));
+    press("Apply");
+    ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u);
+    Profile applied = asked<request::ApplyProfile>().front().profile;
+    EXPECT_EQ(applied.azimuth.limits.speed, 8_deg_s);
+    give(samples::acceptance(withProfile(applied), requests.back().id));
+    EXPECT_EQ(firstCell(SettingTree::Value), QStringLiteral("8.0 °/s"));
+    edit("azimuth.max_speed", "9");
+    press("Revert");
+    EXPECT_EQ(firstCell(SettingTree::Value), QStringLiteral("8.0 °/s"));
+}
+
+// REQ-UI-29
+TEST_F(ProfilePageTest, WhatIsNoValueIsRefusedAndWhatClashesIsMarked)
+{
+    edit("azimuth.max_speed", "fast");
+    EXPECT_TRUE(says("azimuth.max_speed_deg_s: \"fast\" is not a number"));
+    EXPECT_EQ(firstCell(SettingTree::Value), QStringLiteral("10.0 °/s"));
+    edit("park.elevation", "95");
+    EXPECT_TRUE(firstCell(SettingTree::Value).startsWith(QStringLiteral("▲ 95.0 °")))
+        << firstCell(SettingTree::Name).toStdString() << ' ' << firstCell(SettingTree::Value).toStdString();
+    EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled());
+}
+
+TEST_F(ProfilePageTest, APasswordIsNotSeenOverTheShoulder)
+{
+    QTest::keyClicks(search(), QStringLiteral("mqtt.password"));
+    tree()->setCurrentIndex(tree()->model()->index(0, SettingTree::Value, tree()->model()->index(0, 0)));
+    tree()->setFocus();
+    QTest::keyClick(tree(), Qt::Key_F2);
+    const QPointer<QLineEdit> editor = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+    ASSERT_TRUE(editor);
+    QTest::keyClicks(editor, QStringLiteral("s3cret"));
+    EXPECT_EQ(editor->text(), QStringLiteral("s3cret"));
+    EXPECT_FALSE(editor->displayText().contains(QStringLiteral("s3cret")));
+    QTest::keyClick(editor, Qt::Key_Return);
+    ASSERT_TRUE(QTest::qWaitFor([&editor] { return !editor; })) << "the editor stays open";
+    EXPECT_EQ(firstCell(SettingTree::Value), QStringLiteral("(hidden) (was not given)"));
+    edit("mqtt.user", "mount");
+    press("Apply");
+    ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u);
+    EXPECT_EQ(asked<request::ApplyProfile>().front().profile.mqtt.password, "s3cret");
+}
+
+TEST_F(ProfilePageTest, AChoiceOpensItsList)
+{
+    QTest::keyClicks(search(), QStringLiteral("on_exit"));
+    tree()->setCurrentIndex(tree()->model()->index(0, SettingTree::Value, tree()->model()->index(0, 0)));
+    tree()->setFocus();
+    QTest::keyClick(tree(), Qt::Key_F2);
+    auto* const list = qobject_cast<QComboBox*>(QApplication::focusWidget());
+    ASSERT_NE(list, nullptr);
+    EXPECT_EQ(list->currentText(), QStringLiteral("hold"));
+    QTest::keyClick(list, Qt::Key_Down);
+    tree()->setFocus();
+    EXPECT_EQ(firstCell(SettingTree::Value), QStringLiteral("brake (was hold)"));
+}
+
+TEST_F(ProfilePageTest, WhatWaitsForAReconnectIsMarkedAndShownAlone)
+{
+    StationStatus status = withProfile(roof);
+    status.waitingKeys = {"control.tick_hz"};
+    give(samples::update(status));
+    auto* const shown = named<QComboBox>("Which settings are shown");
+    shown->setFocus();
+    QTest::keyClick(shown, Qt::Key_Down);
+    ASSERT_EQ(tree()->model()->rowCount(), 1);
+    EXPECT_EQ(firstCell(SettingTree::Name), QStringLiteral("tick_hz"));
+    EXPECT_EQ(firstCell(SettingTree::AppliesWhen), QStringLiteral("● waits"));
+    EXPECT_TRUE(says("Waits for a reconnect: tick_hz (Control)"));
+}
+
+// REQ-UI-30: Choosing a mount does nothing. Switching asks with the differences, is one Reconnect, and is offered
+// neither in motion nor over edits.
+TEST_F(ProfilePageTest, SwitchingAsksWithTheDifferencesAndIsOneRequest)
+{
+    EXPECT_FALSE(named<CommandButton>("Switch …")->isEnabled()) << "Roof is in force";
+    choose("Field");
+    EXPECT_TRUE(requests.empty()) << "choosing does nothing";
+    press("Switch …");
+    ASSERT_TRUE(asks());
+    EXPECT_TRUE(question().contains(QStringLiteral("Bus: fdcanusb:/dev/field"))) << question().toStdString();
+    EXPECT_TRUE(question().contains(QStringLiteral("azimuth.max_speed_deg_s: 10.0 °/s → 7.0 °/s")));
+    EXPECT_TRUE(requests.empty());
+    press("Switch");
+    ASSERT_EQ(requests.size(), 1u);
+    EXPECT_EQ(asked<request::Reconnect>().front().profile, field);
+    give(samples::acceptance(withProfile(roof), requests.back().id));
+    EXPECT_FALSE(page().isAsking());
+    put(field);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return mounts()->currentText() == QLatin1String("Field (in force)"); }));
+}
+
+TEST_F(ProfilePageTest, TheSettingsHaveTheRoomThatNothingElseNeeds)
+{
+    const auto rows = [this] {
+        QTest::qWait(1);
+        const QModelIndex first = tree()->model()->index(0, 0);
+        return tree()->viewport()->height() / tree()->visualRect(first).height();
+    };
+    EXPECT_GE(rows(), 9) << "at 1024x700";
+    edit("azimuth.max_speed_deg_s", "4.5");
+    EXPECT_TRUE(named<CommandButton>("Apply")->isEnabled());
+    EXPECT_GE(rows(), 4) << "with what the line means, what is not applied, and the buttons for it";
+    const QRect current = tree()->visualRect(tree()->currentIndex());
+    EXPECT_TRUE(tree()->viewport()->rect().contains(current.center())) << "what was changed stays in sight";
+}
+
+// REQ-UI-30
+TEST_F(ProfilePageTest, NothingIsSwitchedInMotionNorOverEdits)
+{
+    choose("Field");
+    give(samples::update(withProfile(roof, samples::tracking(10))));
+    EXPECT_TRUE(named<CommandButton>("Switch …")->toolTip().contains(QStringLiteral("the mount moves")));
+    put(roof);
+    EXPECT_TRUE(named<CommandButton>("Switch …")->isEnabled());
+    edit("azimuth.max_speed", "8");
+    EXPECT_TRUE(named<CommandButton>("Switch …")->toolTip().contains(QStringLiteral("apply or revert")));
+    press("Revert");
+    press("Switch …");
+    ASSERT_TRUE(asks());
+    give(samples::update(withProfile(roof, samples::tracking(10))));
+    EXPECT_FALSE(named<CommandButton>("Switch")->isEnabled()) << "it began to move while the question was open";
+}
+
+// REQ-UI-29
+TEST_F(ProfilePageTest, ABusThatLeavesTheSimulationSaysWhatGoesToTheRealMount)
+{
+    roof.bus = "simulated";
+    roof.pointing.azimuthOffset = 37.4_deg;
+    put(roof);
+    edit("bus.name", "socketcan:can0");
+    EXPECT_TRUE(says("Apply leaves the simulation. Only these go to the real mount: "));
+    press("Apply");
+    EXPECT_TRUE(asked<request::ApplyProfile>().empty());
+    ASSERT_EQ(asked<request::Reconnect>().size(), 1u);
+    EXPECT_EQ(asked<request::Reconnect>().front().profile.bus, "socketcan:can0");
+}
+
+TEST_F(ProfilePageTest, AnUnreadableMountSaysWhyAndIsNotOffered)
+{
+    QFile file(fieldFile);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("version = 1\n[park]\nazimuth = 5\n");
+    file.close();
+    openPanel('1');
+    openPanel('8');
+    ASSERT_TRUE(QTest::qWaitFor([this] { return mounts()->findText(QStringLiteral("▲ Field")) >= 0; }));
+    mounts()->setCurrentText(QStringLiteral("▲ Field"));
+    EXPECT_TRUE(says("Field.toml:3: park.azimuth"));
+    EXPECT_FALSE(named<CommandButton>("Switch …")->isEnabled());
+}
+
+}  // namespace
+}  // namespace boresight::ui

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/profile/stored_mounts.h"
+
+#include "core/profile/profile_file.h"
+#include "core/profile/profile_history.h"
+#include "tests/ui/profile/profile_fixture.h"
+
+#include <QFile>
+
+#include <algorithm>
+
+namespace boresight::ui {
+namespace {
+
+using profile::Profile;
+
+TEST_F(ProfilePageTest, AMountIsDuplicatedAsItIsApplied)
+{
+    Profile applied = roof;
+    applied.jog.slow = 0.3_deg_s;  // not in the file yet
+    put(applied);
+    fromMenu("Duplicate …");
+    ASSERT_TRUE(asks());
+    type("Name of the new mount", "Garden");
+    ASSERT_TRUE(says("\"Garden\" is kept"));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return mounts()->count() == 3; }));
+    EXPECT_GE(mounts()->findText(QStringLiteral("Garden")), 0);
+    const auto kept = store.list();
+    ASSERT_EQ(kept.size(), 3u);
+    EXPECT_EQ(profile::loadProfile(kept[1].path)->jog.slow, 0.3_deg_s);
+    fromMenu("Duplicate …");
+    type("Name of the new mount", "Field");
+    EXPECT_TRUE(says("there is a mount \"Field\" already"));
+    EXPECT_TRUE(requests.empty());
+}
+
+TEST_F(ProfilePageTest, AnotherMountIsRenamedInItsFileThisOneByAnEdit)
+{
+    choose("Field");
+    fromMenu("Rename …");
+    type("New name of the mount", "Meadow");
+    ASSERT_TRUE(says("called \"Meadow\" now"));
+    EXPECT_EQ(profile::loadProfile(fieldFile)->mount.name, "Meadow");
+    ASSERT_TRUE(QTest::qWaitFor([this] { return mounts()->findText(QStringLiteral("Meadow")) >= 0; }));
+    choose("Roof");
+    fromMenu("Rename …");
+    type("New name of the mount", "Tower");
+    press("Apply");
+    ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u);
+    EXPECT_EQ(asked<request::ApplyProfile>().front().profile.mount.name, "Tower");
+}
+
+TEST_F(ProfilePageTest, OnlyAMountThatIsNotInForceIsRemovedAndItsFileIsKept)
+{
+    fromMenu("Remove …");
+    EXPECT_TRUE(says("This mount is in force"));
+    EXPECT_FALSE(page().isAsking());
+    ASSERT_TRUE(store.setCurrent(roofFile));
+    choose("Field");
+    fromMenu("Remove …");
+    ASSERT_TRUE(asks());
+    press("Remove");
+    ASSERT_TRUE(says("\"Field\" is removed"));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return mounts()->count() == 1; }));
+    EXPECT_TRUE(QFile::exists(fieldFile + QStringLiteral(".removed")));
+}
+
+TEST_F(ProfilePageTest, ANewMountIsImportedAndAnExportedOneIsTheSameFile)
+{
+    const QString file = folder.filePath(QStringLiteral("elsewhere.toml"));
+    choose("Field");
+    fromMenu("Export …");
+    chooseFile(file);
+    ASSERT_TRUE(says("Written: "));
+    EXPECT_EQ(*profile::loadProfile(file), field);
+    Profile garden = *profile::loadProfile(file);
+    garden.mount.name = "Garden";
+    ASSERT_TRUE(profile::saveProfile(garden, file));
+    fromMenu("Import …");
+    chooseFile(file);
+    ASSERT_TRUE(asks());
+    EXPECT_TRUE(question().contains(QStringLiteral("mount.name: \"Roof\" → \"Garden\"")));
+    press("Import");
+    ASSERT_TRUE(says("\"Garden\" is kept"));
+    EXPECT_EQ(store.list().size(), 3u);
+    EXPECT_TRUE(requests.empty());
+}
+
+TEST_F(ProfilePageTest, AnImportIntoTheMountInForceComesAsEdits)
+{
+    Profile changed = roof;
+    changed.park.azimuth = 77_deg;
+    const QString file = folder.filePath(QStringLiteral("roof.toml"));
+    ASSERT_TRUE(profile::saveProfile(changed, file));
+    fromMenu("Import …");
+    chooseFile(file);
+    ASSERT_TRUE(asks());
+    EXPECT_TRUE(question().contains(QStringLiteral("park.azimuth_deg: 0.0 ° → 77.0 °"))) << question().toStdString();
+    press("Take over");
+    EXPECT_TRUE(requests.empty());
+    EXPECT_EQ(*profile::loadProfile(roofFile), roof);
+    press("Apply");
+    ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u);
+    EXPECT_EQ(asked<request::ApplyProfile>().front().profile, changed);
+}
+
+// REQ-PROFILE-17b
+TEST_F(ProfilePageTest, ARealMountsProfileImportedIntoTheSimulationIsTriedThere)
+{
+    Profile tried = roof;
+    tried.bus = "simulated";
+    tried.pointing.azimuthOffset = 12_deg;
+    put(tried);
+    Profile real = roof;
+    real.park.azimuth = 77_deg;
+    const QString file = folder.filePath(QStringLiteral("roof.toml"));
+    ASSERT_TRUE(profile::saveProfile(real, file));
+    fromMenu("Import …");
+    chooseFile(file);
+    ASSERT_TRUE(asks());
+    press("Take over");
+    press("Apply");
+    ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u);
+    real.bus = "simulated";
+    EXPECT_EQ(asked<request::ApplyProfile>().front().profile, real);
+}
+
+// REQ-PROFILE-17a
+TEST_F(ProfilePageTest, AFileOfTheSimulatedMountDoesNotReplaceARealOnes)
+{
+    Profile tried = field;
+    tried.bus = "simulated";
+    tried.pointing.azimuthOffset = 12_deg;
+    const QString file = folder.filePath(QStringLiteral("tried.toml"));
+    ASSERT_TRUE(profile::saveProfile(tried, file));
+    fromMenu("Import …");
+    chooseFile(file);
+    EXPECT_TRUE(says("names no bus of a real mount"));
+    EXPECT_FALSE(page().isAsking());
+    EXPECT_EQ(*profile::loadProfile(fieldFile), field);
+}
+
+// Else it could be imported over the file of the real mount, with all that was found in the simulation.
+// REQ-PROFILE-17a
+TEST_F(ProfilePageTest, AnExportFromASimulationNamesNoBus)
+{
+    Profile tried = roof;
+    tried.pointing.azimuthOffset = 12_deg;
+    StationStatus status = withProfile(tried);
+    status.simulated = true;
+    give(samples::update(status));
+    const QString file = folder.filePath(QStringLiteral("exported.toml"));
+    fromMenu("Export …");
+    chooseFile(file);
+    ASSERT_TRUE(says("Written: "));
+    tried.bus = "simulated";
+    EXPECT_EQ(*profile::loadProfile(file), tried);
+}
+
+// REQ-PROFILE-17a
+TEST_F(ProfilePageTest, ADuplicateMadeInTheSimulationIsOfTheMountItself)
+{
+    Profile tried = roof;
+    tried.pointing.azimuthOffset = 12_deg;
+    StationStatus status = withProfile(tried);
+    status.simulated = true;
+    give(samples::update(status));
+    fromMenu("Duplicate …");
+    ASSERT_TRUE(asks());
+    press("Duplicate");
+    ASSERT_TRUE(says("is kept as a mount of its own"));
+    const auto mounts = store.list();
+    const auto copy = std::ranges::find(mounts, QStringLiteral("Roof copy"), &profile::StoredProfile::mountName);
+    ASSERT_NE(copy, mounts.end());
+    Profile wanted = roof;
+    wanted.mount.name = "Roof copy";
+    EXPECT_EQ(*profile::loadProfile(copy->path), wanted);
+}
+
+// REQ-UI-31: What overwrites a profile shows the differences first and keeps the version before. A wrong file is
+// refused with line and reason. What the command line overrides is not taken back.
+TEST_F(ProfilePageTest, AnImportOverAnotherMountShowsWhatItWouldChangeAndKeepsTheVersionBefore)
+{
+    Profile changed = field;
+    changed.park.azimuth = 77_deg;
+    const QString file = folder.filePath(QStringLiteral("field.toml"));
+    ASSERT_TRUE(profile::saveProfile(changed, file));
+    fromMenu("Import …");
+    chooseFile(file);
+    ASSERT_TRUE(asks());
+    EXPECT_TRUE(question().contains(QStringLiteral("Different: 1\npark.azimuth_deg")));
+    EXPECT_EQ(*profile::loadProfile(fieldFile), field) << "asked, not done";
+    press("Overwrite");
+    ASSERT_TRUE(says("\"Field\" is overwritten"));
+    EXPECT_EQ(*profile::loadProfile(fieldFile), changed);
+    EXPECT_EQ(*profile::loadProfile(profile::previousOf(fieldFile)), field);
+}
+
+// REQ-UI-31
+TEST_F(ProfilePageTest, AWrongFileIsRefusedWithItsLineAndReason)
+{
+    const QString path = folder.filePath(QStringLiteral("wrong.toml"));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("version = 1\n[azimuth]\nmax_speed_deg_s = \"fast\"\n");
+    file.close();
+    fromMenu("Import …");
+    chooseFile(path);
+    ASSERT_TRUE(says("wrong.toml:3: azimuth.max_speed_deg_s: a number is expected"));
+    EXPECT_FALSE(page().isAsking());
+}
+
+// REQ-UI-31
+TEST_F(ProfilePageTest, TheLastSavedChangeIsTakenBackKeyByKey)
+{
+    Profile changed = roof;
+    changed.park.azimuth = 77_deg;
+    ASSERT_TRUE(store.save(changed, roofFile));
+    Profile applied = changed;
+    applied.bus = "socketcan:can7";  // what the command line says is nobody's to take back
+    put(applied);
+    fromMenu("Take back the last saved change …");
+    ASSERT_TRUE(asks());
+    EXPECT_TRUE(question().contains(QStringLiteral("park.azimuth_deg: 77.0 ° → 0.0 °")));
+    press("Take back");
+    ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u);
+    Profile expected = applied;
+    expected.park.azimuth = 0_deg;
+    EXPECT_EQ(asked<request::ApplyProfile>().front().profile, expected);
+
+    Profile other = field;
+    other.park.azimuth = 12_deg;
+    ASSERT_TRUE(store.save(other, fieldFile));
+    choose("Field");
+    fromMenu("Take back the last saved change …");
+    ASSERT_TRUE(asks());
+    press("Take back");
+    ASSERT_TRUE(says("The last change of \"Field\" is taken back"));
+    EXPECT_EQ(*profile::loadProfile(fieldFile), field);
+}
+
+}  // namespace
+}  // namespace boresight::ui
