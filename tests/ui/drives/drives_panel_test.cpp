@@ -109,6 +109,7 @@ TEST_F(DrivesTest, TheBusCanBeReleasedWhileTheDrivesAreRead)
     EXPECT_TRUE(named<CommandButton>("Release bus")->isEnabled());
     StationStatus fixing = samples::reading();
     fixing.drives->survey = SurveyState::Fixing;
+    fixing.permissions.refuse(Action::ReleaseBus, QStringLiteral("the drives' settings are being written"));
     give(samples::update(fixing));
     expectBlocked("Release bus", "settings are being written");
 }

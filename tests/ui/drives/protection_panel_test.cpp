@@ -69,6 +69,7 @@ TEST_F(DrivesTest, TheLimitsOfAReversedDriveAreShownTheOperatorsWayRound)
             const bool lower = line.key.endsWith(QLatin1String("min"));
             line.wanted = line.found =
                 lower ? QStringLiteral("-0.258333 turns (93.0°)") : QStringLiteral("0.008333 turns (-3.0°)");
+            line.wantedBrief = line.foundBrief = lower ? QStringLiteral("93.0°") : QStringLiteral("-3.0°");
             line.reversed = true;
         }
     }
@@ -84,6 +85,7 @@ TEST_F(DrivesTest, ARangeIsShownInDegreesNotInTurns)
     for (ProtectionLine& line : status.drives->elevation.protections) {
         if (line.key == QLatin1String("servo.default_velocity_limit")) {
             line.wanted = QStringLiteral("0.0222 to 0.0444 turns/s (8 to 16°/s)");
+            line.wantedBrief = QStringLiteral("8 to 16°/s");
         }
     }
     give(samples::update(status));
@@ -155,17 +157,11 @@ TEST_F(DrivesTest, FixListsWhatItWritesAndWritesOnlyAfterASecondPress)
 TEST_F(DrivesTest, FixNeedsDrivesThatAreReadSwitchedOffAndWrong)
 {
     StationStatus status = samples::factoryDrives();
-    status.drives->switchedOn = true;
+    status.permissions.refuse(Action::FixDrives, QStringLiteral("the azimuth drive is switched on"));
     give(samples::update(status));
     expectBlocked("Fix …", "is switched on");
     give(samples::update(samples::idle()));
     expectBlocked("Fix …", "every setting is right");
-    status.drives->fixable = false;
-    give(samples::update(status));
-    expectBlocked("Fix …", "what is wrong is for a person to change");
-    status.drives->survey = SurveyState::NotDone;
-    give(samples::update(status));
-    expectBlocked("Fix …", "the drives are not read yet");
     give(samples::update(samples::released()));
     expectBlocked("Fix …", "the drives are not read yet");
 }
@@ -176,11 +172,11 @@ TEST_F(DrivesTest, AnOpenQuestionIsBlockedWhenItCanNotBeDoneAnyMore)
     give(samples::update(status));
     open<ProtectionPanel>();
     click("Fix …");
-    status.drives->switchedOn = true;
+    status.permissions.refuse(Action::FixDrives, QStringLiteral("the azimuth drive is switched on"));
     give(samples::update(status));
     EXPECT_FALSE(act("Write")->isEnabled());
     QTest::mouseClick(act("Write"), Qt::LeftButton);
-    status.drives->switchedOn = false;
+    status = samples::factoryDrives();
     give(samples::update(status));
     EXPECT_FALSE(act("Write")->isEnabled()) << "its list may be out of date";
     EXPECT_TRUE(asked<request::FixDrives>().empty());
