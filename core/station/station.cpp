@@ -333,8 +333,8 @@ Result<> Station::fits(const profile::Profile& wanted) const
 {
     if (profile::namesNoBus(wanted) != profile::namesNoBus(*m_profile)) {
         return failure(ErrorCode::Refused,
-                       Text::tr("bus.name changes between the simulated mount and a real one: press Reconnect, or "
-                                "start Boresight again"));
+                       Text::tr("The bus cannot change between simulated and real while the mount is connected. "
+                                "Press Reconnect, or restart Boresight."));
     }
     const auto problems = m_mount->simulated() ? std::vector<profile::Problem>() : profile::problemsOfReal(wanted);
     return problems.empty() ? Result<>{}

@@ -320,12 +320,12 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
 <context>
     <name>ProfileChange</name>
     <message>
-        <source>another panel has changes that are not applied: apply or revert them first</source>
-        <translation>outro painel tem alterações por aplicar: aplique-as ou reverta-as primeiro</translation>
+        <source>Another panel has changes that are not applied. Apply or revert them first.</source>
+        <translation>Outro painel tem alterações por aplicar. Aplique-as ou reverta-as primeiro.</translation>
     </message>
     <message>
-        <source>the mount at %1 waits for Reconnect: press that first (tab Mount, Profile)</source>
-        <translation>a montagem em %1 espera por Reconectar: prima-o primeiro (separador Montagem, Perfil)</translation>
+        <source>The change to the bus %1 is not in force yet. Press Reconnect first (tab Mount, Profile).</source>
+        <translation>A mudança para o barramento %1 ainda não está em vigor. Prima Reconectar primeiro (separador Montagem, Perfil).</translation>
     </message>
 </context>
 <context>
@@ -3729,42 +3729,6 @@ do eixo</translation>
         <translation>linha %1: %2</translation>
     </message>
     <message>
-        <source>%1 by the magnetic model</source>
-        <translation>%1 segundo o modelo magnético</translation>
-    </message>
-    <message>
-        <source>%1 as typed</source>
-        <translation>%1 como digitado</translation>
-    </message>
-    <message>
-        <source>the declination of this place is not known: type it, or give site and magnetic model</source>
-        <translation>a declinação deste lugar não é conhecida: digite-a, ou indique o local e o modelo magnético</translation>
-    </message>
-    <message>
-        <source>Declination by the sensor: it has added %1, Boresight adds nothing</source>
-        <translation>Declinação pelo sensor: ele somou %1, o Boresight não soma nada</translation>
-    </message>
-    <message>
-        <source>Declination by Boresight: the sensor&apos;s %1 is taken away and %2 is added, together %3</source>
-        <translation>Declinação pelo Boresight: retira-se o %1 do sensor e soma-se %2, ao todo %3</translation>
-    </message>
-    <message>
-        <source>Declination by Boresight: %1</source>
-        <translation>Declinação pelo Boresight: %1</translation>
-    </message>
-    <message>
-        <source>No declination: the heading stays as it comes, with the sensor&apos;s %1 in it</source>
-        <translation>Sem declinação: o rumo fica como vem, com o %1 do sensor nele</translation>
-    </message>
-    <message>
-        <source>the declination here is %1, the sensor has added %2: its headings are %3 off</source>
-        <translation>a declinação aqui é %1, o sensor somou %2: os seus rumos têm um erro de %3</translation>
-    </message>
-    <message>
-        <source>the magnetic model %1 ends with %2: look for the next one</source>
-        <translation>o modelo magnético %1 termina em %2: procure o próximo</translation>
-    </message>
-    <message>
         <source>Sun</source>
         <translation>Sol</translation>
     </message>
@@ -4477,10 +4441,6 @@ do eixo</translation>
         <translation>o modelo magnético %1 vale de %2 a %3, não em %4: é preciso um arquivo do atual (World Magnetic Model, .COF); enquanto isso, digite a declinação</translation>
     </message>
     <message>
-        <source>the magnetic model %1 has ended with %2: its declination grows less true each year; get the present one (World Magnetic Model, .COF)</source>
-        <translation>o modelo magnético %1 terminou em %2: a declinação dele fica menos certa a cada ano; obtenha o atual (World Magnetic Model, .COF)</translation>
-    </message>
-    <message>
         <source>Deviation of the sensor&apos;s compass, as a swing finds it: the part that goes with the sine of the true heading.</source>
         <translation>Desvio da bússola do sensor, como um giro o encontra: a parte que segue o seno do rumo verdadeiro.</translation>
     </message>
@@ -4563,10 +4523,6 @@ do eixo</translation>
     <message>
         <source>ended by the operator</source>
         <translation>terminado pelo operador</translation>
-    </message>
-    <message>
-        <source>the mount follows a client, which the change would move: hold the mount first</source>
-        <translation>a montagem segue um cliente, que a mudança deslocaria: mantenha primeiro a montagem</translation>
     </message>
     <message>
         <source>with this the profile would not make sense, %1: change that first</source>
@@ -5253,10 +5209,6 @@ do eixo</translation>
         <translation>Encontre o norte: painel Norte (Ctrl+9). Se o zero do eixo já foi posto no norte, provável: o sensor tem um desvio próprio ou saiu do lugar, ou um acoplamento escorrega</translation>
     </message>
     <message>
-        <source>the mount at %1 waits for Reconnect, and this was found of the one at %2: reconnect first</source>
-        <translation>a montagem em %1 espera por Reconectar, e isto foi achado na de %2: reconecte primeiro</translation>
-    </message>
-    <message>
         <source>all points are about as high: the azimuth&apos;s offset and the collimation cannot be told apart; take one much higher or lower, or one over the top</source>
         <translation>todos os pontos têm quase a mesma altura: não se distinguem o desvio do azimute e a colimação; tome um bem mais alto ou mais baixo, ou um passando pelo zênite</translation>
     </message>
@@ -5334,7 +5286,7 @@ do eixo</translation>
     </message>
     <message>
         <source>from a file</source>
-        <translation>de um ficheiro</translation>
+        <translation>de um arquivo</translation>
     </message>
     <message>
         <source>discards &quot;%1&quot;</source>
@@ -5754,8 +5706,56 @@ do eixo</translation>
         <translation>O que move o eixo. &quot;simple&quot; é apenas simulado: um rotor de graus inteiros sem watchdog. Com &quot;none&quot; a montagem não tem este eixo.</translation>
     </message>
     <message>
-        <source>bus.name changes between the simulated mount and a real one: press Reconnect, or start Boresight again</source>
-        <translation>bus.name muda entre a montagem simulada e uma real: clique em Reconectar, ou inicie o Boresight de novo</translation>
+        <source>%1 (magnetic model)</source>
+        <translation>%1 (modelo magnético)</translation>
+    </message>
+    <message>
+        <source>%1 (entered)</source>
+        <translation>%1 (introduzida)</translation>
+    </message>
+    <message>
+        <source>The declination of this site is not known. Enter it, or enter the site and the file of the magnetic model.</source>
+        <translation>A declinação deste local não é conhecida. Introduza-a, ou introduza o local e o arquivo do modelo magnético.</translation>
+    </message>
+    <message>
+        <source>The sensor applies the declination (%1). Boresight adds nothing.</source>
+        <translation>O sensor aplica a declinação (%1). O Boresight não soma nada.</translation>
+    </message>
+    <message>
+        <source>Boresight adds a declination of %2 and removes the sensor&apos;s %1. The sum is %3.</source>
+        <translation>O Boresight soma uma declinação de %2 e retira %1 do sensor. A soma é %3.</translation>
+    </message>
+    <message>
+        <source>Boresight cannot apply the declination. %1</source>
+        <translation>O Boresight não consegue aplicar a declinação. %1</translation>
+    </message>
+    <message>
+        <source>Nothing corrects the declination. The heading contains %1 of the sensor.</source>
+        <translation>Nada corrige a declinação. O rumo contém %1 do sensor.</translation>
+    </message>
+    <message>
+        <source>The declination here is %1, but the sensor added %2. Its headings are off by %3.</source>
+        <translation>A declinação aqui é %1, mas o sensor somou %2. Os rumos dele têm um erro de %3.</translation>
+    </message>
+    <message>
+        <source>The magnetic model %1 ended with %2. Its declination is less exact each year. Get the present World Magnetic Model (.COF).</source>
+        <translation>O modelo magnético %1 terminou em %2. A sua declinação é menos exata a cada ano. Obtenha o World Magnetic Model atual (.COF).</translation>
+    </message>
+    <message>
+        <source>The magnetic model %1 ends with %2. Look for the next one.</source>
+        <translation>O modelo magnético %1 termina em %2. Procure o seguinte.</translation>
+    </message>
+    <message>
+        <source>This calibration belongs to the mount at %2, but the bus of the profile is now %1. Set the bus back, or press Reconnect and calibrate again.</source>
+        <translation>Esta calibração é da montagem em %2, mas o barramento do perfil é agora %1. Reponha o barramento, ou prima Reconectar e calibre de novo.</translation>
+    </message>
+    <message>
+        <source>The mount tracks the target of a client, and the change would move it. Press Hold first.</source>
+        <translation>A montagem segue o alvo de um cliente, e a alteração movê-la-ia. Prima Manter primeiro.</translation>
+    </message>
+    <message>
+        <source>The bus cannot change between simulated and real while the mount is connected. Press Reconnect, or restart Boresight.</source>
+        <translation>O barramento não pode mudar entre simulado e real enquanto a montagem está ligada. Prima Reconectar, ou reinicie o Boresight.</translation>
     </message>
 </context>
 <context>
@@ -9282,12 +9282,12 @@ el %2</translation>
         <translation>nada espera por uma reconexão</translation>
     </message>
     <message>
-        <source>this is the profile of a real mount: to try the simulated one start Boresight with --simulate</source>
-        <translation>este é o perfil de uma montagem real: para experimentar a simulada inicie o Boresight com --simulate</translation>
+        <source>This is the profile of a real mount. To try it on the simulated mount, start Boresight with --simulate</source>
+        <translation>Este é o perfil de uma montagem real. Para o experimentar na montagem simulada, inicie o Boresight com --simulate</translation>
     </message>
     <message>
-        <source>Boresight was started with --simulate and stays so: start it with --bus %1 for this one</source>
-        <translation>o Boresight foi iniciado com --simulate e assim fica: inicie-o com --bus %1 para este</translation>
+        <source>Boresight was started with --simulate, so every mount is simulated. To use this bus, start Boresight with --bus %1</source>
+        <translation>O Boresight foi iniciado com --simulate, por isso todas as montagens são simuladas. Para usar este barramento, inicie o Boresight com --bus %1</translation>
     </message>
 </context>
 <context>
@@ -9660,8 +9660,8 @@ Ao lado da montagem em vigor:
         <translation>A montagem simulada não tem perfil que se possa duplicar</translation>
     </message>
     <message>
-        <source>This file names no bus of a real mount: it may hold what was found of the simulated one</source>
-        <translation>Este arquivo não indica o barramento de uma montagem real: pode conter o que se achou da simulada</translation>
+        <source>This file is a profile of the simulated mount. It cannot replace the profile of a real mount. To import it, change mount.name in the file.</source>
+        <translation>Este arquivo é um perfil da montagem simulada. Não pode substituir o perfil de uma montagem real. Para o importar, mude mount.name no arquivo.</translation>
     </message>
 </context>
 <context>

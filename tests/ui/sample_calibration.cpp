@@ -218,7 +218,7 @@ StationStatus heard()
     status.sensor.declination = -1.9_deg;
     status.sensor.declinationModel = QStringLiteral("WMM-2025, 2025.0 to 2030.0");
     status.sensor.declinationText =
-        QStringLiteral("Declination by Boresight: -1.9° by the magnetic model, the sensor's 5.1° are taken out");
+        QStringLiteral("Boresight adds a declination of -1.9° (magnetic model) and removes the sensor's 5.1°.");
     status.sensor.azimuthDifference = 0.7_deg;
     status.sensor.elevationDifference = 0.2_deg;
     CalibrationStatus calibration = *status.calibration;

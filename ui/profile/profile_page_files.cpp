@@ -212,7 +212,9 @@ void ProfilePage::askImport(const profile::Profile& read)
     } else {
         load(mount->path, [this, read, mount = *mount](const profile::Profile& kept) {
             if (profile::namesNoBus(read) && !profile::namesNoBus(kept)) {
-                warn(tr("This file names no bus of a real mount: it may hold what was found of the simulated one"));
+                warn(
+                    tr("This file is a profile of the simulated mount. It cannot replace the profile of a real mount. "
+                       "To import it, change mount.name in the file."));
                 return;
             }
             ask(tr("Overwrite the mount \"%1\"?").arg(nameOf(read)),
