@@ -81,7 +81,7 @@ TEST_F(CableEndTest, WithoutAnotherTurnItSaysThatItHoldsAndStopsAtTheEnd)
     stream(rig, 400.0, 40);
     ASSERT_TRUE(rig.status().cableEnd.has_value());
     EXPECT_FALSE(rig.status().cableEnd->turningBack.has_value());
-    EXPECT_TRUE(rig.logSays(QStringLiteral("holds there until the target can be reached again")));
+    EXPECT_TRUE(rig.logSays(QStringLiteral("holds until the target can be reached again")));
     stream(rig, 440.0, 30);
     EXPECT_LE(farthest, 450.2);
     EXPECT_NEAR(rig.truth(Axis::Azimuth), 450.0, 0.2);

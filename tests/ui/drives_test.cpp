@@ -318,7 +318,7 @@ TEST_F(DrivesTest, FixNeedsDrivesThatAreReadSwitchedOffAndWrong)
     expectBlocked("Fix …", "every setting is right");
     status.drives->fixable = false;
     give(samples::update(status));
-    expectBlocked("Fix …", "what is wrong is for a person to change");
+    expectBlocked("Fix …", "Change the marked settings by hand");
     status.drives->survey = SurveyState::NotDone;
     give(samples::update(status));
     expectBlocked("Fix …", "the drives are not read yet");

@@ -155,8 +155,7 @@ QString noFix(const StationStatus& status)
         return std::ranges::all_of(kBoth, right)
                    ? QStringLiteral("every setting is right")
                    : QStringLiteral(
-                         "there is nothing that can be written: what is wrong is for a person to change, "
-                         "as its line says");
+                         "Fix has nothing to write. Change the marked settings by hand, as each line explains");
     }
     return drivesOf(status).switchedOn ? QStringLiteral(
                                              "the azimuth drive is switched on: support the elevation, "

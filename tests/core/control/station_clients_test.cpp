@@ -81,7 +81,7 @@ TEST_F(StationClients, ATargetOutsideIsToldForAsLongAsItLasts)
     ASSERT_EQ(shown.alarms.size(), 1U);
     EXPECT_EQ(shown.alarms.front().severity, Severity::Advisory);
     EXPECT_EQ(shown.alarms.front().action.toStdString(),
-              "LIMITED, the nearest permitted point is driven: elevation -5.0° below limit 0.0°.");
+              "The mount goes to the nearest permitted point (elevation -5.0° below limit 0.0°).");
     EXPECT_EQ(status(kClient).advice.toStdString(),
               "asks for a place outside the limits: elevation -5.0° below limit 0.0°; the nearest permitted one is "
               "driven");

@@ -179,8 +179,8 @@ TEST(DriveCare, NothingMovesBeforeTheDrivesWereSurveyed)
     CareRig rig;
     rig.run(Seconds(0.5));
     EXPECT_EQ(rig.drives().survey, SurveyState::Running) << "by itself, as soon as they answer";
-    EXPECT_THAT(rig.ask(kGo), HasSubstr("being surveyed"));
-    EXPECT_THAT(rig.drives().armingObstacle.toStdString(), HasSubstr("being surveyed"));
+    EXPECT_THAT(rig.ask(kGo), HasSubstr("drive check is running"));
+    EXPECT_THAT(rig.drives().armingObstacle.toStdString(), HasSubstr("drive check is running"));
     ASSERT_TRUE(rig.endsItsSurvey());
     EXPECT_TRUE(rig.drives().armingObstacle.isEmpty()) << rig.drives().armingObstacle.toStdString();
     EXPECT_EQ(rig.ask(kGo), "");
