@@ -83,9 +83,10 @@ std::optional<CableGuard::TurnBack> CableGuard::turnBackTo(Angle azimuth, const 
 QString CableGuard::begin(const TurnBack& back, const tracking::MotionLimits& limits)
 {
     m_turnBack = back;
-    const QString what =
-        Text::tr("turns back by %1: the cable ends at %2").arg(degreesText(abs(back.by), 0), degreesText(back.end, 1));
-    return back.follows ? Text::tr("%1; the target is lost for about %2").arg(what, timeText(turnTime(limits))) : what;
+    const QString what = Text::tr("turns back by %1 because the cable ends at %2")
+                             .arg(degreesText(abs(back.by), 0), degreesText(back.end, 1));
+    return back.follows ? Text::tr("%1, and the target is lost for about %2").arg(what, timeText(turnTime(limits)))
+                        : what;
 }
 
 void CableGuard::watch(const std::optional<tracking::MovingTarget>& path, const std::optional<Angle>& left,
@@ -158,7 +159,7 @@ std::optional<QString> CableGuard::turnBackText() const
     if (!m_turnBack) {
         return std::nullopt;
     }
-    return Text::tr("cable ends: turns back by %1").arg(degreesText(abs(m_turnBack->by), 0));
+    return Text::tr("cable end, turns back %1").arg(degreesText(abs(m_turnBack->by), 0));
 }
 
 }  // namespace boresight

@@ -17,7 +17,7 @@ Result<> Helm::mayGoTo(const AxisPosition& place) const
     const pointing::Resolved resolved = view().model.resolve(place);
     if (const Result<> may = Gates(view()).mayBeAt(place); !may) {
         const auto nearest = resolved.limited ? std::nullopt : m_of.motion.region().nearest(resolved.position);
-        return nearest ? failure(ErrorCode::OutOfRange, Text::tr("%1; permitted nearest to it: %2")
+        return nearest ? failure(ErrorCode::OutOfRange, Text::tr("%1. The nearest permitted position is %2.")
                                                             .arg(toQString(may.error().text), directionText(*nearest)))
                        : may;
     }
@@ -39,7 +39,7 @@ Result<> Helm::reaches(const SkyPointing& direction) const
         constexpr Angle kZenith = Angle::fromDegrees(90.0);
         if (direction.elevation > kZenith && place.elevation <= kZenith) {
             return failure(ErrorCode::OutOfRange,
-                           Text::tr("the travel and the limits of the axes do not reach it over the top"));
+                           Text::tr("The travel and the limits of the axes do not reach it over the top."));
         }
         return mayGoTo(place);
     });
@@ -111,8 +111,9 @@ Result<> Helm::follow(pointing::Resolved resolved, const SkyPointing& asked, con
     if (resolved.limited) {
         m_of.current.limit(resolved.reason, asked);
         if (newStream || !wasLimited) {
-            m_of.log.add(Severity::Warning, by,
-                         Text::tr("LIMITED: %1; driven to the nearest permitted point").arg(current().limitedReason()));
+            m_of.log.add(
+                Severity::Warning, by,
+                Text::tr("goes to the nearest permitted point because of a limit (%1)").arg(current().limitedReason()));
         }
     }
     m_of.motion.follow(resolved.position, now());
@@ -159,7 +160,7 @@ void Helm::setTrim(const AxisPosition& trim, const Source& by)
 {
     m_of.motion.setTrim(trim);
     m_of.log.insist(Severity::Advisory, by,
-                    Text::tr("trims what is followed by %1° in azimuth, %2° in elevation")
+                    Text::tr("trims the tracked target by %1° in azimuth, %2° in elevation")
                         .arg(trim.azimuth.degrees(), 0, 'f', 2)
                         .arg(trim.elevation.degrees(), 0, 'f', 2));
 }
@@ -199,7 +200,8 @@ void Helm::takeOver(const Source& by)
 {
     if (by.kind == SourceKind::Operator && m_of.arming.authority() == Authority::Clients) {
         m_of.arming.setAuthority(Authority::Operator);
-        m_of.log.add(Severity::Advisory, by, Text::tr("takes over: motion commands of clients are refused"));
+        m_of.log.add(Severity::Advisory, by,
+                     Text::tr("takes control, and Boresight refuses motion commands of clients"));
     }
 }
 

@@ -167,14 +167,14 @@ QString StatusReport::axisText(Axis axis, AxisState state, const AxisReport& rep
         return atTravelEnd(axis) || what.isEmpty() ? Text::tr("at the end of the travel") : Text::tr("at %1").arg(what);
     }
     if (!report.wrapKnown) {
-        return Text::tr("turn not known");
+        return Text::tr("wrap unknown");
     }
     if (state != AxisState::Holding && state != AxisState::On) {
         return {};
     }
     switch (report.hand) {
         case AxisHand::Unordered:
-            return Text::tr("not by our orders");
+            return Text::tr("not commanded by Boresight");
         case AxisHand::HoldsItself:
             return Text::tr("held by its own time-out mode");
         case AxisHand::TimedOut:
@@ -281,7 +281,7 @@ StationStatus StatusReport::status() const
     addBeam(status);
     status.stopLatched = m_of.arming.stopLatched();
     status.stateReason = !m_of.mount.available()
-                             ? Text::tr("the bus is left to other tools")
+                             ? Text::tr("the bus is released to other tools")
                              : m_of.arming.fault().value_or(m_of.cable.turnBackText().value_or(m_of.current.text()));
     if (const auto measured = m_of.mount.measured(); measured && m_of.mount.wrapsKnown()) {
         status.actual = m_of.model.toSky(*measured);

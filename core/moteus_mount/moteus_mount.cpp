@@ -133,8 +133,9 @@ AxisReport MoteusMount::report(Axis axis) const
 
 Result<> MoteusMount::available() const
 {
-    return m_busLeft ? failure(ErrorCode::NoAnswer, Text::tr("the bus is left to other tools: take it back first"))
-                     : Result<>{};
+    return m_busLeft
+               ? failure(ErrorCode::NoAnswer, Text::tr("The bus is released to other tools. Take the bus back first."))
+               : Result<>{};
 }
 
 // The survey's part is added by DriveCare.
@@ -338,7 +339,7 @@ void MoteusMount::leaveBus()
 Result<> MoteusMount::takeBus()
 {
     if (!m_busLeft) {
-        return failure(ErrorCode::Refused, Text::tr("the bus was not left to other tools"));
+        return failure(ErrorCode::Refused, Text::tr("the bus is not released to other tools"));
     }
     m_busLeft = false;
     m_started = m_clock.now();  // the drives have had no question yet

@@ -307,7 +307,7 @@ Result<> Station::carryOut(const Request& request)
 {
     if (const auto* const wanted = std::get_if<request::Disconnect>(&request)) {
         if (!m_server.disconnect(wanted->clientId, Text::tr("disconnected by the operator").toStdString())) {
-            return failure(ErrorCode::NotAvailable, Text::tr("this client has left"));
+            return failure(ErrorCode::NotAvailable, Text::tr("this client has disconnected"));
         }
         return {};
     }

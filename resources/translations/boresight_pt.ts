@@ -1999,10 +1999,6 @@ do eixo</translation>
         <translation>só o operador faz isto</translation>
     </message>
     <message>
-        <source>the bus is left to other tools: take it back first</source>
-        <translation>o barramento está entregue a outras ferramentas: retome-o primeiro</translation>
-    </message>
-    <message>
         <source>no reply from the %1</source>
         <translation>sem resposta do %1</translation>
     </message>
@@ -2011,40 +2007,12 @@ do eixo</translation>
         <translation>o Boresight está encerrando</translation>
     </message>
     <message>
-        <source>the drives have only just come back: wait a second</source>
-        <translation>os acionamentos acabam de voltar: espere um segundo</translation>
-    </message>
-    <message>
-        <source>STOP is latched: reset STOP first</source>
-        <translation>STOP está ativo: libere primeiro o STOP</translation>
-    </message>
-    <message>
-        <source>%1: re-arm first</source>
-        <translation>%1: rearme primeiro</translation>
-    </message>
-    <message>
-        <source>the operator has taken over: give control back to the clients first</source>
-        <translation>o operador assumiu o controle: devolva-o primeiro aos clientes</translation>
-    </message>
-    <message>
         <source>STOP is not latched</source>
         <translation>STOP não está ativo</translation>
     </message>
     <message>
-        <source>both drives answer; nothing moves</source>
-        <translation>os dois acionamentos respondem; nada se move</translation>
-    </message>
-    <message>
-        <source>the bus is left to other tools</source>
-        <translation>o barramento está entregue a outras ferramentas</translation>
-    </message>
-    <message>
         <source>a drive has stopped answering</source>
         <translation>um acionamento deixou de responder</translation>
-    </message>
-    <message>
-        <source>the operator has taken over: re-arming is up to the operator</source>
-        <translation>o operador assumiu o controle: rearmar cabe ao operador</translation>
     </message>
     <message>
         <source>there is no fault to re-arm from</source>
@@ -2053,14 +2021,6 @@ do eixo</translation>
     <message>
         <source>both drives must answer before re-arming</source>
         <translation>os dois acionamentos têm de responder antes de rearmar</translation>
-    </message>
-    <message>
-        <source>re-arms: drives in fault or time-out are stopped first</source>
-        <translation>rearma: acionamentos em falha ou tempo esgotado são parados primeiro</translation>
-    </message>
-    <message>
-        <source>re-arms by the profile&apos;s recovery policy; nothing moves by itself</source>
-        <translation>rearma pela política de recuperação do perfil; nada se move por si</translation>
     </message>
     <message>
         <source>the drives have not been looked at yet</source>
@@ -2073,34 +2033,6 @@ do eixo</translation>
     <message>
         <source>%1 s ago</source>
         <translation>há %1 s</translation>
-    </message>
-    <message>
-        <source>%1 has the lead: it connects for each command and sent its last %2</source>
-        <translation>%1 conduz: conecta-se para cada comando e enviou o último %2</translation>
-    </message>
-    <message>
-        <source>%1 was given the lead %2</source>
-        <translation>%1 recebeu o comando %2</translation>
-    </message>
-    <message>
-        <source>%1 has the lead: it sent its last command %2</source>
-        <translation>%1 conduz: enviou o seu último comando %2</translation>
-    </message>
-    <message>
-        <source>the operator has made this client read-only</source>
-        <translation>o operador deixou este cliente só com leitura</translation>
-    </message>
-    <message>
-        <source>the mount is locked to %1</source>
-        <translation>a montagem está reservada a %1</translation>
-    </message>
-    <message>
-        <source>this client has left</source>
-        <translation>este cliente saiu</translation>
-    </message>
-    <message>
-        <source>the mount is locked to %1: unlock it first</source>
-        <translation>a montagem está reservada a %1: desfaça a reserva primeiro</translation>
     </message>
     <message>
         <source>azimuth</source>
@@ -2207,14 +2139,6 @@ do eixo</translation>
         <translation>não é possível escrever %1: %2</translation>
     </message>
     <message>
-        <source>it is not confirmed yet which way the axes turn: jog at 5°/s or slower, or confirm it</source>
-        <translation>ainda não está confirmado para que lado giram os eixos: mova a 5°/s ou menos, ou confirme</translation>
-    </message>
-    <message>
-        <source>it is not confirmed yet which way the axes turn: no farther than 2° until it is</source>
-        <translation>ainda não está confirmado para que lado giram os eixos: até lá, não mais que 2°</translation>
-    </message>
-    <message>
         <source>%1 similar lines left out</source>
         <translation>%1 linhas semelhantes omitidas</translation>
     </message>
@@ -2267,52 +2191,12 @@ do eixo</translation>
         <translation>deixa %1 mover de novo a montagem</translation>
     </message>
     <message>
-        <source>may not move the mount any more: hold</source>
-        <translation>já não pode mover a montagem: manter</translation>
-    </message>
-    <message>
-        <source>the crash-stop proof moves the mount: end it first</source>
-        <translation>o ensaio de parada brusca move a montagem: termine-o primeiro</translation>
-    </message>
-    <message>
-        <source>the %1 reports no position: look at its encoder</source>
-        <translation>o %1 não relata posição: examine o seu encoder</translation>
-    </message>
-    <message>
-        <source>it is not confirmed yet which way the axes turn: jog each a little and confirm it first</source>
-        <translation>ainda não está confirmado para que lado giram os eixos: mova um pouco cada um e confirme primeiro</translation>
-    </message>
-    <message>
-        <source>it is not known on which turn the axis of the %1 stands: the operator must tell; slow jogging only</source>
-        <translation>não se sabe em que volta está o eixo do %1: o operador tem de o dizer; só movimento manual lento</translation>
-    </message>
-    <message>
-        <source>the place of the axes is being found out: wait a moment</source>
-        <translation>o lugar dos eixos está sendo determinado: espere um momento</translation>
-    </message>
-    <message>
-        <source>the turn of an axis is not known: jog at %1°/s or slower</source>
-        <translation>a volta de um eixo é desconhecida: mova a %1°/s ou menos</translation>
-    </message>
-    <message>
-        <source>takes over: motion commands of clients are refused</source>
-        <translation>assume o controle: comandos de movimento dos clientes são recusados</translation>
-    </message>
-    <message>
         <source>moves the mount from %1: %2</source>
         <translation>move a montagem a partir de %1: %2</translation>
     </message>
     <message>
         <source>ended before it was done</source>
         <translation>terminado antes de concluído</translation>
-    </message>
-    <message>
-        <source>%1; permitted nearest to it: %2</source>
-        <translation>%1; o permitido mais próximo: %2</translation>
-    </message>
-    <message>
-        <source>LIMITED: %1; driven to the nearest permitted point</source>
-        <translation>LIMITADO: %1; conduzido ao ponto permitido mais próximo</translation>
     </message>
     <message>
         <source>go to %1</source>
@@ -2347,32 +2231,12 @@ do eixo</translation>
         <translation>mover</translation>
     </message>
     <message>
-        <source>ends the motion: hold</source>
-        <translation>termina o movimento: manter</translation>
-    </message>
-    <message>
-        <source>STOP: both axes decelerate and hold; latched</source>
-        <translation>STOP: os dois eixos desaceleram e mantêm-se; fica ativo</translation>
-    </message>
-    <message>
-        <source>the mount is still braking: reset STOP when it stands</source>
-        <translation>a montagem ainda está freando: libere o STOP quando parar</translation>
-    </message>
-    <message>
-        <source>resets STOP: nothing moves until the next command</source>
-        <translation>libera o STOP: nada se move até ao próximo comando</translation>
-    </message>
-    <message>
         <source>is gone: its motion ends</source>
         <translation>desapareceu: o seu movimento termina</translation>
     </message>
     <message>
         <source>no fresh position from the %1</source>
         <translation>sem posição recente do %1</translation>
-    </message>
-    <message>
-        <source>it is not known on which turn an axis stands</source>
-        <translation>não se sabe em que volta está um eixo</translation>
     </message>
     <message>
         <source>was power-cycled: its turn must be judged anew</source>
@@ -2387,24 +2251,12 @@ do eixo</translation>
         <translation>uma compensação acima de %1° já não é uma correção</translation>
     </message>
     <message>
-        <source>jog ends: no farther than 2° until the directions of the axes are confirmed</source>
-        <translation>o movimento manual termina: não mais que 2° até estar confirmado para que lado giram os eixos</translation>
-    </message>
-    <message>
         <source>at the end of the travel</source>
         <translation>no fim de curso</translation>
     </message>
     <message>
         <source>at %1</source>
         <translation>em: %1</translation>
-    </message>
-    <message>
-        <source>turn not known</source>
-        <translation>volta desconhecida</translation>
-    </message>
-    <message>
-        <source>not by our orders</source>
-        <translation>sem ordens nossas</translation>
     </message>
     <message>
         <source>held by its own time-out mode</source>
@@ -2431,36 +2283,12 @@ do eixo</translation>
         <translation>saiu: %1</translation>
     </message>
     <message>
-        <source>the mount moves: stop it first</source>
-        <translation>a montagem move-se: pare-a primeiro</translation>
-    </message>
-    <message>
-        <source>a drive is being taken over: try again in a second</source>
-        <translation>um acionamento está sendo assumido: tente de novo dentro de um segundo</translation>
-    </message>
-    <message>
         <source>both drives must answer</source>
         <translation>os dois acionamentos têm de responder</translation>
     </message>
     <message>
         <source>the %1 is switched on: support the elevation, switch the drives off</source>
         <translation>o %1 está ligado: apoie a elevação, desligue os acionamentos</translation>
-    </message>
-    <message>
-        <source>switches both drives off: nothing holds the axes</source>
-        <translation>desliga os dois acionamentos: nada segura os eixos</translation>
-    </message>
-    <message>
-        <source>leaves the bus to other tools; drives that held go on by their time-out mode</source>
-        <translation>entrega o barramento a outras ferramentas; acionamentos que mantinham continuam pelo seu modo de tempo esgotado</translation>
-    </message>
-    <message>
-        <source>the bus was not left to other tools</source>
-        <translation>o barramento não estava entregue a outras ferramentas</translation>
-    </message>
-    <message>
-        <source>takes the bus back: the drives are read anew</source>
-        <translation>retoma o barramento: os acionamentos são lidos de novo</translation>
     </message>
     <message>
         <source>a crash stop is proven at %1 to %2°/s</source>
@@ -2623,10 +2451,6 @@ do eixo</translation>
     <message>
         <source>held: %1</source>
         <translation>retido: %1</translation>
-    </message>
-    <message>
-        <source>re-armed; nothing moves</source>
-        <translation>rearmado; nada se move</translation>
     </message>
     <message>
         <source>the azimuth</source>
@@ -3901,16 +3725,8 @@ do eixo</translation>
         <translation>espera-se um caminho desde /</translation>
     </message>
     <message>
-        <source>in this direction the azimuth cable can not be wound less than it is</source>
-        <translation>nesta direção o cabo de azimute não pode ficar menos enrolado do que está</translation>
-    </message>
-    <message>
         <source>unwind the cable, azimuth to %1</source>
         <translation>desenrolar o cabo, azimute para %1</translation>
-    </message>
-    <message>
-        <source>asks for a place outside the limits: %1; the nearest permitted one is driven</source>
-        <translation>pede um lugar fora dos limites: %1; vai-se ao permitido mais próximo</translation>
     </message>
     <message>
         <source>the target is beyond %1</source>
@@ -4241,10 +4057,6 @@ do eixo</translation>
         <translation>Lua</translation>
     </message>
     <message>
-        <source>trims what is followed by %1° in azimuth, %2° in elevation</source>
-        <translation>compensa o que é seguido em %1° de azimute, %2° de elevação</translation>
-    </message>
-    <message>
         <source>calibration</source>
         <translation>calibração</translation>
     </message>
@@ -4561,14 +4373,6 @@ do eixo</translation>
         <translation>o feixe não chega a um lugar da varredura: %1</translation>
     </message>
     <message>
-        <source>the mount follows directions, which the change would move: hold the mount first</source>
-        <translation>a montagem segue direções, que a mudança deslocaria: mantenha primeiro a montagem</translation>
-    </message>
-    <message>
-        <source>the mount is on its way to a direction, which the change would move: wait until it is there, or hold it first</source>
-        <translation>a montagem está a caminho de uma direção, que a mudança deslocaria: espere até que chegue, ou mantenha-a primeiro</translation>
-    </message>
-    <message>
         <source>with the boom at %1 the compass says nothing: lower it to %2 or less, best to 30°</source>
         <translation>com a lança a %1 a bússola nada diz: baixe-a a %2 ou menos, o melhor é 30°</translation>
     </message>
@@ -4697,10 +4501,6 @@ do eixo</translation>
         <translation>todos os pontos têm quase a mesma altura: não se distinguem o desvio do azimute e a colimação; tome um bem mais alto ou mais baixo, ou um passando pelo zênite</translation>
     </message>
     <message>
-        <source>the travel and the limits of the axes do not reach it over the top</source>
-        <translation>o curso e os limites dos eixos não chegam lá passando pelo zênite</translation>
-    </message>
-    <message>
         <source>by the model in force the beam is %1° beside it: if it was not centred, drop point %2</source>
         <translation>pelo modelo em vigor, o feixe está a %1° dele: se não estava centrado, descarte o ponto %2</translation>
     </message>
@@ -4779,18 +4579,6 @@ do eixo</translation>
     <message>
         <source>azimuth cable ends at %1, about %2</source>
         <translation>o cabo do azimute acaba a %1, por volta das %2</translation>
-    </message>
-    <message>
-        <source>turns back by %1: the cable ends at %2</source>
-        <translation>gira %1 para trás: o cabo acaba a %2</translation>
-    </message>
-    <message>
-        <source>%1; the target is lost for about %2</source>
-        <translation>%1; perde-se o alvo por cerca de %2</translation>
-    </message>
-    <message>
-        <source>cable ends: turns back by %1</source>
-        <translation>fim do cabo: gira %1 para trás</translation>
     </message>
     <message>
         <source>another program</source>
@@ -4941,14 +4729,6 @@ do eixo</translation>
         <translation>o relógio deste computador não está sincronizado</translation>
     </message>
     <message>
-        <source>the place of the Sun is known again</source>
-        <translation>o lugar do Sol voltou a ser conhecido</translation>
-    </message>
-    <message>
-        <source>the clock of this computer is not synchronised, so the Sun may be in the beam: only the operator may jog the mount out of there, at %1°/s or slower</source>
-        <translation>o relógio deste computador não está sincronizado, por isso o Sol pode estar no feixe: só o operador pode tirar dali a montagem com movimento manual, a %1°/s ou menos</translation>
-    </message>
-    <message>
         <source>The cable wrap stays unknown</source>
         <translation>A volta do cabo continua desconhecida</translation>
     </message>
@@ -5043,14 +4823,6 @@ do eixo</translation>
     <message>
         <source>at the lower limit %1</source>
         <translation>no limite inferior %1</translation>
-    </message>
-    <message>
-        <source>whoever sends last moves the mount</source>
-        <translation>move a montagem quem envia por último</translation>
-    </message>
-    <message>
-        <source>it has the control</source>
-        <translation>já tem o controle</translation>
     </message>
     <message>
         <source>it is not known where the %1 is</source>
@@ -5756,6 +5528,234 @@ do eixo</translation>
     <message>
         <source>%1 moved by %2 to %3 without a command (weight, wind, a hand or another program)</source>
         <translation>%1 moveu-se %2 até %3 sem comando (peso, vento, uma mão ou outro programa)</translation>
+    </message>
+    <message>
+        <source>The drives have just come back. Wait a second.</source>
+        <translation>Os acionamentos acabaram de voltar. Espere um segundo.</translation>
+    </message>
+    <message>
+        <source>STOP is latched. Reset STOP first.</source>
+        <translation>STOP está retido. Reponha STOP primeiro.</translation>
+    </message>
+    <message>
+        <source>%1. Re-arm first.</source>
+        <translation>%1. Rearme primeiro.</translation>
+    </message>
+    <message>
+        <source>The operator has control. Give control back to the clients first.</source>
+        <translation>O operador tem o controlo. Devolva primeiro o controlo aos clientes.</translation>
+    </message>
+    <message>
+        <source>both drives answer, and nothing moves</source>
+        <translation>os dois acionamentos respondem, e nada se move</translation>
+    </message>
+    <message>
+        <source>the bus is released to other tools</source>
+        <translation>o barramento está libertado para outras ferramentas</translation>
+    </message>
+    <message>
+        <source>The operator has control. Only the operator can re-arm.</source>
+        <translation>O operador tem o controlo. Só o operador pode rearmar.</translation>
+    </message>
+    <message>
+        <source>re-arms, and first stops drives in fault or time-out</source>
+        <translation>rearma, e primeiro para os acionamentos em falha ou tempo excedido</translation>
+    </message>
+    <message>
+        <source>re-arms by the recovery policy of the profile, and nothing moves by itself</source>
+        <translation>rearma pela política de recuperação do perfil, e nada se move sozinho</translation>
+    </message>
+    <message>
+        <source>turns back by %1 because the cable ends at %2</source>
+        <translation>volta atrás %1 porque o cabo termina em %2</translation>
+    </message>
+    <message>
+        <source>%1, and the target is lost for about %2</source>
+        <translation>%1, e o alvo perde-se durante cerca de %2</translation>
+    </message>
+    <message>
+        <source>cable end, turns back %1</source>
+        <translation>fim do cabo, volta atrás %1</translation>
+    </message>
+    <message>
+        <source>may no longer move the mount, so the mount holds</source>
+        <translation>já não pode mover a montagem, por isso a montagem mantém</translation>
+    </message>
+    <message>
+        <source>ends the motion, and the mount holds</source>
+        <translation>termina o movimento, e a montagem mantém</translation>
+    </message>
+    <message>
+        <source>the newest client has control</source>
+        <translation>o cliente mais recente tem o controlo</translation>
+    </message>
+    <message>
+        <source>it has control</source>
+        <translation>tem o controlo</translation>
+    </message>
+    <message>
+        <source>asks for a position outside the limits (%1). The mount goes to the nearest permitted one</source>
+        <translation>pede uma posição fora dos limites (%1). A montagem vai para a permitida mais próxima</translation>
+    </message>
+    <message>
+        <source>%1 has control. It connects for each command and sent its last %2.</source>
+        <translation>%1 tem o controlo. Liga-se para cada comando e enviou o último %2.</translation>
+    </message>
+    <message>
+        <source>%1 received control %2.</source>
+        <translation>%1 recebeu o controlo %2.</translation>
+    </message>
+    <message>
+        <source>%1 has control. It sent its last command %2.</source>
+        <translation>%1 tem o controlo. Enviou o último comando %2.</translation>
+    </message>
+    <message>
+        <source>The operator has made this client read-only.</source>
+        <translation>O operador pôs este cliente só de leitura.</translation>
+    </message>
+    <message>
+        <source>The mount is locked to %1.</source>
+        <translation>A montagem está reservada a %1.</translation>
+    </message>
+    <message>
+        <source>this client has disconnected</source>
+        <translation>este cliente desligou-se</translation>
+    </message>
+    <message>
+        <source>The mount is locked to %1. Unlock it first.</source>
+        <translation>A montagem está reservada a %1. Liberte-a primeiro.</translation>
+    </message>
+    <message>
+        <source>The crash-stop proof moves the mount. End it first.</source>
+        <translation>A prova de paragem de emergência move a montagem. Termine-a primeiro.</translation>
+    </message>
+    <message>
+        <source>The %1 reports no position. Check its encoder.</source>
+        <translation>O %1 não comunica posição. Verifique o encoder.</translation>
+    </message>
+    <message>
+        <source>The cable wrap of the %1 is unknown. Enter where the axis is. Only slow jog works.</source>
+        <translation>A volta do cabo do %1 é desconhecida. Indique onde está o eixo. Só o jog lento funciona.</translation>
+    </message>
+    <message>
+        <source>The directions of the axes are not confirmed. Jog each axis a little and confirm them first.</source>
+        <translation>Os sentidos dos eixos não estão confirmados. Faça jog um pouco em cada eixo e confirme-os primeiro.</translation>
+    </message>
+    <message>
+        <source>Boresight is finding the position of the axes. Wait a moment.</source>
+        <translation>O Boresight está a determinar a posição dos eixos. Espere um momento.</translation>
+    </message>
+    <message>
+        <source>The cable wrap of an axis is unknown. Jog at %1°/s or slower.</source>
+        <translation>A volta do cabo de um eixo é desconhecida. Faça jog a %1°/s ou menos.</translation>
+    </message>
+    <message>
+        <source>In this direction the azimuth cable is already wound least.</source>
+        <translation>Nesta direção o cabo de azimute já está o menos enrolado possível.</translation>
+    </message>
+    <message>
+        <source>The mount moves. Stop it first.</source>
+        <translation>A montagem move-se. Pare-a primeiro.</translation>
+    </message>
+    <message>
+        <source>Boresight is taking over a drive. Try again in a second.</source>
+        <translation>O Boresight está a assumir um acionamento. Tente de novo dentro de um segundo.</translation>
+    </message>
+    <message>
+        <source>The clock of this computer is not synchronised, so the Sun may be in the beam. Only the operator may jog the mount out, at %1°/s or slower.</source>
+        <translation>O relógio deste computador não está sincronizado, por isso o Sol pode estar no feixe. Só o operador pode tirar a montagem por jog, a %1°/s ou menos.</translation>
+    </message>
+    <message>
+        <source>The mount tracks a target, and the change would move it. Press Hold first.</source>
+        <translation>A montagem segue um alvo, e a alteração movê-la-ia. Prima Manter primeiro.</translation>
+    </message>
+    <message>
+        <source>The mount is on its way to a target, and the change would move it. Wait until it is there, or press Hold.</source>
+        <translation>A montagem está a caminho de um alvo, e a alteração movê-lo-ia. Espere até chegar, ou prima Manter.</translation>
+    </message>
+    <message>
+        <source>%1. The nearest permitted position is %2.</source>
+        <translation>%1. A posição permitida mais próxima é %2.</translation>
+    </message>
+    <message>
+        <source>The travel and the limits of the axes do not reach it over the top.</source>
+        <translation>O curso e os limites dos eixos não o alcançam por cima do topo.</translation>
+    </message>
+    <message>
+        <source>goes to the nearest permitted point because of a limit (%1)</source>
+        <translation>vai para o ponto permitido mais próximo devido a um limite (%1)</translation>
+    </message>
+    <message>
+        <source>trims the tracked target by %1° in azimuth, %2° in elevation</source>
+        <translation>corrige o alvo seguido em %1° de azimute, %2° de elevação</translation>
+    </message>
+    <message>
+        <source>takes control, and Boresight refuses motion commands of clients</source>
+        <translation>toma o controlo, e o Boresight recusa comandos de movimento dos clientes</translation>
+    </message>
+    <message>
+        <source>switches both drives off, so nothing holds the axes</source>
+        <translation>desliga os dois acionamentos, por isso nada mantém os eixos</translation>
+    </message>
+    <message>
+        <source>releases the bus to other tools, and drives that held continue in their time-out mode</source>
+        <translation>liberta o barramento para outras ferramentas, e os acionamentos que mantinham continuam no seu modo de tempo excedido</translation>
+    </message>
+    <message>
+        <source>takes the bus back, and reads the drives again</source>
+        <translation>retoma o barramento, e lê de novo os acionamentos</translation>
+    </message>
+    <message>
+        <source>the position of the Sun is known again</source>
+        <translation>a posição do Sol é conhecida de novo</translation>
+    </message>
+    <message>
+        <source>STOP is latched, and both axes decelerate and hold</source>
+        <translation>STOP está retido, e os dois eixos desaceleram e mantêm</translation>
+    </message>
+    <message>
+        <source>The mount is still braking. Reset STOP when it stands still.</source>
+        <translation>A montagem ainda está a travar. Reponha STOP quando estiver parada.</translation>
+    </message>
+    <message>
+        <source>resets STOP, and nothing moves until the next command</source>
+        <translation>repõe STOP, e nada se move até ao próximo comando</translation>
+    </message>
+    <message>
+        <source>jog ends at 2° until the directions of the axes are confirmed</source>
+        <translation>o jog termina aos 2° até os sentidos dos eixos serem confirmados</translation>
+    </message>
+    <message>
+        <source>the cable wrap of an axis is unknown</source>
+        <translation>a volta do cabo de um eixo é desconhecida</translation>
+    </message>
+    <message>
+        <source>re-armed, and nothing moves</source>
+        <translation>rearmado, e nada se move</translation>
+    </message>
+    <message>
+        <source>wrap unknown</source>
+        <translation>volta desconhecida</translation>
+    </message>
+    <message>
+        <source>not commanded by Boresight</source>
+        <translation>não comandado pelo Boresight</translation>
+    </message>
+    <message>
+        <source>The bus is released to other tools. Take the bus back first.</source>
+        <translation>O barramento está libertado para outras ferramentas. Retome-o primeiro.</translation>
+    </message>
+    <message>
+        <source>the bus is not released to other tools</source>
+        <translation>o barramento não está libertado para outras ferramentas</translation>
+    </message>
+    <message>
+        <source>The directions of the axes are not confirmed. Jog at 5°/s or slower, or confirm them.</source>
+        <translation>Os sentidos dos eixos não estão confirmados. Faça jog a 5°/s ou menos, ou confirme-os.</translation>
+    </message>
+    <message>
+        <source>The directions of the axes are not confirmed. Until then an axis moves at most 2°.</source>
+        <translation>Os sentidos dos eixos não estão confirmados. Até lá um eixo move-se no máximo 2°.</translation>
     </message>
 </context>
 <context>

@@ -146,7 +146,7 @@ TEST_F(JogDeskTest, ATrimIsShownByTheReadoutsInEveryPanelAndCleared)
 TEST_F(JogDeskTest, AWoundCableIsUnwoundByOneClick)
 {
     EXPECT_FALSE(named<CommandButton>("Unwind")->isEnabled());
-    EXPECT_TRUE(named<CommandButton>("Unwind")->toolTip().contains(QStringLiteral("can not be wound less")));
+    EXPECT_TRUE(named<CommandButton>("Unwind")->toolTip().contains(QStringLiteral("already wound least")));
     StationStatus status = holding();
     status.azimuth.travel = {-90_deg, 450_deg};
     status.azimuth.actual = 425_deg;

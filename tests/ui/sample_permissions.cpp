@@ -46,18 +46,18 @@ QString firstOf(const QString& one, const QString& other)
 QString noMotion(const StationStatus& status)
 {
     if (drivesOf(status).released) {
-        return QStringLiteral("the bus is left to other tools: take it back first");
+        return QStringLiteral("The bus is released to other tools. Take the bus back first.");
     }
     if (status.state == StationState::Disconnected) {
         return QStringLiteral("no reply from the azimuth drive");
     }
     if (drivesOf(status).proofRunning) {
-        return QStringLiteral("the crash-stop proof moves the mount: end it first");
+        return QStringLiteral("The crash-stop proof moves the mount. End it first.");
     }
     if (status.stopLatched || status.state == StationState::Stopped) {
-        return QStringLiteral("STOP is latched: reset STOP first");
+        return QStringLiteral("STOP is latched. Reset STOP first.");
     }
-    return status.state == StationState::Fault ? QStringLiteral("%1: re-arm first").arg(status.stateReason)
+    return status.state == StationState::Fault ? QStringLiteral("%1. Re-arm first.").arg(status.stateReason)
                                                : drivesOf(status).armingObstacle;
 }
 
@@ -65,9 +65,7 @@ QString notPlaced(const StationStatus& status, Axis axis)
 {
     return axisOf(status, axis).turnKnown
                ? QString()
-               : QStringLiteral(
-                     "it is not known on which turn the axis of the %1 stands: the operator must tell; "
-                     "slow jogging only")
+               : QStringLiteral("The cable wrap of the %1 is unknown. Enter where the axis is. Only slow jog works.")
                      .arg(driveName(axis));
 }
 
@@ -81,7 +79,8 @@ QString noPointing(const StationStatus& status)
     const QString unconfirmed =
         status.profile->mount.directions == profile::Directions::Confirmed
             ? QString()
-            : QStringLiteral("it is not confirmed yet which way the axes turn: jog each a little and confirm it first");
+            : QStringLiteral(
+                  "The directions of the axes are not confirmed. Jog each axis a little and confirm them first.");
     return firstOf(firstOf(noMotion(status), unconfirmed),
                    firstOf(notPlaced(status, Axis::Azimuth), notPlaced(status, Axis::Elevation)));
 }
@@ -95,7 +94,7 @@ bool moves(const StationStatus& status)
 QString moving(const StationStatus& status)
 {
     const bool anyAxis = status.azimuth.state == AxisState::Moving || status.elevation.state == AxisState::Moving;
-    return anyAxis || moves(status) ? QStringLiteral("the mount moves: stop it first") : QString();
+    return anyAxis || moves(status) ? QStringLiteral("The mount moves. Stop it first.") : QString();
 }
 
 QString noWayOn(const StationStatus& status, Axis which, bool upwards)
@@ -123,10 +122,9 @@ void judgeMotions(StationStatus& status)
         may.refuse(action, pointing);
     }
     const bool wound = status.azimuth.actual && abs(*status.azimuth.actual) > 180_deg;
-    may.refuse(Action::Unwind,
-               !pointing.isEmpty() ? pointing
-               : wound             ? QString()
-                       : QStringLiteral("in this direction the azimuth cable can not be wound less than it is"));
+    may.refuse(Action::Unwind, !pointing.isEmpty() ? pointing
+                               : wound             ? QString()
+                                       : QStringLiteral("In this direction the azimuth cable is already wound least."));
     const auto judge = [&](JogDirection direction, Axis axis, bool upwards) {
         const QString jog = firstOf(motion, noWayOn(status, axis, upwards));
         may.refuse(jogAction(direction), jog);
@@ -167,7 +165,7 @@ void judgeDrives(StationStatus& status)
 {
     const DrivesStatus& drives = drivesOf(status);
     const QString released =
-        drives.released ? QStringLiteral("the bus is left to other tools: take it back first") : QString();
+        drives.released ? QStringLiteral("The bus is released to other tools. Take the bus back first.") : QString();
     const QString writing = drives.survey == SurveyState::Fixing
                                 ? QStringLiteral("the drives' settings are being written: wait until that is done")
                                 : QString();
@@ -196,16 +194,16 @@ void judgeClients(StationStatus& status)
     const profile::RotctldSettings& rules = status.profile->rotctld;
     for (ClientStatus& client : status.clients) {
         if (status.stopLatched) {
-            client.leadObstacle = QStringLiteral("STOP is latched: reset STOP first");
+            client.leadObstacle = QStringLiteral("STOP is latched. Reset STOP first.");
         } else if (rules.lead == profile::Lead::Locked && !client.locked) {
-            client.leadObstacle = QStringLiteral("the mount is locked to %1: unlock it first")
+            client.leadObstacle = QStringLiteral("The mount is locked to %1. Unlock it first.")
                                       .arg(QString::fromStdString(rules.lockedTo));
         } else if (status.authority == Authority::Operator || client.readOnly) {
             client.leadObstacle.clear();
         } else if (rules.lead == profile::Lead::Last) {
-            client.leadObstacle = QStringLiteral("whoever sends last moves the mount");
+            client.leadObstacle = QStringLiteral("the newest client has control");
         } else {
-            client.leadObstacle = client.leading ? QStringLiteral("it has the control") : QString();
+            client.leadObstacle = client.leading ? QStringLiteral("it has control") : QString();
         }
     }
 }

@@ -350,7 +350,7 @@ TEST(StationControl, ADriveWithoutAPositionIsNotMoved)
     rig.elevation.position = std::numeric_limits<double>::quiet_NaN();
     rig.run(Seconds(0.5));
     EXPECT_EQ(rig.point(10.0, 10.0, kOperator).error().text,
-              "the elevation drive reports no position: look at its encoder");
+              "The elevation drive reports no position. Check its encoder.");
     EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 1_deg_s}}));
     EXPECT_FALSE(rig.ask(request::ProveCrashStop{2_deg_s}));
     EXPECT_EQ(rig.commands(), 0U);

@@ -337,7 +337,7 @@ TEST(DriveCare, OnAReleasedBusNothingIsSaidAndChangesAreToldAfterwards)
     rig.surveyed = false;
     rig.run(Seconds(5.0));
     EXPECT_FALSE(rig.surveyed);
-    EXPECT_THAT(rig.ask(kGo), HasSubstr("left to other tools"));
+    EXPECT_THAT(rig.ask(kGo), HasSubstr("released to other tools"));
     for (const Alarm& alarm : rig.control.status().alarms) {
         EXPECT_FALSE(alarm.active) << "a silence that was asked for is no alarm: " << alarm.what.toStdString();
     }
