@@ -119,7 +119,7 @@ supervision::DriveConditions Arming::conditions(Axis axis) const
             .motorTemperature = report.motorTemperature};
 }
 
-// The reply in which a drive is lost may be the one that does not say it.
+// The reply in which a drive is lost may be the one that does not show it.
 void Arming::noteConditions(Axis axis)
 {
     const supervision::DriveConditions now = conditions(axis);

@@ -13,12 +13,14 @@
 namespace boresight {
 namespace {
 
-// Whichever is earlier. Told a little longer than begun, so that a path that trembles does not come and go.
+// Whichever is earlier. It stays a little longer than it would begin, so that a path that trembles does not come and
+// go.
 constexpr Seconds kWarnTime{60.0};
 constexpr Angle kWarnAngle = Angle::fromDegrees(30.0);
 constexpr double kKeep = 1.3;
 constexpr std::uint64_t kTicksBetween = 10;
-// The path bends, and with it the time that was told: told anew when it is off by this, or by a fifth of what is left.
+// The path bends, and with it the reported time. It is reported again when it is off by this, or by a fifth of what is
+// left.
 constexpr Seconds kTimeOff{10.0};
 constexpr double kPartOff = 0.2;
 constexpr Seconds kToldAnewAfter{10.0};

@@ -30,7 +30,7 @@ void ClientLead::came(const Source& client, const std::string& host)
     }
 }
 
-// Some programs connect for each command. They would lose the lead between any two, so a client that leaves after a
+// Some programs connect for each command. They would lose control between any two, so a client that leaves after a
 // single motion command leaves it to a later connection of its host until kRelease is over.
 void ClientLead::gone(const Source& client)
 {

@@ -137,7 +137,7 @@ Result<> Gates::mayJogSlowly(const AxisRates& rates) const
     return {};
 }
 
-// Where somebody must watch, no faster than that; and no farther wrong than a hand can mend while it is not confirmed
+// Where somebody must watch, no faster than that, and no farther than a hand can correct while it is not confirmed
 // which way the axes turn.
 AngularRate Gates::fastestJog() const
 {

@@ -106,7 +106,7 @@ Result<> Helm::follow(pointing::Resolved resolved, const SkyPointing& asked, con
     begin(Activity::Streaming, by, what.isEmpty() ? QStringLiteral("P ") + boresight::directionText(asked) : what);
     beginTurnBack(back);
     if (newStream) {
-        m_of.motion.rest();  // the points of another client say nothing about this one's
+        m_of.motion.rest();  // the points of another client do not continue here
     }
     if (resolved.limited) {
         m_of.current.limit(resolved.reason, asked);

@@ -364,7 +364,8 @@ void StationControl::watchFitness()
     }
 }
 
-// Tells what holds a motion, and ends one that has no way left: the region was drawn anew. A stream of a client waits.
+// Logs what holds a motion, and ends one that has no way left because the region was drawn again. A stream of a client
+// waits.
 void StationControl::watchRegion()
 {
     if (m_current.goesToAPlace() && !m_motion.noWay().isEmpty()) {

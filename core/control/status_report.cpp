@@ -21,7 +21,7 @@ constexpr std::chrono::seconds kNoData{2};
 // Forgives the rounding of a place exactly between two that can be reached.
 constexpr Angle kBetweenSteps = Angle::fromDegrees(0.001);
 
-// What an AxisStatus and an AxisSample say alike of the drive itself.
+// What an AxisStatus and an AxisSample share about the drive itself.
 void fillTelemetry(auto& values, const AxisReport& report)
 {
     values.busVoltage = report.voltage;

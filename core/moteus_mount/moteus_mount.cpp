@@ -10,7 +10,7 @@
 namespace boresight {
 namespace {
 
-// Fast enough to be told from standing, slow enough to harm nothing.
+// Fast enough to differ from standing, slow enough to harm nothing.
 constexpr AngularRate kSlowestProof = AngularRate::fromDegrees(0.5);
 constexpr AngularRate kFastestProof = AngularRate::fromDegrees(5.0);
 
@@ -138,7 +138,7 @@ Result<> MoteusMount::available() const
                : Result<>{};
 }
 
-// The survey's part is added by DriveCare.
+// DriveCare adds the part of the drive check.
 void MoteusMount::describe(DrivesStatus& status) const
 {
     status.released = m_busLeft;
@@ -258,7 +258,7 @@ void MoteusMount::letBackInside()
     }
 }
 
-// Where the drives were told to be; one that is still taken over has no set-point.
+// Where the drives were commanded to be. One that is still taken over has no set-point.
 AxisPosition MoteusMount::heldPlace() const
 {
     const auto of = [this](Axis axis) {

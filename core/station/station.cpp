@@ -22,7 +22,7 @@ namespace {
 const QString kServerSource = QStringLiteral("rotctld");
 constexpr std::chrono::seconds kReopenPeriod{1};
 // Who starts the program and asks for the position at once shall get one, if there is one to be had: where no drive
-// answers there is none, and drives that answer are surveyed first.
+// answers there is none, and drives that answer are checked first.
 constexpr std::chrono::milliseconds kStartPatience{500};
 constexpr std::chrono::seconds kSurveyPatience{6};
 // More than this is not read by anybody at once; the log file has it all.
@@ -218,7 +218,7 @@ void Station::tick()
     }
 }
 
-// What the sensor on the antenna says is compared, shown and told; nothing more comes of it.
+// What the sensor on the antenna says is compared, shown and reported. It does nothing more.
 void Station::witness()
 {
     double amperes = 0.0;
