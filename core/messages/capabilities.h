@@ -13,7 +13,7 @@ namespace boresight {
 
 struct AxisCapabilities
 {
-    Angle step{};                          // of its places: it reports and reaches nothing between them
+    Angle step{};                          // its places are multiples of it: it reports and reaches nothing else
     std::optional<AngularRate> fastest{};  // empty: whatever the profile permits
     Seconds silence{0.0};                  // after this long without an answer it is reported
     bool watchdog = false;                 // it stops by itself when the orders end

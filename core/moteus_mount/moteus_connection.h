@@ -23,7 +23,7 @@ public:
     struct Start
     {
         QString stateDir;  // of the journal
-        Simulation simulation;
+        Simulation simulation = Simulation::Off;
         // Where the mount stood when the operator looked, for drives that do not know it. Counts once, for ten minutes.
         std::optional<memory::EnteredPlace> standingAt{};
     };

@@ -2,8 +2,10 @@
 #include "core/motion/guarded_axes.h"
 
 #include "core/pointing/missing_axis.h"
+#include "core/pointing/ranges.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace boresight {
@@ -16,7 +18,6 @@ using tracking::AxisProfile;
 constexpr Angle kAtEdge = Angle::fromDegrees(0.05);
 // How far beyond an edge to look for what it is the edge of.
 constexpr Angle kBeyondEdge = Angle::fromDegrees(0.1);
-constexpr Angle kRounding = Angle::fromDegrees(1e-9);
 
 AxisProfile profileOf(const profile::AxisSettings& axis, const TravelRange& travel)
 {
@@ -34,6 +35,18 @@ void obey(AxisProfile& axis, Seconds duration, const AxisWish& wish)
     }
 }
 
+// An axis that goes in steps rounds a set-point to the next of them, which must not be beyond the end of the range. A
+// range without any step stays as it is.
+TravelRange onSteps(const TravelRange& range, Angle step)
+{
+    if (step <= Angle{}) {
+        return range;
+    }
+    const TravelRange inner{.min = std::ceil((range.min - pointing::kRounding) / step) * step,
+                            .max = std::floor((range.max + pointing::kRounding) / step) * step};
+    return inner.min <= inner.max ? inner : range;
+}
+
 // All that an axis passes from where it was before a step until it would rest after it.
 TravelRange passed(Angle before, const AxisProfile& axis)
 {
@@ -43,7 +56,7 @@ TravelRange passed(Angle before, const AxisProfile& axis)
 
 bool within(const TravelRange& inner, const TravelRange& outer)
 {
-    return inner.min >= outer.min - kRounding && inner.max <= outer.max + kRounding;
+    return inner.min >= outer.min - pointing::kRounding && inner.max <= outer.max + pointing::kRounding;
 }
 
 int wayOf(const AxisWish& wish, Angle place)
@@ -64,29 +77,31 @@ int heldWay(const AxisWish& wish, Angle place, const TravelRange& room)
 }  // namespace
 
 GuardedAxes::GuardedAxes(const profile::Profile& profile, const Capabilities& capabilities)
-    : m_present{capabilities.has(Axis::Azimuth), capabilities.has(Axis::Elevation)},
-      m_travel(travelOf(profile)),
-      m_region(ofPresentAxes(profile.limits), m_travel.azimuth, m_travel.elevation,
+    : m_capabilities(capabilities),
+      m_travel{.azimuth = travelOf(Axis::Azimuth, profile), .elevation = travelOf(Axis::Elevation, profile)},
+      m_region(reachable(profile.limits), m_travel.azimuth, m_travel.elevation,
                pointing::PointingModel(profile.pointing)),
       m_azimuth(profileOf(profile.azimuth, m_travel.azimuth)),
       m_elevation(profileOf(profile.elevation, m_travel.elevation))
 {}
 
-AxisBox GuardedAxes::travelOf(const profile::Profile& profile) const
+TravelRange GuardedAxes::travelOf(Axis axis, const profile::Profile& profile) const
 {
-    return {.azimuth = m_present[0] ? profile.azimuth.geometry.travel : pointing::kMissingAxisTravel,
-            .elevation = m_present[1] ? profile.elevation.geometry.travel : pointing::kMissingAxisTravel};
+    const auto& can = m_capabilities.axes[index(axis)];
+    return can ? onSteps(profile.axis(axis).geometry.travel, can->step) : pointing::kMissingAxisTravel;
 }
 
-pointing::Region GuardedAxes::ofPresentAxes(const pointing::Region& region) const
+pointing::Region GuardedAxes::reachable(pointing::Region region) const
 {
-    pointing::Region present = region;
     for (const Axis axis : kAxes) {
-        if (!m_present[index(axis)]) {
-            present = pointing::withoutAxis(std::move(present), axis);
+        if (const auto& can = m_capabilities.axes[index(axis)]) {
+            TravelRange& limits = axis == Axis::Azimuth ? region.azimuth : region.elevation;
+            limits = onSteps(limits, can->step);
+        } else {
+            region = pointing::withoutAxis(std::move(region), axis);
         }
     }
-    return present;
+    return region;
 }
 
 void GuardedAxes::start(Axis axis, Angle measured)
@@ -97,7 +112,7 @@ void GuardedAxes::start(Axis axis, Angle measured)
 
 void GuardedAxes::setRegion(const pointing::Region& region, const pointing::PointingModel& pointing)
 {
-    m_region = pointing::PermittedRegion(ofPresentAxes(region), m_travel.azimuth, m_travel.elevation, pointing);
+    m_region = pointing::PermittedRegion(reachable(region), m_travel.azimuth, m_travel.elevation, pointing);
     m_swept.reset();
 }
 
@@ -118,7 +133,8 @@ AxisBox GuardedAxes::untilRest() const
 
 void GuardedAxes::step(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation)
 {
-    stepGuarded(duration, m_present[0] ? azimuth : AxisWish{}, m_present[1] ? elevation : AxisWish{});
+    stepGuarded(duration, m_capabilities.has(Axis::Azimuth) ? azimuth : AxisWish{},
+                m_capabilities.has(Axis::Elevation) ? elevation : AxisWish{});
 }
 
 void GuardedAxes::stepGuarded(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation)

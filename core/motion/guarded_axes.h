@@ -15,8 +15,9 @@
 // The set-points of both axes, kept inside the permitted region whatever is asked of them and by whom: below every
 // source of motion this is what holds. In each step an axis gets as much room as is free while the other one is
 // anywhere between where it is and where it would stop, so both can always still brake, and along an edge they
-// slide. An axis that the rotator does not have stays at 0. From a forbidden place (an edited mask, a mount that was
-// pushed) they only move out. Pure, one thread; README.md.
+// slide. An axis that the rotator does not have stays at 0. Travel and limits of an axis that goes in steps end at the
+// last step inside. From a forbidden place (an edited mask, a mount that was pushed) they only move out. Pure, one
+// thread; README.md.
 namespace boresight {
 
 // What one axis is asked: to go to a target that moves at `rate`, or without a target to run at `rate`. Zero: brake,
@@ -54,8 +55,8 @@ public:
     [[nodiscard]] QString obstacle() const;
 
 private:
-    [[nodiscard]] pointing::AxisBox travelOf(const profile::Profile& profile) const;
-    [[nodiscard]] pointing::Region ofPresentAxes(const pointing::Region& region) const;
+    [[nodiscard]] TravelRange travelOf(Axis axis, const profile::Profile& profile) const;
+    [[nodiscard]] pointing::Region reachable(pointing::Region region) const;
     [[nodiscard]] pointing::AxisBox untilRest() const;
     void stepGuarded(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
     void stepFree(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
@@ -63,7 +64,7 @@ private:
     void stepOut(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
     void brake(Seconds duration, const pointing::AxisBox& within, const AxisWish& azimuth, const AxisWish& elevation);
 
-    std::array<bool, 2> m_present;
+    Capabilities m_capabilities;
     pointing::AxisBox m_travel;
     pointing::PermittedRegion m_region;
     tracking::AxisProfile m_azimuth;

@@ -36,11 +36,7 @@ bool same(const AxisPosition& a, const AxisPosition& b)
 }  // namespace
 
 Motion::Motion(const profile::Profile& profile, const Capabilities& capabilities)
-    : m_capabilities(capabilities),
-      m_axes(profile, capabilities),
-      m_limits{profile.azimuth.limits, profile.elevation.limits},
-      m_hardest{tracking::emergencyBraking(profile.azimuth.limits),
-                tracking::emergencyBraking(profile.elevation.limits)}
+    : m_capabilities(capabilities), m_axes(profile, capabilities)
 {
     for (const Axis axis : kAxes) {
         setLimits(axis, profile.axis(axis).limits);

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/mount_factory.h"
 
+#include "core/base/text.h"
+#include "core/can/unusable_link.h"
+#include "core/profile/setting.h"
 #include "core/simple_mount/simple_connection.h"
+
+#include <vector>
 
 namespace boresight {
 
@@ -25,7 +30,19 @@ MountMaker MountFactory::make(const profile::Profile& profile, const MoteusConne
         return simpleRotator(m_box, {.azimuth = profile.azimuth.driver != profile::AxisDriver::None,
                                      .elevation = profile.elevation.driver != profile::AxisDriver::None});
     }
-    return twoMoteus(m_links.make(profile, start.simulation), start);
+    return twoMoteus(linkTo(profile, start.simulation), start);
+}
+
+// The bus of a real mount is not opened with a profile that is not fit for one: what it says of the axes is not so.
+std::unique_ptr<CanLink> MountFactory::linkTo(const profile::Profile& profile, Simulation simulation) const
+{
+    const auto problems =
+        simulation == Simulation::Off ? profile::problemsOfReal(profile) : std::vector<profile::Problem>();
+    if (problems.empty()) {
+        return m_links.make(profile, simulation);
+    }
+    return std::make_unique<UnusableLink>(
+        toQString(profile.bus), Error{ErrorCode::InvalidInput, problems.front().key + ": " + problems.front().text});
 }
 
 }  // namespace boresight

@@ -29,6 +29,8 @@ public:
     }
 
 private:
+    [[nodiscard]] std::unique_ptr<CanLink> linkTo(const profile::Profile& profile, Simulation simulation) const;
+
     LinkMaker m_links;
     std::shared_ptr<SimpleBox> m_box = std::make_shared<SimpleBox>();
 };

@@ -47,6 +47,13 @@ QString advice(const rotctld::ClientInfo& client)
         .arg(client.leap->degrees(), 0, 'f', 0);
 }
 
+Result<> suitsRealMount(const profile::Profile& profile)
+{
+    const auto problems = profile::problemsOfReal(profile);
+    return problems.empty() ? Result<>{}
+                            : failure(ErrorCode::InvalidInput, problems.front().key + ": " + problems.front().text);
+}
+
 // Where the beam points by these terms.
 SkyPointing beamBy(const pointing::PointingTerms& terms, const AxisPosition& place)
 {
@@ -317,13 +324,8 @@ Result<> Station::carryOut(const Request& request)
     if (const auto* const wanted = std::get_if<CalibrationRequest>(&request)) {
         return m_calibration.carryOut(*wanted).map([this] { applyCalibration(); });
     }
-    if (const auto* const reconnect = std::get_if<request::Reconnect>(&request)) {
-        m_log.add(
-            Severity::Advisory, QStringLiteral("operator"),
-            Text::tr("connects anew to the mount \"%1\"").arg(QString::fromStdString(reconnect->profile.mount.name)));
-        m_next = reconnect->profile;
-        m_control.shutDown();
-        return {};
+    if (const auto* const wanted = std::get_if<request::Reconnect>(&request)) {
+        return mayConnect(wanted->profile).map([&] { reconnect(wanted->profile); });
     }
     return m_mount->carryOut(request);
 }
@@ -336,9 +338,21 @@ Result<> Station::fits(const profile::Profile& wanted) const
                        Text::tr("The bus cannot change between simulated and real while the mount is connected. "
                                 "Press Reconnect, or restart Boresight."));
     }
-    const auto problems = m_mount->simulated() ? std::vector<profile::Problem>() : profile::problemsOfReal(wanted);
-    return problems.empty() ? Result<>{}
-                            : failure(ErrorCode::InvalidInput, problems.front().key + ": " + problems.front().text);
+    return m_mount->simulated() ? Result<>{} : suitsRealMount(wanted);
+}
+
+// Whoever leaves the simulation is given a profile for the real mount by the program.
+Result<> Station::mayConnect(const profile::Profile& next) const
+{
+    return m_mount->simulated() || profile::namesNoBus(next) ? Result<>{} : suitsRealMount(next);
+}
+
+void Station::reconnect(const profile::Profile& next)
+{
+    m_log.add(Severity::Advisory, QStringLiteral("operator"),
+              Text::tr("connects anew to the mount \"%1\"").arg(QString::fromStdString(next.mount.name)));
+    m_next = next;
+    m_control.shutDown();
 }
 
 void Station::apply(const profile::Profile& wanted)

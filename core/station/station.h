@@ -93,6 +93,8 @@ Q_SIGNALS:
 private:
     [[nodiscard]] Result<> fits(const profile::Profile& wanted) const;
     void apply(const profile::Profile& wanted);
+    [[nodiscard]] Result<> mayConnect(const profile::Profile& next) const;
+    void reconnect(const profile::Profile& next);
     void profileChanged(const profile::Profile& before);
     void applyCalibration();
     [[nodiscard]] Result<> obey(const Request& request);

@@ -86,9 +86,6 @@ QString heatRefusal(double boardLimit, double motorHot, const DriveConditions& a
 
 }  // namespace
 
-// From the table of the moteus facts in core/moteus/faults.cpp. 33 and 44 are mostly a sagging supply, but the code
-// alone does not tell it from a burnt bridge, which a second attempt destroys further: a person must look. 34 and 40
-// are the supply and nothing else. 41 is somebody writing settings; 49 and 50 are a blocked axis or wrong gains.
 void RetryPolicy::lost(LossClass loss, SteadyTime now)
 {
     m_allowed = stricter(policy(loss), m_allowed.value_or(Retry::Interval));

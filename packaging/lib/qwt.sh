@@ -35,10 +35,11 @@ qwt_of_the_distribution() {
     /sbin/ldconfig -p 2>/dev/null | grep -qE 'libqwt6?-qt6\.so'
 }
 
-# What the library depends on: another Qt or compiler asks for another build.
+# What the library depends on: another Qt, compiler or choice of parts asks for another build.
 qwt_stamp() {
-    printf 'qwt %s qt %s g++ %s\n' "$qwt_version" \
-        "$(dpkg-query -W -f '${Version}' qt6-base-dev)" "$(g++ -dumpfullversion)"
+    printf 'qwt %s qt %s g++ %s parts %s\n' "$qwt_version" \
+        "$(dpkg-query -W -f '${Version}' qt6-base-dev)" "$(g++ -dumpfullversion)" \
+        "$(cksum <"$BORESIGHT_TOP/packaging/qwt/CMakeLists.txt")"
 }
 
 # The user's cache, so that several checkouts share one build; the checkout's own where there is no home.
@@ -56,7 +57,7 @@ build_qwt() {  # PREFIX
     local prefix=$1 work tarball
     # shellcheck disable=SC2154  # defined in packages.sh
     need_packages "${qwt_source_packages[@]}"
-    say "building Qwt $qwt_version for Qt 6 (once, one to three minutes)"
+    say "building Qwt $qwt_version for Qt 6 (once, less than a minute)"
     work=$(mktemp -d)
     # shellcheck disable=SC2064  # the folder's name is wanted as it is now
     trap "rm -rf '$work'" EXIT

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/fakes/ideal_drive.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace boresight::fakes {
+
+std::optional<double> Written::find(moteus::Register reg) const
+{
+    // The last one counts.
+    const auto found = std::find_if(m_values.rbegin(), m_values.rend(), [&](const auto& one) { return one.first == reg; });
+    return found == m_values.rend() ? std::nullopt : std::optional(found->second);
+}
 
 std::optional<CanFrame> IdealDrive::answer(const CanFrame& frame, SteadyTime now)
 {
@@ -26,27 +34,31 @@ void IdealDrive::setExact(double place)
     home = moteus::HomeState::Output;
 }
 
-CanFrame IdealDrive::stateFrame(SteadyTime now) const
+double IdealDrive::state(moteus::Register reg) const
 {
     using moteus::Register;
-    std::map<Register, double> state{{Register::Mode, static_cast<double>(mode)},
-                                     {Register::Position, falsePlaces.empty() ? position : falsePlaces.front()},
-                                     {Register::Torque, torque},
-                                     {Register::QCurrent, current},
-                                     {Register::HomeState, static_cast<double>(home)},
-                                     {Register::Voltage, voltage},
-                                     {Register::Temperature, temperature},
-                                     {Register::Fault, static_cast<double>(fault)}};
-    if (velocity) {
-        state[Register::Velocity] = *velocity;
+    switch (reg) {
+    case Register::Mode: return static_cast<double>(mode);
+    case Register::Position: return falsePlaces.empty() ? position : falsePlaces.front();
+    case Register::Velocity: return velocity.value_or(0.0);
+    case Register::Torque: return torque;
+    case Register::QCurrent: return current;
+    case Register::HomeState: return static_cast<double>(home);
+    case Register::Voltage: return voltage;
+    case Register::Temperature: return temperature;
+    case Register::Fault: return static_cast<double>(fault);
+    default: return 0.0;
     }
+}
+
+CanFrame IdealDrive::stateFrame(SteadyTime now) const
+{
     std::vector<moteus::RegisterValue> values;
+    values.reserve(moteus::rotatorQuery().size());
     for (const moteus::RegisterRead& read : moteus::rotatorQuery()) {
-        if (modeOnly && read.reg != Register::Mode) {
-            continue;
+        if (!modeOnly || read.reg == moteus::Register::Mode) {
+            values.push_back({read.reg, read.resolution, state(read.reg)});
         }
-        const auto known = state.find(read.reg);
-        values.push_back({read.reg, read.resolution, known == state.end() ? 0.0 : known->second});
     }
     moteus::SubframeWriter writer;
     writer.appendReplies(values);
@@ -58,22 +70,22 @@ CanFrame IdealDrive::stateFrame(SteadyTime now) const
 
 void IdealDrive::obey(const CanFrame& frame)
 {
-    std::map<moteus::Register, double> fields;
+    Written fields;
     moteus::SubframeReader reader(frame.payload());
     while (const auto subframe = reader.next()) {
         if (const auto* const write = std::get_if<moteus::WriteBlock>(&*subframe)) {
             for (std::uint32_t i = 0; i < write->count; ++i) {
                 const moteus::RegisterValue value = write->value(i);
-                fields[value.reg] = value.value;
+                fields.set(value.reg, value.value);
             }
         }
     }
     takePlace(fields);
     const auto commanded = fields.find(moteus::Register::Mode);
-    if (commanded == fields.end()) {
+    if (!commanded) {
         return;
     }
-    const auto wanted = static_cast<moteus::Mode>(static_cast<int>(commanded->second));
+    const auto wanted = static_cast<moteus::Mode>(static_cast<int>(*commanded));
     seen.push_back({wanted, fields});
     const bool latched = mode == moteus::Mode::Fault || mode == moteus::Mode::PositionTimeout;
     if (deaf || (latched && wanted != moteus::Mode::Stopped)) {
@@ -82,21 +94,21 @@ void IdealDrive::obey(const CanFrame& frame)
     mode = wanted;
     fault = 0;
     const auto target = fields.find(moteus::Register::CommandPosition);
-    if (mode == moteus::Mode::Position && target != fields.end() && std::isfinite(target->second)) {
-        travelled += target->second - position;
-        position = target->second;
+    if (mode == moteus::Mode::Position && target && std::isfinite(*target)) {
+        travelled += *target - position;
+        position = *target;
     }
 }
 
 // Of a 100:1 gear: the phase of the rotor stays.
-void IdealDrive::takePlace(const std::map<moteus::Register, double>& fields)
+void IdealDrive::takePlace(const Written& fields)
 {
     constexpr double kRatio = 0.01;
-    if (const auto nearest = fields.find(moteus::Register::SetOutputNearest); nearest != fields.end()) {
-        setExact(position + std::round((nearest->second - position) / kRatio) * kRatio);
+    if (const auto nearest = fields.find(moteus::Register::SetOutputNearest); nearest) {
+        setExact(position + std::round((*nearest - position) / kRatio) * kRatio);
     }
-    if (const auto exact = fields.find(moteus::Register::SetOutputExact); exact != fields.end()) {
-        setExact(exact->second);
+    if (const auto exact = fields.find(moteus::Register::SetOutputExact); exact) {
+        setExact(*exact);
     }
 }
 

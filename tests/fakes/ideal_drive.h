@@ -6,13 +6,26 @@
 #include "core/units/quantity.h"
 
 #include <deque>
-#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 // A moteus without physics, for tests of the rules above it: obeys mode changes at once, stands where it is told, and
 // answers with the state before the command, as the real one does. Every command frame is kept for inspection.
 namespace boresight::fakes {
+
+// What one frame wrote. A list, because long tests keep thousands of them.
+class Written
+{
+public:
+    void set(moteus::Register reg, double value) { m_values.emplace_back(reg, value); }
+    [[nodiscard]] std::optional<double> find(moteus::Register reg) const;
+    [[nodiscard]] double at(moteus::Register reg) const { return find(reg).value(); }
+    [[nodiscard]] bool contains(moteus::Register reg) const { return find(reg).has_value(); }
+
+private:
+    std::vector<std::pair<moteus::Register, double>> m_values;
+};
 
 class IdealDrive
 {
@@ -22,7 +35,7 @@ public:
     struct Seen  // one command frame
     {
         moteus::Mode mode;
-        std::map<moteus::Register, double> fields;
+        Written fields;
     };
 
     // The reply to a frame for this drive; empty if it is for another, or if the drive is silent.
@@ -54,7 +67,8 @@ public:
 private:
     [[nodiscard]] CanFrame stateFrame(SteadyTime now) const;
     void obey(const CanFrame& frame);
-    void takePlace(const std::map<moteus::Register, double>& fields);
+    void takePlace(const Written& fields);
+    [[nodiscard]] double state(moteus::Register reg) const;
 
     std::uint8_t m_id;
     double m_set = 0.0;

@@ -97,8 +97,7 @@ struct FalsePlaceRig : StationRig
     [[nodiscard]] bool ignoresBounds(Axis axis)
     {
         const auto& fields = drive(axis).seen.back().fields;
-        const auto found = fields.find(Register::CommandIgnorePositionBounds);
-        return found != fields.end() && found->second != 0.0;
+        return fields.find(Register::CommandIgnorePositionBounds).value_or(0.0) != 0.0;
     }
     [[nodiscard]] std::string alarms() const
     {

@@ -244,8 +244,7 @@ void StationPromises::watchFrames(const StationStatus& now)
 void StationPromises::watchFrame(Axis axis, const fakes::IdealDrive::Seen& seen, const StationStatus& now)
 {
     const auto field = [&](Register reg) {
-        const auto found = seen.fields.find(reg);
-        return found == seen.fields.end() ? std::nan("") : found->second;
+        return seen.fields.find(reg).value_or(std::nan(""));
     };
     if (seen.mode != moteus::Mode::Position) {
         m_traces[index(axis)].position.reset();
@@ -306,8 +305,7 @@ bool StationPromises::takesOver(Axis axis, const StationStatus& now) const
 
 void StationPromises::watchBounds(Axis axis, const fakes::IdealDrive::Seen& seen, const StationStatus& now)
 {
-    const auto found = seen.fields.find(Register::CommandIgnorePositionBounds);
-    const bool ignored = found != seen.fields.end() && found->second != 0.0;
+    const bool ignored = seen.fields.find(Register::CommandIgnorePositionBounds).value_or(0.0) != 0.0;
     const auto inside = [&](const StationStatus& status) {
         const AxisStatus& of = axisOf(status, axis);
         return knows(status, axis) && of.actual && of.actual->degrees() > of.travel.min.degrees() + kAtBorder &&

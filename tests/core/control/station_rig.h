@@ -90,8 +90,11 @@ struct StationRig
     void settle(Seconds time = Seconds(120.0))
     {
         run(Seconds(0.2));
-        for (Seconds left = time; left > Seconds(0.0) && moving(); left -= kTick) {
-            tick();
+        constexpr int kBetween = 5;  // a whole status is asked for, which costs as much as a tick
+        for (Seconds left = time; left > Seconds(0.0) && moving(); left -= kBetween * kTick) {
+            for (int i = 0; i < kBetween; ++i) {
+                tick();
+            }
         }
     }
 

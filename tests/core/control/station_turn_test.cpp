@@ -89,7 +89,7 @@ TEST(StationTurns, OnlyTheOperatorJogsMeanwhileAndSlowly)
     }
     EXPECT_NEAR(rig.question()->movedSince.degrees(), -2.5, 0.3);
     // Its own bounds stay in force, and it counts from where they leave room.
-    EXPECT_EQ(rig.azimuth.seen.back().fields.count(Register::CommandIgnorePositionBounds), 0U);
+    EXPECT_FALSE(rig.azimuth.seen.back().fields.contains(Register::CommandIgnorePositionBounds));
     EXPECT_NEAR(rig.azimuthDegrees(), 180.0, 5.0) << "the middle of the travel";
     EXPECT_FALSE(rig.mount.memory().turns[0]) << "jogged, the axis is not where the journal says";
 }
@@ -108,7 +108,7 @@ TEST(StationTurns, TheAnswerIsWrittenIntoTheDriveAndThePlaceIsKept)
     ASSERT_TRUE(rig.point(110.0, 45.0, kOperator));
     rig.settle();
     EXPECT_NEAR(rig.azimuthDegrees(), 110.0, 0.001);
-    EXPECT_EQ(rig.azimuth.seen.back().fields.count(Register::CommandIgnorePositionBounds), 0U);
+    EXPECT_FALSE(rig.azimuth.seen.back().fields.contains(Register::CommandIgnorePositionBounds));
 }
 
 TEST(StationTurns, AHeldAxisIsHeldWhileItTakesItsPlace)
@@ -229,7 +229,7 @@ TEST(StationTurns, BeyondItsBoundsADriveIsToldItsPlaceOnlyWhenItIsOff)
     EXPECT_TRUE(rig.control.status().elevation.turnKnown);
     ASSERT_TRUE(rig.ask(request::Jog{{.elevation = 0.1_deg_s}}));
     rig.run(Seconds(0.3));
-    EXPECT_EQ(rig.elevation.seen.back().fields.count(Register::CommandIgnorePositionBounds), 1U) << "let back inside";
+    EXPECT_TRUE(rig.elevation.seen.back().fields.contains(Register::CommandIgnorePositionBounds)) << "let back inside";
 }
 
 // A drive that knows nothing of its direction: any angle may be entered.

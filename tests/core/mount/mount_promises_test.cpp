@@ -15,6 +15,7 @@
 #include <memory>
 #include <string>
 #include <tuple>
+#include <utility>
 
 namespace boresight {
 namespace {
@@ -383,6 +384,29 @@ TEST(MountPort, SetPointsAreNoFasterThanTheRotator)
         const AxisStatus azimuth = bench.control().status().azimuth;
         ASSERT_LE(azimuth.commandedRate.value_or(AngularRate{}), SimpleBox::kSpeed);
         ASSERT_LT(abs(azimuth.commanded.value_or(bench.truth().azimuth) - bench.truth().azimuth), 2_deg) << i;
+    }
+}
+
+// Story: a rotator of whole degrees rounded its set-point to the degree beyond a limit of 60.7°.
+// REQ-MOUNT-08: A rotator that goes in steps stays inside a travel and inside limits that end between two of them.
+TEST(MountPort, ARotatorOfStepsStaysInsideLimitsBetweenTwoSteps)
+{
+    profile::Profile profile = slowProfile();
+    profile.azimuth.geometry.travel = {.min = 5.4_deg, .max = 60.6_deg};
+    profile.limits.elevation = {.min = 10.4_deg, .max = 60.7_deg};
+    SimpleBench bench({}, profile);
+    bench.run(Seconds(1.0));
+    EXPECT_FALSE(bench.goTo(30.0, 60.7));
+    for (const auto& [rate, end] :
+         {std::pair{-5.0, AxisPosition{6_deg, 11_deg}}, std::pair{5.0, AxisPosition{60_deg, 60_deg}}}) {
+        const AngularRate both = AngularRate::fromDegrees(rate);
+        ASSERT_TRUE(bench.ask(request::Move{{.azimuth = both, .elevation = both}}));
+        for (int i = 0; i < 1000; ++i) {
+            bench.tick();
+            ASSERT_TRUE(profile.azimuth.geometry.travel.contains(bench.truth().azimuth)) << i;
+            ASSERT_TRUE(profile.limits.elevation.contains(bench.truth().elevation)) << i;
+        }
+        bench.expectAt(end, end, Angle::fromDegrees(1e-6));
     }
 }
 

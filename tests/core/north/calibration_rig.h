@@ -92,7 +92,7 @@ public:
     void runOut(Seconds longest = Seconds(600.0))
     {
         tick();
-        for (Seconds left = longest; left > Seconds(0.0) && status().progress.run != CalibrationRun::None;
+        for (Seconds left = longest; left > Seconds(0.0) && desk.status()->progress.run != CalibrationRun::None;
              left -= kTick) {
             tick();
         }

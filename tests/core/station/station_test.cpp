@@ -312,6 +312,27 @@ TEST(Station, ReconnectEndsInTheOrderlyWayAndAsksForTheNextStation)
     EXPECT_EQ(rig.link->status().state, LinkState::Closed);
 }
 
+// REQ-STATION-49
+TEST(Station, ReconnectToARealMountRefusesAProfileForASimulation)
+{
+    Rig rig;
+    rig.station->openAll();
+    rig.run(5);
+    QSignalSpy wanted(rig.station.get(), &Station::reconnectWanted);
+    profile::Profile next = anyPort();
+    next.bus = "socketcan:can0";
+    next.azimuth.driver = next.elevation.driver = profile::AxisDriver::Simple;
+    rig.station->request({.id = 1, .request = request::Reconnect{next}});
+    rig.run(5);
+    rig.station->publish();
+    ASSERT_EQ(rig.updates.back().answers.size(), 1U);
+    const auto& error = rig.updates.back().answers.front().error;
+    ASSERT_TRUE(error);
+    EXPECT_NE(error->text.find("only simulated"), std::string::npos) << error->text;
+    EXPECT_TRUE(wanted.isEmpty());
+    EXPECT_EQ(rig.station->status().state, StationState::Standby) << "the mount of before stays connected";
+}
+
 // The disk has its own time, whatever the clock says.
 bool ticksUntil(Rig& rig, const std::function<bool()>& condition)
 {
