@@ -14,15 +14,15 @@ inline constexpr std::array kWindowAlarms{
     AlarmEntry{.id = "window.station-silent",
                .source = "station",
                .severity = Severity::Alarm,
-               .what = QT_TRANSLATE_NOOP("Text", "No word from the station for %1"),
-               .action = QT_TRANSLATE_NOOP("Text", "Old numbers are not shown"),
+               .what = QT_TRANSLATE_NOOP("Text", "No status from the station for %1"),
+               .action = QT_TRANSLATE_NOOP("Text", "The window hides the old numbers"),
                .remedy = QT_TRANSLATE_NOOP("Text", "Use the hard-wired emergency stop if the mount moves"),
                .examples = {"2.5 s"}},
     AlarmEntry{.id = "window.stop-unconfirmed",
                .source = "station",
                .severity = Severity::Alarm,
                .what = QT_TRANSLATE_NOOP("Text", "STOP is not confirmed"),
-               .action = QT_TRANSLATE_NOOP("Text", "It was sent, but the status does not show it"),
+               .action = QT_TRANSLATE_NOOP("Text", "The window sent it, but the status does not show it"),
                .remedy = QT_TRANSLATE_NOOP("Text", "Use the hard-wired emergency stop if the mount moves")},
 };
 

@@ -8,8 +8,8 @@
 
 #include <vector>
 
-// Raises the advice on the profile in force, and clears what does not apply any more. Says once what the rotator cannot
-// promise. Station thread only.
+// Raises the advice on the profile in force, and clears what does not apply any more. Shows once what the rotator
+// cannot promise. Station thread only.
 namespace boresight {
 
 class AdviceAlarms

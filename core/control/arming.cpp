@@ -38,13 +38,13 @@ Result<> Arming::admits(const Source& source) const
         return failure(ErrorCode::Refused, Text::tr("Boresight is closing"));
     }
     if (m_now < m_quietUntil) {
-        return failure(ErrorCode::Refused, Text::tr("the drives have only just come back: wait a second"));
+        return failure(ErrorCode::Refused, Text::tr("The drives have just come back. Wait a second."));
     }
     if (m_stopLatched) {
-        return failure(ErrorCode::Refused, Text::tr("STOP is latched: reset STOP first"));
+        return failure(ErrorCode::Refused, Text::tr("STOP is latched. Reset STOP first."));
     }
     if (const auto reason = fault()) {
-        return failure(ErrorCode::Refused, Text::tr("%1: re-arm first").arg(*reason));
+        return failure(ErrorCode::Refused, Text::tr("%1. Re-arm first.").arg(*reason));
     }
     return mayCommand(source).and_then([this] { return m_mount.fitness(); });
 }
@@ -53,7 +53,7 @@ Result<> Arming::mayCommand(const Source& source) const
 {
     if (source.kind == SourceKind::Client && m_authority == Authority::Operator) {
         return failure(ErrorCode::Refused,
-                       Text::tr("the operator has taken over: give control back to the clients first"));
+                       Text::tr("The operator has control. Give control back to the clients first."));
     }
     return {};
 }
@@ -85,14 +85,14 @@ bool Arming::losesConnection(SteadyTime now)
     }
     m_connected = connected;
     if (connected) {
-        m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("both drives answer; nothing moves"));
+        m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("both drives answer, and nothing moves"));
         m_quietUntil = m_wasConnected ? now + kQuietAfterReturn : now;
         m_wasConnected = true;
         return false;
     }
-    m_log.add(
-        Severity::Warning, QStringLiteral("station"),
-        !m_mount.available() ? Text::tr("the bus is left to other tools") : Text::tr("a drive has stopped answering"));
+    m_log.add(Severity::Warning, QStringLiteral("station"),
+              !m_mount.available() ? Text::tr("the bus is released to other tools")
+                                   : Text::tr("a drive has stopped answering"));
     return true;
 }
 
@@ -119,7 +119,7 @@ supervision::DriveConditions Arming::conditions(Axis axis) const
             .motorTemperature = report.motorTemperature};
 }
 
-// The reply in which a drive is lost may be the one that does not say it.
+// The reply in which a drive is lost may be the one that does not show it.
 void Arming::noteConditions(Axis axis)
 {
     const supervision::DriveConditions now = conditions(axis);
@@ -157,7 +157,7 @@ QString Arming::rearmObstacle() const
 Result<> Arming::rearm(const Source& source)
 {
     if (source.kind == SourceKind::Client && m_authority == Authority::Operator) {
-        return failure(ErrorCode::Refused, Text::tr("the operator has taken over: re-arming is up to the operator"));
+        return failure(ErrorCode::Refused, Text::tr("The operator has control. Only the operator can re-arm."));
     }
     if (m_losses.empty()) {
         return failure(ErrorCode::Refused, Text::tr("there is no fault to re-arm from"));
@@ -171,7 +171,7 @@ Result<> Arming::rearm(const Source& source)
     if (const QString why = rearmObstacle(); !why.isEmpty()) {
         return failure(ErrorCode::Refused, why.toStdString());
     }
-    m_log.add(Severity::Advisory, source.name, Text::tr("re-arms: drives in fault or time-out are stopped first"));
+    m_log.add(Severity::Advisory, source.name, Text::tr("re-arms, and first stops drives in fault or time-out"));
     if (source.kind == SourceKind::Operator) {
         m_authority = Authority::Operator;  // clients still sending must not move the mount at once
     }
@@ -196,7 +196,7 @@ void Arming::retry()
     }
     m_retry.tried(m_now);
     m_log.add(Severity::Warning, QStringLiteral("station"),
-              Text::tr("re-arms by the profile's recovery policy; nothing moves by itself"));
+              Text::tr("re-arms by the recovery policy of the profile, and nothing moves by itself"));
     beginRearm();
 }
 

@@ -29,7 +29,7 @@ class Arming
 public:
     Arming(const profile::InForce& profile, MountDriver& mount, EventLog& log);
 
-    // May this source start a motion? The error says what stands in the way and what to do.
+    // May this source start a motion? The error names what is in the way and how to remove it.
     [[nodiscard]] Result<> admits(const Source& source) const;
     // Has this source the control authority, whatever else stands in the way?
     [[nodiscard]] Result<> mayCommand(const Source& source) const;
@@ -84,7 +84,7 @@ private:
     bool m_wasConnected = false;
     SteadyTime m_quietUntil{};                             // no motion right after a connection came back
     std::vector<Loss> m_losses;                            // since the last re-arm; any of them latches the fault
-    std::array<supervision::DriveConditions, 2> m_told{};  // what each drive has told last
+    std::array<supervision::DriveConditions, 2> m_told{};  // the last report of each drive
     bool m_rearming = false;
     SteadyTime m_now{};  // of the running or last tick
 };

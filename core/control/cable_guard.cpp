@@ -13,12 +13,14 @@
 namespace boresight {
 namespace {
 
-// Whichever is earlier. Told a little longer than begun, so that a path that trembles does not come and go.
+// Whichever is earlier. It stays a little longer than it would begin, so that a path that trembles does not come and
+// go.
 constexpr Seconds kWarnTime{60.0};
 constexpr Angle kWarnAngle = Angle::fromDegrees(30.0);
 constexpr double kKeep = 1.3;
 constexpr std::uint64_t kTicksBetween = 10;
-// The path bends, and with it the time that was told: told anew when it is off by this, or by a fifth of what is left.
+// The path bends, and with it the reported time. It is reported again when it is off by this, or by a fifth of what is
+// left.
 constexpr Seconds kTimeOff{10.0};
 constexpr double kPartOff = 0.2;
 constexpr Seconds kToldAnewAfter{10.0};
@@ -83,9 +85,10 @@ std::optional<CableGuard::TurnBack> CableGuard::turnBackTo(Angle azimuth, const 
 QString CableGuard::begin(const TurnBack& back, const tracking::MotionLimits& limits)
 {
     m_turnBack = back;
-    const QString what =
-        Text::tr("turns back by %1: the cable ends at %2").arg(degreesText(abs(back.by), 0), degreesText(back.end, 1));
-    return back.follows ? Text::tr("%1; the target is lost for about %2").arg(what, timeText(turnTime(limits))) : what;
+    const QString what = Text::tr("turns back by %1 because the cable ends at %2")
+                             .arg(degreesText(abs(back.by), 0), degreesText(back.end, 1));
+    return back.follows ? Text::tr("%1, and the target is lost for about %2").arg(what, timeText(turnTime(limits)))
+                        : what;
 }
 
 void CableGuard::watch(const std::optional<tracking::MovingTarget>& path, const std::optional<Angle>& left,
@@ -158,7 +161,7 @@ std::optional<QString> CableGuard::turnBackText() const
     if (!m_turnBack) {
         return std::nullopt;
     }
-    return Text::tr("cable ends: turns back by %1").arg(degreesText(abs(m_turnBack->by), 0));
+    return Text::tr("cable end, turns back %1").arg(degreesText(abs(m_turnBack->by), 0));
 }
 
 }  // namespace boresight

@@ -14,7 +14,7 @@
 #include <optional>
 
 // The azimuth cable: where it is wound least, whether it ends before a pass does, and that the mount turns back because
-// it ends. Tells both in time and decides nothing about motion. Station thread only; mechanical angles.
+// it ends. Reports both in time and decides nothing about motion. Station thread only; mechanical angles.
 namespace boresight {
 
 class CableGuard
@@ -42,7 +42,7 @@ public:
     // Empty: the way to `azimuth` is the short one.
     [[nodiscard]] static std::optional<TurnBack> turnBackTo(Angle azimuth, const Way& way, const TravelRange& range);
 
-    // The mount sets off so. What the log says of it.
+    // The mount sets off so. The text for the log.
     [[nodiscard]] QString begin(const TurnBack& back, const tracking::MotionLimits& limits);
     void forgetTurnBack() { m_turnBack.reset(); }
 
@@ -55,7 +55,7 @@ public:
     [[nodiscard]] std::optional<QString> turnBackText() const;
 
 private:
-    // What the alarm says.
+    // The text of the alarm.
     struct Told
     {
         Severity severity;

@@ -4,7 +4,7 @@
 #include "core/messages/station_status.h"
 
 // Who asks for the motions of calibrations: the operator, but not the operator's own hand, which ends them. Such a
-// motion is asked for again and again by what leads it. Station thread.
+// motion is asked for again and again by its source. Station thread.
 namespace boresight {
 
 [[nodiscard]] const Source& calibrationSource();

@@ -72,7 +72,7 @@ void ClientDesk::letClientsMove()
 void ClientDesk::endClientMotion()
 {
     if (m_helm.current().commander().kind == SourceKind::Client && m_helm.current().moves()) {
-        m_helm.end(Severity::Advisory, Text::tr("may not move the mount any more: hold"));
+        m_helm.end(Severity::Advisory, Text::tr("may no longer move the mount, so the mount holds"));
     }
 }
 
@@ -81,7 +81,7 @@ void ClientDesk::endCalibrationMotion()
 {
     m_helm.nextErrand();
     if (m_helm.current().isFor(calibrationSource()) && m_helm.current().moves()) {
-        m_helm.end(Severity::Advisory, Text::tr("ends the motion: hold"));
+        m_helm.end(Severity::Advisory, Text::tr("ends the motion, and the mount holds"));
     }
 }
 
@@ -106,9 +106,9 @@ QString ClientDesk::leadObstacle(const ClientStatus& client) const
         return {};
     }
     if (view.profile.rotctld.lead == profile::Lead::Last) {
-        return Text::tr("whoever sends last moves the mount");
+        return Text::tr("the newest client has control");
     }
-    return client.leading ? Text::tr("it has the control") : QString();
+    return client.leading ? Text::tr("it has control") : QString();
 }
 
 void ClientDesk::describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const
@@ -123,7 +123,8 @@ void ClientDesk::describe(ClientStatus& client, const std::optional<SteadyTime>&
     client.leadObstacle = leadObstacle(client);
     if (const QString reason = StatusReport(view).limitedReason(); client.driving && !reason.isEmpty()) {
         client.advice =
-            Text::tr("asks for a place outside the limits: %1; the nearest permitted one is driven").arg(reason);
+            Text::tr("asks for a position outside the limits (%1). The mount goes to the nearest permitted one")
+                .arg(reason);
     }
 }
 

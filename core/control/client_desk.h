@@ -13,7 +13,7 @@
 #include <optional>
 
 // Carries out what the operator decides about the clients: who has the control, which of the clients, and who may only
-// read. A motion that nobody may lead any more ends. Station thread only.
+// read. A motion whose client lost control ends. Station thread only.
 namespace boresight {
 
 class ClientDesk

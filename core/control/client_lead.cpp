@@ -30,7 +30,7 @@ void ClientLead::came(const Source& client, const std::string& host)
     }
 }
 
-// Some programs connect for each command. They would lose the lead between any two, so a client that leaves after a
+// Some programs connect for each command. They would lose control between any two, so a client that leaves after a
 // single motion command leaves it to a later connection of its host until kRelease is over.
 void ClientLead::gone(const Source& client)
 {
@@ -70,21 +70,21 @@ QString ClientLead::leaderText(SteadyTime now) const
 {
     const QString when = ago(now - m_leader->since);
     if (m_leader->left) {
-        return Text::tr("%1 has the lead: it connects for each command and sent its last %2")
+        return Text::tr("%1 has control. It connects for each command and sent its last %2.")
             .arg(toQString(m_leader->host), when);
     }
-    return (m_leader->given ? Text::tr("%1 was given the lead %2")
-                            : Text::tr("%1 has the lead: it sent its last command %2"))
+    return (m_leader->given ? Text::tr("%1 received control %2.")
+                            : Text::tr("%1 has control. It sent its last command %2."))
         .arg(m_leader->client.name, when);
 }
 
 Result<> ClientLead::mayAct(const Rules& rules, const Source& client, SteadyTime now) const
 {
     if (readOnly(client.clientId)) {
-        return failure(ErrorCode::Refused, Text::tr("the operator has made this client read-only"));
+        return failure(ErrorCode::Refused, Text::tr("The operator has made this client read-only."));
     }
     if (lockedOut(rules, hostOf(client.clientId))) {
-        return failure(ErrorCode::Refused, Text::tr("the mount is locked to %1").arg(toQString(rules.lockedTo)));
+        return failure(ErrorCode::Refused, Text::tr("The mount is locked to %1.").arg(toQString(rules.lockedTo)));
     }
     if (leadHeld(rules, now) && !continues(client)) {
         return failure(ErrorCode::Refused, leaderText(now));
@@ -159,11 +159,11 @@ Result<> ClientLead::mayBeGiven(const Rules& rules, std::uint64_t clientId) cons
 {
     const auto found = m_clients.find(clientId);
     if (found == m_clients.end()) {
-        return failure(ErrorCode::NotAvailable, Text::tr("this client has left"));
+        return failure(ErrorCode::NotAvailable, Text::tr("this client has disconnected"));
     }
     if (lockedOut(rules, found->second.host)) {
         return failure(ErrorCode::Refused,
-                       Text::tr("the mount is locked to %1: unlock it first").arg(toQString(rules.lockedTo)));
+                       Text::tr("The mount is locked to %1. Unlock it first.").arg(toQString(rules.lockedTo)));
     }
     return {};
 }
@@ -182,7 +182,7 @@ Result<> ClientLead::setReadOnly(std::uint64_t clientId, bool readOnly)
 {
     const auto found = m_clients.find(clientId);
     if (found == m_clients.end()) {
-        return failure(ErrorCode::NotAvailable, Text::tr("this client has left"));
+        return failure(ErrorCode::NotAvailable, Text::tr("this client has disconnected"));
     }
     found->second.readOnly = readOnly;
     if (readOnly && m_leader && m_leader->client.clientId == clientId) {

@@ -28,7 +28,7 @@ public:
     void came(const Source& client, const std::string& host);
     void gone(const Source& client);
 
-    // May this client move the mount now? The error says who leads instead, or what the client waits for.
+    // May this client move the mount now? The error names the client in control, or what this client waits for.
     [[nodiscard]] Result<> admits(const Rules& rules, const Source& client, SteadyTime now) const;
     // The same, but for the wait after a re-arm: it could take the control by an act of its own.
     [[nodiscard]] Result<> mayAct(const Rules& rules, const Source& client, SteadyTime now) const;
@@ -41,7 +41,7 @@ public:
 
     // This client has re-armed the drives, which is an act of its own. Every other client that keeps asking for motions
     // waits: the mount must not set off because a stream went on through the fault. The wait ends when the client asks
-    // for nothing during kRelease, acts itself, connects anew, or is given control by the operator.
+    // for nothing during kRelease, acts itself, reconnects, or is given control by the operator.
     void rearmed(const Source& client, SteadyTime now);
     [[nodiscard]] bool waits(std::uint64_t clientId) const;
     // It sent R 1: it knows of the re-arm.
@@ -49,10 +49,10 @@ public:
 
     // Whether it is here, and not locked out.
     [[nodiscard]] Result<> mayBeGiven(const Rules& rules, std::uint64_t clientId) const;
-    // The operator's word: this client leads from now on, for kRelease even if it says nothing.
+    // By the operator: this client has control from now on, for kRelease even if it sends nothing.
     Result<> give(const Rules& rules, std::uint64_t clientId, SteadyTime now);
     Result<> setReadOnly(std::uint64_t clientId, bool readOnly);
-    // Clients may move the mount again: who led before the operator took over goes on.
+    // Clients may move the mount again. The client that had control before the operator continues.
     void resume(SteadyTime now);
 
     // Its motion commands are accepted and those of others are not.
@@ -77,7 +77,7 @@ private:
         SteadyTime asked{};
         bool waits = false;
     };
-    // The client that moved the mount last, or that was given the lead.
+    // The client that moved the mount last, or that received control.
     struct Leader
     {
         Source client;

@@ -13,7 +13,7 @@ class FirstMovesGuard
 {
 public:
     [[nodiscard]] Result<> admits(const ControlParts& of, const AxisRates& rates);
-    // The free motion that runs would come to rest beyond the small way.
+    // The free motion that runs would stop beyond the small way.
     [[nodiscard]] bool exceeded(const ControlParts& of) const;
     // The small way begins where the mount stands now.
     void beginAnew() { m_moves = {}; }

@@ -14,14 +14,14 @@ namespace boresight {
 Result<> Gates::mayMove(const Source& source) const
 {
     if (m_of.mount.proofRunning()) {
-        return failure(ErrorCode::Refused, Text::tr("the crash-stop proof moves the mount: end it first"));
+        return failure(ErrorCode::Refused, Text::tr("The crash-stop proof moves the mount. End it first."));
     }
     const auto commands = [&] { return mayCommand(source); };
     return m_of.arming.admits(source).and_then(commands).and_then([&]() -> Result<> {
         for (const Axis axis : kAxes) {
             if (!m_of.mount.measured(axis)) {
                 return failure(ErrorCode::NoAnswer,
-                               Text::tr("the %1 reports no position: look at its encoder").arg(m_of.mount.label(axis)));
+                               Text::tr("The %1 reports no position. Check its encoder.").arg(m_of.mount.label(axis)));
             }
         }
         return {};
@@ -36,9 +36,9 @@ Result<> Gates::mayHold(const Source& source) const
 Result<> Gates::isPlaced(Axis axis) const
 {
     if (!m_of.mount.report(axis).wrapKnown) {
-        return failure(ErrorCode::Refused, Text::tr("it is not known on which turn the axis of the %1 stands: "
-                                                    "the operator must tell; slow jogging only")
-                                               .arg(m_of.mount.label(axis)));
+        return failure(ErrorCode::Refused,
+                       Text::tr("The cable wrap of the %1 is unknown. Enter where the axis is. Only slow jog works.")
+                           .arg(m_of.mount.label(axis)));
     }
     return {};
 }
@@ -56,7 +56,8 @@ Result<> Gates::mayPoint(const Source& source) const
         if (m_of.profile.mount.directions != profile::Directions::Confirmed) {
             return failure(
                 ErrorCode::Refused,
-                Text::tr("it is not confirmed yet which way the axes turn: jog each a little and confirm it first"));
+                Text::tr(
+                    "The directions of the axes are not confirmed. Jog each axis a little and confirm them first."));
         }
         return {};
     };
@@ -114,7 +115,8 @@ Result<> Gates::mayJogSlowly(const AxisRates& rates) const
 {
     for (const Axis axis : kAxes) {
         if (!m_of.mount.report(axis).wrapKnown && !m_of.mount.report(axis).wrapAsked) {
-            return failure(ErrorCode::Refused, Text::tr("the place of the axes is being found out: wait a moment"));
+            return failure(ErrorCode::Refused,
+                           Text::tr("Boresight is finding the position of the axes. Wait a moment."));
         }
         const AngularRate rate = axis == Axis::Azimuth ? rates.azimuth : rates.elevation;
         if (rate * static_cast<double>(farOutside(axis)) > AngularRate{}) {
@@ -125,17 +127,17 @@ Result<> Gates::mayJogSlowly(const AxisRates& rates) const
     }
     const AngularRate fastest = m_of.profile.jog.unwind;
     if (std::max(abs(rates.azimuth), abs(rates.elevation)) > fastest) {
-        return failure(ErrorCode::Refused,
-                       (m_of.mount.wrapsKnown() ? Text::tr("An axis stands outside its travel. Jog at %1°/s "
-                                                           "or slower.")
-                                                : Text::tr("the turn of an axis is not known: jog at %1°/s or "
-                                                           "slower"))
-                           .arg(toQString(formatFixed(fastest.degrees(), 1))));
+        return failure(
+            ErrorCode::Refused,
+            (m_of.mount.wrapsKnown() ? Text::tr("An axis stands outside its travel. Jog at %1°/s "
+                                                "or slower.")
+                                     : Text::tr("The cable wrap of an axis is unknown. Jog at %1°/s or slower."))
+                .arg(toQString(formatFixed(fastest.degrees(), 1))));
     }
     return {};
 }
 
-// Where somebody must watch, no faster than that; and no farther wrong than a hand can mend while it is not confirmed
+// Where somebody must watch, no faster than that, and no farther than a hand can correct while it is not confirmed
 // which way the axes turn.
 AngularRate Gates::fastestJog() const
 {
@@ -189,8 +191,7 @@ Result<AxisPosition> Gates::unwound() const
 {
     const auto place = CableGuard::leastWound(m_of.standing(), m_of.motion.region().ranges().azimuth);
     if (!place) {
-        return failure(ErrorCode::Refused,
-                       Text::tr("in this direction the azimuth cable can not be wound less than it is"));
+        return failure(ErrorCode::Refused, Text::tr("In this direction the azimuth cable is already wound least."));
     }
     return *place;
 }
@@ -220,17 +221,17 @@ Result<> Gates::axesStand() const
         const auto rate = m_of.mount.report(axis).rate;
         return rate && abs(*rate) > kStandingRate;
     };
-    return std::ranges::any_of(kAxes, turns) ? failure(ErrorCode::Refused, Text::tr("the mount moves: stop it first"))
+    return std::ranges::any_of(kAxes, turns) ? failure(ErrorCode::Refused, Text::tr("The mount moves. Stop it first."))
                                              : Result<>{};
 }
 
 Result<> Gates::drivesRest() const
 {
     if (m_of.mount.underOrders() && !m_of.motion.atRest()) {
-        return failure(ErrorCode::Refused, Text::tr("the mount moves: stop it first"));
+        return failure(ErrorCode::Refused, Text::tr("The mount moves. Stop it first."));
     }
     if (m_of.mount.changesHands()) {
-        return failure(ErrorCode::Refused, Text::tr("a drive is being taken over: try again in a second"));
+        return failure(ErrorCode::Refused, Text::tr("Boresight is taking over a drive. Try again in a second."));
     }
     return {};
 }
@@ -289,15 +290,15 @@ Result<> Gates::mayLeaveSunBand(const AxisRates& rates, const Source& source) co
         return {};
     }
     return failure(ErrorCode::Refused,
-                   Text::tr("the clock of this computer is not synchronised, so the Sun may be in the beam: only the "
-                            "operator may jog the mount out of there, at %1°/s or slower")
+                   Text::tr("The clock of this computer is not synchronised, so the Sun may be in the beam. Only the "
+                            "operator may jog the mount out, at %1°/s or slower.")
                        .arg(toQString(formatFixed(fastest.degrees(), 1))));
 }
 
 Result<> Gates::mayGiveControl() const
 {
     if (m_of.arming.stopLatched()) {
-        return failure(ErrorCode::Refused, Text::tr("STOP is latched: reset STOP first"));
+        return failure(ErrorCode::Refused, Text::tr("STOP is latched. Reset STOP first."));
     }
     return {};
 }
@@ -313,11 +314,11 @@ Result<> Gates::mayChangePointing() const
 {
     if (m_of.current.is(Activity::Streaming)) {
         return failure(ErrorCode::Refused,
-                       Text::tr("the mount follows directions, which the change would move: hold the mount first"));
+                       Text::tr("The mount tracks a target, and the change would move it. Press Hold first."));
     }
     if (m_of.current.is(Activity::Pointing) && !StatusReport(m_of).arrived()) {
-        return failure(ErrorCode::Refused, Text::tr("the mount is on its way to a direction, which the change would "
-                                                    "move: wait until it is there, or hold it first"));
+        return failure(ErrorCode::Refused, Text::tr("The mount is on its way to a target, and the change would move "
+                                                    "it. Wait until it is there, or press Hold."));
     }
     return {};
 }

@@ -12,7 +12,7 @@
 // nothing. Station thread only.
 namespace boresight {
 
-// A measured position older than this tells nothing.
+// A measured position older than this is no evidence.
 inline constexpr std::chrono::seconds kOldestPosition{1};
 // An axis that is measured to be no faster stands. Faster than the Sun except near the zenith.
 inline constexpr AngularRate kStandingRate = AngularRate::fromDegrees(0.1);
@@ -35,7 +35,7 @@ public:
     [[nodiscard]] bool isInSunBand(const AxisPosition& place) const;
     // At most this fast by hand, whatever the direction.
     [[nodiscard]] AngularRate fastestJog() const;
-    // The axis is not at the end of its travel, as measured. On an unknown wrap the numbers say nothing of that.
+    // The axis is not at the end of its travel, as measured. On an unknown wrap the angles do not show that.
     [[nodiscard]] Result<> isWayOn(Axis axis, bool upwards) const;
     [[nodiscard]] Result<> mayBeAt(const AxisPosition& place) const;  // travel, limits, horizon and keep-outs
     [[nodiscard]] AxisPosition home() const;

@@ -19,7 +19,7 @@ Result<> Helm::mayGoTo(const AxisPosition& place) const
     if (const Result<> may = Gates(view()).mayBeAt(place); !may) {
         const auto nearest =
             resolved.limited ? std::nullopt : pointing::nearestPermitted(m_of.motion.region(), resolved.position);
-        return nearest ? failure(ErrorCode::OutOfRange, Text::tr("%1; permitted nearest to it: %2")
+        return nearest ? failure(ErrorCode::OutOfRange, Text::tr("%1. The nearest permitted position is %2.")
                                                             .arg(toQString(may.error().text), directionText(*nearest)))
                        : may;
     }
@@ -41,7 +41,7 @@ Result<> Helm::reaches(const SkyPointing& direction) const
         constexpr Angle kZenith = Angle::fromDegrees(90.0);
         if (direction.elevation > kZenith && place.elevation <= kZenith) {
             return failure(ErrorCode::OutOfRange,
-                           Text::tr("the travel and the limits of the axes do not reach it over the top"));
+                           Text::tr("The travel and the limits of the axes do not reach it over the top."));
         }
         return mayGoTo(place);
     });
@@ -108,13 +108,14 @@ Result<> Helm::follow(pointing::Resolved resolved, const SkyPointing& asked, con
     begin(Activity::Streaming, by, what.isEmpty() ? QStringLiteral("P ") + boresight::directionText(asked) : what);
     beginTurnBack(back);
     if (newStream) {
-        m_of.motion.rest();  // the points of another client say nothing about this one's
+        m_of.motion.rest();  // the points of another client do not continue here
     }
     if (resolved.limited) {
         m_of.current.limit(resolved.reason, asked);
         if (newStream || !wasLimited) {
-            m_of.log.add(Severity::Warning, by,
-                         Text::tr("LIMITED: %1; driven to the nearest permitted point").arg(current().limitedReason()));
+            m_of.log.add(
+                Severity::Warning, by,
+                Text::tr("goes to the nearest permitted point because of a limit (%1)").arg(current().limitedReason()));
         }
     }
     m_of.motion.follow(resolved.position, now());
@@ -161,7 +162,7 @@ void Helm::setTrim(const AxisPosition& trim, const Source& by)
 {
     m_of.motion.setTrim(trim);
     m_of.log.insist(Severity::Advisory, by,
-                    Text::tr("trims what is followed by %1° in azimuth, %2° in elevation")
+                    Text::tr("trims the tracked target by %1° in azimuth, %2° in elevation")
                         .arg(trim.azimuth.degrees(), 0, 'f', 2)
                         .arg(trim.elevation.degrees(), 0, 'f', 2));
 }
@@ -201,7 +202,8 @@ void Helm::takeOver(const Source& by)
 {
     if (by.kind == SourceKind::Operator && m_of.arming.authority() == Authority::Clients) {
         m_of.arming.setAuthority(Authority::Operator);
-        m_of.log.add(Severity::Advisory, by, Text::tr("takes over: motion commands of clients are refused"));
+        m_of.log.add(Severity::Advisory, by,
+                     Text::tr("takes control, and Boresight refuses motion commands of clients"));
     }
 }
 

@@ -61,19 +61,19 @@ public:
     // The same, on whichever wrap there is a way to.
     Result<> goToAnyTurn(const AxisPosition& place, Activity activity, const Source& by, const QString& what);
     // One point of a stream. A direction out of reach is followed at the nearest permitted place, or refused, as the
-    // profile says. `anew`: the points before say nothing about this one. An empty `what` names the direction.
+    // profile says. `anew`: this point does not continue the points before. An empty `what` names the direction.
     Result<> streamTo(const SkyPointing& direction, const Source& by, const QString& what = {}, bool anew = false);
     Result<> streamTo(const AxisPosition& place, const Source& by);
     // At these rates until somebody ends it. A jog is slow where nothing else is permitted.
     Result<> runAt(const AxisRates& rates, Activity activity, const Source& by, const QString& what);
 
-    // The motion that has just begun was by hand: what leads the mount goes on afterwards.
+    // The motion that has just begun was by hand: the source that moved the mount continues afterwards.
     void keepErrand(std::uint64_t errand) { m_of.current.setErrand(errand); }
-    // Control was given away: what leads the mount ends, although no other motion begins.
+    // Control was given away: the motion of its source ends, although no other motion begins.
     void nextErrand() { m_of.current.setErrand(current().errand() + 1); }
     // What is added to the points of streams.
     void setTrim(const AxisPosition& trim, const Source& by);
-    // If the stream of this source is followed, it comes to rest at its last point.
+    // If the stream of this source is followed, it stops at its last point.
     void settleStream(const Source& by);
     // This client has read the position. If its stream is followed, its last point still holds.
     void confirmStream(std::uint64_t clientId);

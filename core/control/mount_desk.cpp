@@ -23,7 +23,7 @@ Result<> MountDesk::ask(const request::SwitchOff&, const Source& by)
         m_helm.takeOver(by);  // else the next target of a client would switch them on again
         m_helm.hold(Activity::None);
         service().switchOff();
-        m_log.add(Severity::Warning, by.name, Text::tr("switches both drives off: nothing holds the axes"));
+        m_log.add(Severity::Warning, by.name, Text::tr("switches both drives off, so nothing holds the axes"));
     });
 }
 
@@ -34,7 +34,7 @@ Result<> MountDesk::ask(const request::ReleaseBus&, const Source& by)
         m_helm.hold(Activity::None);
         service().leaveBus();
         m_log.add(Severity::Warning, by.name,
-                  Text::tr("leaves the bus to other tools; drives that held go on by their time-out mode"));
+                  Text::tr("releases the bus to other tools, and drives that held continue in their time-out mode"));
     });
 }
 
@@ -43,7 +43,9 @@ Result<> MountDesk::ask(const request::TakeBus&, const Source& by)
     return operatorOnly(by)
         .and_then([this] { return gates().hasService(); })
         .and_then([this] { return service().takeBus(); })
-        .map([&] { m_log.add(Severity::Advisory, by.name, Text::tr("takes the bus back: the drives are read anew")); });
+        .map([&] {
+            m_log.add(Severity::Advisory, by.name, Text::tr("takes the bus back, and reads the drives again"));
+        });
 }
 
 Result<> MountDesk::ask(const request::ChooseTurn& wanted, const Source& by)

@@ -5,7 +5,7 @@
 #include "core/messages/permissions.h"
 
 // What the operator may ask of the control now: the answer of its gates to every action, without asking for it. Made
-// anew from the parts each time that it is asked for. Station thread only.
+// again from the parts each time that it is requested. Station thread only.
 namespace boresight {
 
 class PermissionReport

@@ -44,7 +44,7 @@ void RegionKeeper::renew(bool redrawn)
     const auto isConcerned = [&] { return doubted ? Gates(m_of.helm.view()).isInSunBand(motion.place()) : heldBack; };
     if (doubted != before && m_of.helm.current().moves() && isConcerned()) {
         end(doubted ? Text::tr("the clock of this computer is not synchronised")
-                    : Text::tr("the place of the Sun is known again"));
+                    : Text::tr("the position of the Sun is known again"));
     }
 }
 

@@ -14,7 +14,7 @@
 // Keeps in force where the beam may be: the limits of the profile, and a keep-out around the Sun that is renewed as the
 // Sun moves. So everything that obeys the region obeys the keep-out. While the clock is doubted the keep-out is a band
 // across the sky, the places that the Sun can have. A motion that is not permitted any more ends. A mount that stands
-// while the Sun comes over it stays, and an alarm says so. Station thread only.
+// while the Sun comes over it stays, and raises an alarm. Station thread only.
 namespace boresight {
 
 class RegionKeeper

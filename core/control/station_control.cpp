@@ -141,7 +141,7 @@ Result<> StationControl::handle(const request::Hold&, const Source& source)
 {
     takeOver(source);  // else the next target of a client would undo it
     if (moves()) {
-        tell(Severity::Advisory, source, Text::tr("ends the motion: hold"));
+        tell(Severity::Advisory, source, Text::tr("ends the motion, and the mount holds"));
         holdHere(Activity::Holding);
     }
     return {};
@@ -150,7 +150,7 @@ Result<> StationControl::handle(const request::Hold&, const Source& source)
 Result<> StationControl::handle(const request::Stop&, const Source& source)
 {
     if (!m_arming.stopLatched()) {
-        m_log.add(Severity::Warning, source.name, Text::tr("STOP: both axes decelerate and hold; latched"));
+        m_log.add(Severity::Warning, source.name, Text::tr("STOP is latched, and both axes decelerate and hold"));
     }
     m_arming.latchStop();
     keepStopped();
@@ -161,10 +161,10 @@ Result<> StationControl::handle(const request::Stop&, const Source& source)
 Result<> StationControl::handle(const request::ResetStop&, const Source& source)
 {
     if (m_mount.underOrders() && !m_motion.atRest()) {
-        return failure(ErrorCode::Refused, Text::tr("the mount is still braking: reset STOP when it stands"));
+        return failure(ErrorCode::Refused, Text::tr("The mount is still braking. Reset STOP when it stands still."));
     }
     return m_arming.resetStop().map([&] {
-        m_log.add(Severity::Advisory, source.name, Text::tr("resets STOP: nothing moves until the next command"));
+        m_log.add(Severity::Advisory, source.name, Text::tr("resets STOP, and nothing moves until the next command"));
     });
 }
 
@@ -240,8 +240,7 @@ void StationControl::profileChanged(const profile::Profile& before, const profil
 void StationControl::watchFirstMoves()
 {
     if (m_firstMoves.exceeded(parts())) {
-        m_helm.end(Severity::Advisory,
-                   Text::tr("jog ends: no farther than 2° until the directions of the axes are confirmed"));
+        m_helm.end(Severity::Advisory, Text::tr("jog ends at 2° until the directions of the axes are confirmed"));
     }
 }
 
@@ -253,7 +252,7 @@ Result<AxisPosition> StationControl::measured() const
         }
     }
     if (!turnsKnown()) {
-        return failure(ErrorCode::NoAnswer, Text::tr("it is not known on which turn an axis stands"));
+        return failure(ErrorCode::NoAnswer, Text::tr("the cable wrap of an axis is unknown"));
     }
     return *m_mount.measured();
 }
@@ -365,7 +364,8 @@ void StationControl::watchFitness()
     }
 }
 
-// Tells what holds a motion, and ends one that has no way left: the region was drawn anew. A stream of a client waits.
+// Logs what holds a motion, and ends one that has no way left because the region was drawn again. A stream of a client
+// waits.
 void StationControl::watchRegion()
 {
     if (m_current.goesToAPlace() && !m_motion.noWay().isEmpty()) {
@@ -389,7 +389,7 @@ void StationControl::finishRearm()
         return;
     }
     m_mount.rearmed();
-    m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("re-armed; nothing moves"));
+    m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("re-armed, and nothing moves"));
 }
 
 void StationControl::moveOn(Seconds step)

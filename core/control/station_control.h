@@ -53,7 +53,7 @@ public:
     Result<> request(const Request& request, const Source& source);
     // A client has connected; `host` is its address without the port.
     void clientCame(const Source& client, const std::string& host) { m_lead.came(client, host); }
-    // The source is gone for good: a `Move` of its own ends, a stream comes to rest at its last point.
+    // The source is gone for good: a `Move` of its own ends, a stream stops at its last point.
     void sourceGone(const Source& source);
     // A client asks for a motion, also one that is refused before request() sees it.
     void clientAsked(const Source& client) { m_lead.asked(client, m_now); }
@@ -80,10 +80,10 @@ public:
     // Another one each time that the mount is sent somewhere or given away; the operator's jogs and steps, Hold and
     // STOP leave it.
     [[nodiscard]] std::uint64_t errand() const { return m_current.errand(); }
-    // Which turn the axis is on is told by the operator, or was: it may be another than before.
+    // The operator enters the cable wrap of the axis, or has entered it. It may differ from the one before.
     [[nodiscard]] bool isTurnAsked(Axis axis) const { return m_mount.report(axis).wrapAsked; }
     [[nodiscard]] Authority authority() const { return m_arming.authority(); }
-    // Whether this source may send the mount anywhere now; the error says what stands in the way.
+    // Whether this source may send the mount anywhere now. The error names what is in the way.
     [[nodiscard]] Result<> mayPoint(const Source& source) const { return gates().mayPoint(source); }
     // Whether this source has the control, as far as the operator and the other clients are concerned.
     [[nodiscard]] Result<> mayCommand(const Source& source) const { return gates().mayCommand(source); }
@@ -103,7 +103,7 @@ public:
     [[nodiscard]] Result<AxisPosition> measured() const;
     // Where the beam points, while that is known and measured within the last second.
     [[nodiscard]] std::optional<SkyPointing> direction() const;
-    // What is added to the targets of the client that is followed now: it is told positions without it.
+    // What is added to the targets of the client that is followed now: it receives positions without it.
     [[nodiscard]] std::optional<AxisPosition> trimInUse() const;
     // What the operator adds to whatever is followed.
     [[nodiscard]] const AxisPosition& trim() const { return m_motion.trim(); }
@@ -118,7 +118,7 @@ public:
     // What was worked out from the profile follows it: the region, the limits of a motion under way, the advice.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
     [[nodiscard]] const MountDriver& mount() const { return m_mount; }
-    // Where a sensor on the antenna says that the beam points: it speaks when a turn is asked for, and nowhere else.
+    // Where a sensor on the antenna measures the beam. It counts only when the wrap is asked for.
     void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation);
 
 private:
@@ -169,7 +169,7 @@ private:
     SourceLog m_sourceLog;
 
     CurrentMotion m_current;
-    QString m_heldAt;  // what the log last said the motion is held at
+    QString m_heldAt;  // where the last line of the log holds the motion
     FirstMovesGuard m_firstMoves;
     Helm m_helm;
     RegionKeeper m_region;

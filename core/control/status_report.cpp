@@ -22,7 +22,7 @@ constexpr std::chrono::seconds kNoData{2};
 // Forgives the rounding of a place exactly between two that can be reached.
 constexpr Angle kBetweenSteps = Angle::fromDegrees(0.001);
 
-// What an AxisStatus and an AxisSample say alike of the drive itself.
+// What an AxisStatus and an AxisSample share about the drive itself.
 void fillTelemetry(auto& values, const AxisReport& report)
 {
     values.busVoltage = report.voltage;
@@ -168,14 +168,14 @@ QString StatusReport::axisText(Axis axis, AxisState state, const AxisReport& rep
         return atTravelEnd(axis) || what.isEmpty() ? Text::tr("at the end of the travel") : Text::tr("at %1").arg(what);
     }
     if (!report.wrapKnown) {
-        return Text::tr("turn not known");
+        return Text::tr("wrap unknown");
     }
     if (state != AxisState::Holding && state != AxisState::On) {
         return {};
     }
     switch (report.hand) {
         case AxisHand::Unordered:
-            return Text::tr("not by our orders");
+            return Text::tr("not commanded by Boresight");
         case AxisHand::HoldsItself:
             return Text::tr("held by its own time-out mode");
         case AxisHand::TimedOut:
@@ -272,7 +272,7 @@ StationStatus StatusReport::status() const
     addBeam(status, m_of.model.pointing());
     status.stopLatched = m_of.arming.stopLatched();
     status.stateReason = !m_of.mount.available()
-                             ? Text::tr("the bus is left to other tools")
+                             ? Text::tr("the bus is released to other tools")
                              : m_of.arming.fault().value_or(m_of.cable.turnBackText().value_or(m_of.current.text()));
     if (const auto measured = m_of.mount.measured(); measured && m_of.mount.wrapsKnown()) {
         status.actual = m_of.model.toSky(*measured);

@@ -22,7 +22,7 @@ public:
     [[nodiscard]] std::optional<TickSample> sample() const;
     // Both axes are this near to where they are sent.
     [[nodiscard]] bool onTarget(Angle within) const;
-    [[nodiscard]] bool arrived() const;  // at the place or direction that was asked for, and at rest there
+    [[nodiscard]] bool arrived() const;  // at the place or direction that was asked for, and standing still there
     // Why not the target is driven but the nearest permitted place; empty: it is driven.
     [[nodiscard]] QString limitedReason() const;
 

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-// Raises the alarms about the Sun: the beam stands too near to it, or no clock says where it is. A mount that stands
+// Raises the alarms about the Sun: the beam stands too near to it, or no clock gives its position. A mount that stands
 // while the Sun comes over it is left standing. Station thread only.
 namespace boresight {
 

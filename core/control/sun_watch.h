@@ -33,7 +33,7 @@ public:
 
     // Empty when the profile does not want it, and while the Sun is down.
     [[nodiscard]] const std::vector<pointing::KeepOut>& keepOuts() const { return m_keepOuts; }
-    // The Sun is to be kept away from, and no clock tells where it is.
+    // The Sun is to be kept away from, and no clock gives its position.
     [[nodiscard]] bool clockDoubted() const { return m_doubted; }
     // While the clock is doubted: the beam is where the Sun can be, not at the edge of that.
     [[nodiscard]] bool mayBeAt(const SkyPointing& beam) const;

@@ -20,8 +20,8 @@ QString signedDegrees(Angle angle)
 QString hereText(const Declination& declination)
 {
     const QString value = signedDegrees(*declination.here);
-    return declination.origin == DeclinationOrigin::Model ? Text::tr("%1 by the magnetic model").arg(value)
-                                                          : Text::tr("%1 as typed").arg(value);
+    return declination.origin == DeclinationOrigin::Model ? Text::tr("%1 (magnetic model)").arg(value)
+                                                          : Text::tr("%1 (entered)").arg(value);
 }
 
 }  // namespace
@@ -32,9 +32,9 @@ Result<Angle> declinationCorrection(const Declination& declination)
         return 0_deg;
     }
     if (!declination.here) {
-        return failure(
-            ErrorCode::NotAvailable,
-            Text::tr("the declination of this place is not known: type it, or give site and magnetic model"));
+        return failure(ErrorCode::NotAvailable,
+                       Text::tr("The declination of this site is not known. Enter it, or enter the site and the "
+                                "file of the magnetic model."));
     }
     return *declination.here - declination.inSensor;
 }
@@ -44,17 +44,18 @@ QString describe(const Declination& declination)
     const QString inSensor = signedDegrees(declination.inSensor);
     switch (declination.by) {
         case DeclinationBy::Sensor:
-            return Text::tr("Declination by the sensor: it has added %1, Boresight adds nothing").arg(inSensor);
+            return Text::tr("The sensor applies the declination (%1). Boresight adds nothing.").arg(inSensor);
         case DeclinationBy::Boresight: {
             const auto correction = declinationCorrection(declination);
-            return correction ? Text::tr(
-                                    "Declination by Boresight: the sensor's %1 is taken away and %2 is added, "
-                                    "together %3")
-                                    .arg(inSensor, hereText(declination), signedDegrees(*correction))
-                              : Text::tr("Declination by Boresight: %1").arg(toQString(correction.error().text));
+            return correction
+                       ? Text::tr(
+                             "Boresight adds a declination of %2 and removes the sensor's %1. "
+                             "The sum is %3.")
+                             .arg(inSensor, hereText(declination), signedDegrees(*correction))
+                       : Text::tr("Boresight cannot apply the declination. %1").arg(toQString(correction.error().text));
         }
         case DeclinationBy::None:
-            return Text::tr("No declination: the heading stays as it comes, with the sensor's %1 in it").arg(inSensor);
+            return Text::tr("Nothing corrects the declination. The heading contains %1 of the sensor.").arg(inSensor);
     }
     return {};
 }
@@ -68,7 +69,7 @@ QString doubt(const Declination& declination)
     if (abs(error) < kMatters) {
         return {};
     }
-    return Text::tr("the declination here is %1, the sensor has added %2: its headings are %3 off")
+    return Text::tr("The declination here is %1, but the sensor added %2. Its headings are off by %3.")
         .arg(hereText(declination), signedDegrees(declination.inSensor), signedDegrees(error));
 }
 

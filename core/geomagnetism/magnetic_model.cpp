@@ -139,11 +139,11 @@ QString MagneticModel::expiry(double year) const
     }
     if (year > validTo()) {
         return Text::tr(
-                   "the magnetic model %1 has ended with %2: its declination grows less true each year; get the "
-                   "present one (World Magnetic Model, .COF)")
+                   "The magnetic model %1 ended with %2. Its declination is less exact each year. Get the present "
+                   "World Magnetic Model (.COF).")
             .arg(toQString(name()), yearText(validTo()));
     }
-    return Text::tr("the magnetic model %1 ends with %2: look for the next one")
+    return Text::tr("The magnetic model %1 ends with %2. Look for the next one.")
         .arg(toQString(name()), yearText(validTo()));
 }
 

@@ -9,13 +9,20 @@ namespace boresight {
 namespace {
 
 // What is not among them - "rotctld", a client's address - is the same in all languages.
-constexpr std::array kSources{QT_TRANSLATE_NOOP("Text", "azimuth drive"), QT_TRANSLATE_NOOP("Text", "elevation drive"),
-                              QT_TRANSLATE_NOOP("Text", "command line"),  QT_TRANSLATE_NOOP("Text", "operator"),
-                              QT_TRANSLATE_NOOP("Text", "station"),       QT_TRANSLATE_NOOP("Text", "azimuth"),
-                              QT_TRANSLATE_NOOP("Text", "elevation"),     QT_TRANSLATE_NOOP("Text", "drives"),
-                              QT_TRANSLATE_NOOP("Text", "memory"),        QT_TRANSLATE_NOOP("Text", "sensor"),
-                              QT_TRANSLATE_NOOP("Text", "calibration"),   QT_TRANSLATE_NOOP("Text", "bus"),
-                              QT_TRANSLATE_NOOP("Text", "Sun"),           QT_TRANSLATE_NOOP("Text", "log")};
+constexpr std::array kSources{QT_TRANSLATE_NOOP("Text", "azimuth drive"),
+                              QT_TRANSLATE_NOOP("Text", "elevation drive"),
+                              QT_TRANSLATE_NOOP("Text", "command line"),
+                              QT_TRANSLATE_NOOP("Text", "operator"),
+                              QT_TRANSLATE_NOOP("Text", "station"),
+                              QT_TRANSLATE_NOOP("Text", "azimuth"),
+                              QT_TRANSLATE_NOOP("Text", "elevation"),
+                              QT_TRANSLATE_NOOP("Text", "drives"),
+                              QT_TRANSLATE_NOOP("Text", "position journal"),
+                              QT_TRANSLATE_NOOP("Text", "sensor"),
+                              QT_TRANSLATE_NOOP("Text", "calibration"),
+                              QT_TRANSLATE_NOOP("Text", "bus"),
+                              QT_TRANSLATE_NOOP("Text", "Sun"),
+                              QT_TRANSLATE_NOOP("Text", "log")};
 
 }  // namespace
 

@@ -19,7 +19,7 @@ constexpr Seconds kPatience{2.0};
 // Standing: within this for so long. Well above the noise of an encoder behind a gear.
 constexpr Seconds kStandingTime{0.12};
 constexpr Angle kStandingBand = Angle::fromDegrees(0.03);
-// It is said to stand from here on; with more noise than this the time comes out too long, never too short.
+// It counts as standing still from here on. With more noise than this the time comes out too long, never too short.
 constexpr Angle kStoodBand = Angle::fromDegrees(0.005);
 
 // Away from the nearer end of the travel; 0 if there is not the room.

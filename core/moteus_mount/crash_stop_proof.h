@@ -23,7 +23,7 @@ public:
     {
         SteadyTime received{};
         Angle angle;
-        bool settled = false;  // under orders again and at rest, or off: the recovery is over
+        bool settled = false;  // commanded again and standing still, or off: the recovery is over
     };
     struct Stop  // how the axis stopped
     {

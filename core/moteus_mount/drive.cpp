@@ -27,10 +27,10 @@ const moteus::Field kNoIntegral{0.0, moteus::Resolution::Int8};
 // The position register wraps there; beyond it is no position.
 constexpr double kPositionRange = 32768.0;  // turns
 
-// A reply shows the state before the command in the same exchange, so the first one of a phase says nothing about it.
+// A reply shows the state before the command in the same exchange, so the first one of a phase is no evidence of it.
 constexpr int kFirstTellingReply = 2;
 
-// `home`: for a reply that does not say it.
+// `home`: for a reply that does not contain it.
 DriveReport toReport(const moteus::Reply& reply, SteadyTime received, moteus::HomeState home)
 {
     using moteus::Register;
@@ -116,7 +116,7 @@ void Drive::seize()
 void Drive::recover()
 {
     if (m_report && m_report->mode == moteus::Mode::Fault && !m_faultTold) {
-        return;  // it came with the last reply: first it is told
+        return;  // it came with the last reply: it is reported first
     }
     m_captureAfterRecovery = m_report && m_report->mode == moteus::Mode::PositionTimeout;
     enter(Phase::Recovering);
@@ -268,14 +268,14 @@ void Drive::judge(SteadyTime now)
     }
 }
 
-// Phases that end as soon as the drive has done what it was told.
+// Phases that end as soon as the drive has carried out its command.
 bool Drive::mustObey() const
 {
     return m_phase == Phase::Capturing || m_phase == Phase::Recovering || m_phase == Phase::Referencing ||
            m_phase == Phase::Releasing;
 }
 
-// A fault is told once, whatever we were doing; while recovering it is what we are clearing.
+// A fault is reported once, whatever we were doing. While recovering it is what we are clearing.
 void Drive::judgeFault()
 {
     const bool inFault = m_report && m_report->mode == moteus::Mode::Fault;

@@ -16,9 +16,9 @@
 // One moteus controller as the station uses it: turns what the axis shall do into the one frame of this tick (command
 // and query together) and replies into a report. Knows the drive's rules: a hold at the measured position comes before
 // any set-point, a drive in fault or time-out is never commanded before it has shown mode 0, and every motion frame
-// carries the watchdog time. A drive that answers no more may still hear, so it is told to brake. Pure: time is passed
-// in. Units are the drive's: output turns, Nm, A, V, °C.
-// More than 15 members: one state machine, whose phases use most of them.
+// carries the watchdog time. A drive that no longer answers may still receive, so it is commanded to brake. Pure: time
+// is passed in. Units are the drive's: output turns, Nm, A, V, °C. More than 15 members: one state machine, whose
+// phases use most of them.
 namespace boresight {
 
 // The last reply, and when it came.
@@ -31,7 +31,7 @@ struct DriveReport
     // As the reply says, true or not: motion uses Drive::place(). Empty if the drive does not know it: no encoder, not
     // calibrated.
     std::optional<MotorTurns> position;
-    // Each is empty if the reply does not say it, or says no number.
+    // Each is empty if the reply does not contain it, or contains no number.
     std::optional<MotorRate> rate;
     std::optional<double> torque;
     std::optional<double> current;  // q axis
@@ -45,7 +45,7 @@ struct DriveSettings
     int id = 1;
     Seconds watchdog{0.1};
     double maxTorque = 0.0;
-    MotorRate velocityLimit;  // above the host's own limits: the host leads, the drive guards
+    MotorRate velocityLimit;  // above the host's own limits: the host limits, the drive guards
     MotorAcceleration accelerationLimit;
     MotorAcceleration emergencyBraking;  // of "hold where you are"
     supervision::PlaceBelief::Limits places{};
@@ -58,7 +58,7 @@ enum class DriveLoss
     Fault,     // mode 1, in any phase
     TimedOut,  // mode 11: its own watchdog stopped it
     Released,  // another mode without our command: power cycle, or another program
-    Disobeys,  // answers, but does not do what it is told for kObedience
+    Disobeys,  // answers, but does not follow its commands for kObedience
     Blind,     // answers, but no place that can be believed for kSilence
 };
 
@@ -70,10 +70,10 @@ public:
         Listening,    // only queries are sent
         Capturing,    // "brake and hold" is sent until the drive reports position mode and stands
         Engaged,      // set-points are sent
-        Unseen,       // was Engaged, and answers or says its place no more: "brake and hold" is sent
+        Unseen,       // was Engaged, and no longer answers or reports its position: "brake and hold" is sent
         Held,         // its place has jumped, so that no set-point means anything: "brake and hold" until engage()
         Recovering,   // stop is sent until the drive reports mode 0; from a time-out it is captured again at once
-        Referencing,  // the drive is told on which turn it stands; an axis that was held is held meanwhile
+        Referencing,  // the drive receives its wrap. An axis that was held is held meanwhile
         Starving,     // under orders, but only asked: its watchdog shall stop it, and that is watched
         Braking,      // phases shorted, for the end of the program
         Releasing,    // stop is sent until the drive reports mode 0, then it is only listened to
@@ -96,15 +96,15 @@ public:
     // unbalanced axis falls only until mode 0 was seen (two ticks) and for the 13 ms of enabling; after a fault it is
     // left off.
     void recover();
-    // Tells a drive that canBeReferenced() that it stands at `place`: it keeps the phase of its encoder and takes the
+    // Sets the position of a drive that canBeReferenced() to `place`. It keeps the phase of its encoder and takes the
     // nearest turn; without any reference (home state 0) it takes the place as it is. Done when it reports the place
-    // within `tolerance`. A drive that is Engaged holds meanwhile and is captured anew.
+    // within `tolerance`. A drive that is Engaged holds meanwhile and is captured again.
     void reference(MotorTurns place, MotorTurns tolerance);
     [[nodiscard]] bool canBeReferenced() const;
     void hold();  // Engaged, Unseen, Capturing -> Held; not commanded: stays so
     // Engaged -> Capturing, for an axis that something blocks: the drive's control restarts where the axis is, and what
     // its integrator has wound up is dropped. That stays out until the set-point moves again: against an obstacle it
-    // would wind up anew by the last digit of the position. The rest of the control holds the axis meanwhile.
+    // would wind up again by the last digit of the position. The rest of the control holds the axis meanwhile.
     void yield();
     void starve();  // Engaged -> Starving
     void brake();

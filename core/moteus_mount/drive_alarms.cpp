@@ -69,8 +69,8 @@ AlarmCase unheard(const QString& drive, const QString& advice, bool needsRearm)
 {
     if (advice.isEmpty()) {
         return {alarmEntry("drive.no-reply"),
-                {drive, Text::tr("Check the supply, the CAN cable, the adapter and the drive's id in the profile; "
-                                 "boresightctl scan tells who answers")}};
+                {drive, Text::tr("Check supply, CAN cable, adapter and the drive's id in the profile. boresightctl "
+                                 "scan lists the drives")}};
     }
     return {alarmEntry("drive.no-reply"), {drive, needsRearm ? Text::tr("%1 Then re-arm").arg(advice) : advice}};
 }
@@ -107,7 +107,7 @@ AlarmCase activeLimit(const QString& drive, int code)
 
 QString limitClause(int code)
 {
-    return Text::tr("; limit %1 of the drive: %2")
+    return Text::tr(" (limit %1 of the drive: %2)")
         .arg(QString::number(code), Text::of(moteus::faultText(code).meaning));
 }
 

@@ -10,7 +10,7 @@
 namespace boresight {
 namespace {
 
-// Then the drives' silence is told too.
+// Then the silence of the drives is reported too.
 constexpr std::chrono::seconds kSilencePatience{1};
 
 survey::KnownBoards knownBoards(const memory::MountMemory& memory)
@@ -104,7 +104,7 @@ void DriveCare::watchConnection(SteadyTime now)
     watchSilence(now);
 }
 
-// Two boards with one id destroy each other's answers to all but the survey's own question: where nobody answers, it is
+// The replies of two boards with one id collide, except to the question of the drive check: where nobody answers, it is
 // asked all the same.
 void DriveCare::watchSilence(SteadyTime now)
 {

@@ -13,7 +13,7 @@
 #include <vector>
 
 // Looks after the drives beside the control of motion: surveys them whenever they come (back), reports to MoteusMount
-// whether they are fit and who they are, raises the alarms of what was found, and writes their protections when the
+// whether they are fit and who they are, raises the alarms of what was found, and writes their safety settings when the
 // operator asks for it. Shares the bus with the motion frames. Station thread only.
 namespace boresight {
 

@@ -29,7 +29,7 @@ public:
     void seize(SteadyTime now);  // stop what a drive that answers does without our orders
     void excuse(Seconds stall, SteadyTime now);
     [[nodiscard]] bool engaged() const;  // both take set-points
-    // It is being captured, recovered, switched off or told its place: left alone in the middle of that it would be
+    // It is being captured, recovered, switched off or given its position: left alone in the middle of that it would be
     // limp.
     [[nodiscard]] static bool changingHands(const Drive& drive);
     void leave(profile::OnExit how);  // drives that were never engaged stay as they are

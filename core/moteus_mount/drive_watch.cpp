@@ -253,7 +253,7 @@ void DriveWatch::engaged()
     m_supervisor.forgetCommand();
 }
 
-// An alarm whose cause lasts is not over: it is told anew with the next reply, or ends with it.
+// An alarm whose cause lasts is not over: it is reported again with the next reply, or ends with it.
 void DriveWatch::rearmed()
 {
     m_supervisor.rearmed();

@@ -18,7 +18,7 @@ namespace boresight {
 class DriveWatch
 {
 public:
-    // What the station knows and the drive does not tell.
+    // What the station knows and the drive does not report.
     struct Context
     {
         SteadyTime now{};
@@ -31,7 +31,7 @@ public:
     struct Trouble
     {
         QString what;
-        bool stops = true;  // the mount must come to rest and be re-armed
+        bool stops = true;  // the mount must stop and be re-armed
         supervision::LossClass loss = supervision::LossClass::Motion;
         bool turnDoubtful = false;  // the reported angle is not to be believed without a look
         bool gaveWay = false;       // the axis can not follow: it is to be held where it is now
@@ -70,7 +70,7 @@ private:
     supervision::AxisSupervisor m_supervisor;
     QString m_silenceAdvice;
     bool m_silenceTold = false;  // and not that it is over
-    // What has an alarm now, and how it was told; empty: before a re-arm.
+    // What has an alarm now, and how it was reported. Empty: before a re-arm.
     std::map<supervision::Symptom, std::optional<supervision::Weight>> m_told;
     std::set<supervision::Symptom> m_stops;   // what is dangerous now
     SteadyTime m_observed{};                  // the reply last shown to the supervisor

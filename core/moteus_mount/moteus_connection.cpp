@@ -13,7 +13,7 @@
 namespace boresight {
 namespace {
 
-const QString kJournalSource = QStringLiteral("memory");
+const QString kJournalSource = QStringLiteral("position journal");
 
 MountLine::State stateOf(LinkState state)
 {

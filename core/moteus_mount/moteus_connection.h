@@ -12,7 +12,7 @@
 #include <memory>
 #include <optional>
 
-// Two moteus with their CAN bus, their survey and their journal on disk. Station thread only.
+// Two moteus with their CAN bus, their drive check and their position journal on disk. Station thread only.
 namespace boresight {
 
 class MoteusConnection final : public MountConnection
@@ -24,7 +24,7 @@ public:
     {
         QString stateDir;  // of the journal
         Simulation simulation = Simulation::Off;
-        // Where the mount stood when the operator looked, for drives that can not tell. Counts once, for ten minutes.
+        // Where the mount stood when the operator looked, for drives that do not know it. Counts once, for ten minutes.
         std::optional<memory::EnteredPlace> standingAt{};
     };
 
@@ -56,7 +56,7 @@ private:
     const Clock& m_clock;
     EventLog& m_log;
     AlarmBoard& m_alarms;
-    // The built-in simulated mount is new, and stands where its drives say, whenever the program starts.
+    // The built-in simulated mount is new, and stands where its drives report, whenever the program starts.
     const bool m_simulated;
     memory::MemoryFile m_memoryFile;
     Result<> m_claim;  // of the journal

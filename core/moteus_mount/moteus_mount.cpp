@@ -10,7 +10,7 @@
 namespace boresight {
 namespace {
 
-// Fast enough to be told from standing, slow enough to harm nothing.
+// Fast enough to differ from standing, slow enough to harm nothing.
 constexpr AngularRate kSlowestProof = AngularRate::fromDegrees(0.5);
 constexpr AngularRate kFastestProof = AngularRate::fromDegrees(5.0);
 
@@ -133,11 +133,12 @@ AxisReport MoteusMount::report(Axis axis) const
 
 Result<> MoteusMount::available() const
 {
-    return m_busLeft ? failure(ErrorCode::NoAnswer, Text::tr("the bus is left to other tools: take it back first"))
-                     : Result<>{};
+    return m_busLeft
+               ? failure(ErrorCode::NoAnswer, Text::tr("The bus is released to other tools. Take the bus back first."))
+               : Result<>{};
 }
 
-// The survey's part is added by DriveCare.
+// DriveCare adds the part of the drive check.
 void MoteusMount::describe(DrivesStatus& status) const
 {
     status.released = m_busLeft;
@@ -257,7 +258,7 @@ void MoteusMount::letBackInside()
     }
 }
 
-// Where the drives were told to be; one that is still taken over has no set-point.
+// Where the drives were commanded to be. One that is still taken over has no set-point.
 AxisPosition MoteusMount::heldPlace() const
 {
     const auto of = [this](Axis axis) {
@@ -338,7 +339,7 @@ void MoteusMount::leaveBus()
 Result<> MoteusMount::takeBus()
 {
     if (!m_busLeft) {
-        return failure(ErrorCode::Refused, Text::tr("the bus was not left to other tools"));
+        return failure(ErrorCode::Refused, Text::tr("the bus is not released to other tools"));
     }
     m_busLeft = false;
     m_started = m_clock.now();  // the drives have had no question yet

@@ -42,7 +42,7 @@ public:
     // What to do about a bus that is silent although it works: depends on what carries it.
     void setSilenceAdvice(const QString& advice);
 
-    // What the survey has found.
+    // What the drive check has found.
     void setFitness(const Result<>& fitness) { m_fitness = fitness; }
     void learn(Axis axis, const std::optional<survey::DriveFacts>& facts) { m_turnWatch.learn(axis, facts); }
     [[nodiscard]] bool needsOrigin(Axis axis) const { return m_turnWatch.needsOrigin(axis); }
@@ -99,7 +99,7 @@ private:
     [[nodiscard]] bool isFarOutside(Axis axis) const;
     [[nodiscard]] AxisPosition heldPlace() const;
     [[nodiscard]] AxisHand handOf(const Drive& drive, Axis axis) const;
-    // What the drives report means something: their gear and protections are right, or are still being read.
+    // What the drives report means something: their gear and safety settings are right, or are still being read.
     [[nodiscard]] bool readable() const { return m_fitness || m_fitness.error().code == ErrorCode::Busy; }
 
     const profile::InForce& m_profile;

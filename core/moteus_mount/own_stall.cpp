@@ -11,7 +11,7 @@ constexpr Seconds kLongest{2.0};
 // From the end of the stall to the end of the resumption.
 constexpr std::chrono::seconds kOwnStallPatience{1};
 constexpr std::chrono::seconds kLongestResumption{10};
-// A frame is on its way for a while before the drive's watchdog hears of it.
+// A frame is on its way for a while before it feeds the drive's watchdog.
 constexpr double kWatchdogShare = 0.75;
 // Braking from 10°/s takes some 1.5°.
 constexpr Angle kDisplaced = Angle::fromDegrees(2.0);

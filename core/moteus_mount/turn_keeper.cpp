@@ -15,14 +15,15 @@ namespace {
 
 // While it moves an axis is written down this often; a crash-safe write takes some milliseconds on a disk.
 constexpr std::chrono::seconds kMovingPeriod{1};
-// At rest only what has changed, and now and then the time: the younger the record, the better the proof.
+// Standing still only what has changed, and now and then the time: the younger the record, the better the proof.
 constexpr std::chrono::minutes kRestingPeriod{5};
 constexpr Angle kWorthNoting = Angle::fromDegrees(0.1);
 // An eye at the mast is this good.
 constexpr Angle kEyeSight = Angle::fromDegrees(20.0);
-// The drive's millisecond counter begins anew.
+// The drive's millisecond counter begins again.
 constexpr Seconds kCounterSpan{4294967.296};
-// What is known about the drive may be of before its restart; the survey's heartbeat tells within a second.
+// What is known about the drive may be of before its restart. The heartbeat of the drive check shows that within a
+// second.
 constexpr std::chrono::milliseconds kHeartbeat{1500};
 // Half a dozen frames each.
 constexpr std::chrono::seconds kOriginPeriod{5};
@@ -36,8 +37,8 @@ Angle nearestOf(const std::vector<Angle>& candidates, Angle angle)
     return *std::ranges::min_element(candidates, {}, [angle](Angle one) { return abs(one - angle).radians(); });
 }
 
-// A drive that is on and told a place there pulls the axis to the nearer bound without a ramp, or lets it go in fault.
-// Its bounds may lie at half their margin (survey/protections.cpp).
+// A drive that is on and given a position there pulls the axis to the nearer bound without a ramp, or lets it go in
+// fault. Its bounds may lie at half their margin (survey/protections.cpp).
 bool beyondBounds(Angle place, const TravelRange& travel, const profile::Profile& profile)
 {
     const Angle margin = profile.control.driveLimitMargin * 0.5;
@@ -77,7 +78,7 @@ void TurnKeeper::forget(Axis axis, const std::optional<QString>& doubt)
         m_anchor.reset();  // it was perhaps not there any more
     }
     if (auto& last = record(axis); doubt && last) {
-        last->proveNothing();  // also after a restart of the program; it still tells where the axis may be
+        last->proveNothing();  // also after a restart of the program; it still shows where the axis may be
         m_changed = true;
     }
 }
@@ -96,7 +97,7 @@ bool TurnKeeper::needsOrigin(Axis axis, const survey::DriveFacts& facts) const
 }
 
 // A small step of what the drive reports, or one while this computer stood still, is not seen otherwise. One reading
-// can be false: a second one must say the same.
+// can be false: a second one must report the same.
 void TurnKeeper::watchOrigin(Axis axis, const survey::DriveFacts& facts)
 {
     State& mine = state(axis);
@@ -124,7 +125,7 @@ Angle TurnKeeper::period(Axis axis, const survey::DriveFacts& facts) const
     return memory::ambiguity(m_profile->axis(axis).geometry, facts.rotorToOutputRatio, facts.outputEncoder);
 }
 
-// The boards are interchanged: what is known of one says nothing of the other axis.
+// The boards are interchanged: what is known of one is no evidence for the other axis.
 bool TurnKeeper::ofTheOtherAxis(Axis axis, const survey::DriveFacts& facts) const
 {
     const auto& other = m_start.memory.turns[1 - index(axis)];
@@ -155,7 +156,7 @@ void TurnKeeper::judge(Axis axis, const survey::DriveFacts& facts, Drive& drive,
             break;
         case Phase::Known:
             if (drive.report()->homeState != mine.homeState) {
-                forget(axis);  // restarted, or told another place
+                forget(axis);  // restarted, or given another position
                 state(axis).notBefore = now + kHeartbeat;
             } else {
                 watchOrigin(axis, facts);
@@ -172,7 +173,7 @@ void TurnKeeper::becomeKnown(Axis axis, const Drive& drive)
     m_log.add(Severity::Advisory, toQString(drive.name()), Text::tr("the turn of its axis is known"));
 }
 
-// Jogged, the axis is not where the journal says.
+// Jogged, the axis is not where the journal has it.
 void TurnKeeper::watchJog(Axis axis, const Drive& drive)
 {
     if (record(axis) && drive.phase() != Drive::Phase::Referencing && abs(movedSince(axis, drive)) > kWorthNoting) {
@@ -284,7 +285,7 @@ void TurnKeeper::countFromTheMiddle(Axis axis, Drive& drive)
     drive.reference(geometry.toMotor(place), tolerance(axis, period));
 }
 
-// Of a place in the drive's own turns: less than half of what it cannot tell apart.
+// Of a place in the drive's own turns: less than half of what it cannot resolve.
 MotorTurns TurnKeeper::tolerance(Axis axis, Angle period) const
 {
     const pointing::AxisGeometry& geometry = m_profile->axis(axis).geometry;

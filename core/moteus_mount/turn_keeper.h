@@ -14,7 +14,7 @@
 #include <optional>
 
 // Knows whether the turn of each axis is known, and keeps the journal that proves it later. A drive that was silent or
-// restarted is judged anew from journal, home state and reported position; what only the operator can tell becomes a
+// restarted is judged again from journal, home state and reported position; what only the operator can tell becomes a
 // question. The answer is written into the drive, so that its own bounds guard the right place; until then it counts
 // from the middle of the travel, where its bounds leave room on both sides. Asks the kernel what this computer's clocks
 // are worth; else pure. Mechanical angles.
@@ -27,7 +27,7 @@ public:
     {
         memory::MountMemory memory;
         QString problem;  // why there is no journal, or not the newest: "the journal file is missing"
-        // The built-in simulated mount is delivered standing where its drives say.
+        // The built-in simulated mount starts where its drives report.
         bool trustFirstContact = false;
         // Where the operator entered at the start of the program that the mount stands, about. Answers the first
         // question about each axis, and no later one, while it is not older than kPlaceAge and was never used before.
@@ -39,7 +39,7 @@ public:
 
     TurnKeeper(const profile::InForce& profile, const Clock& clock, EventLog& log, Start start);
 
-    // The drive was silent, restarted or lost count: its turn must be judged anew. `doubt` says why a proof by the
+    // The drive was silent, restarted or lost count: its wrap must be judged again. `doubt` says why a proof by the
     // journal must not count, if so.
     void forget(Axis axis, const std::optional<QString>& doubt = std::nullopt);
     // With what is known about the drive: judges, and writes the answer into the drive. Call each tick.
@@ -47,7 +47,7 @@ public:
     // The operator has looked: the axis stands at about `angle`. Refused if the drive's direction contradicts it.
     Result<> choose(Axis axis, Angle angle, Drive& drive, const QString& source);
 
-    // What a sensor on the antenna says of the axis now, as a mechanical direction; it speaks in the question.
+    // What a sensor on the antenna measures of the axis now, as a mechanical direction. It is evidence in the question.
     void setSensor(Axis axis, const std::optional<Angle>& heading) { m_sensor[index(axis)] = heading; }
 
     // How it has seen the azimuth turn: compared with where the axis was while its turn was known.
@@ -67,7 +67,7 @@ public:
     void note(Axis axis, const survey::DriveFacts& facts, const Drive& drive, bool moving, SteadyTime now);
     void keep(Axis axis, const CrashStop& stop);
     [[nodiscard]] const memory::MountMemory& memory() const { return m_start.memory; }
-    // True once after the memory changed: it is to be saved.
+    // True once after the position journal changed: it is to be saved.
     [[nodiscard]] bool takeChange() { return std::exchange(m_changed, false); }
 
 private:

@@ -53,7 +53,7 @@ void TurnWatch::raiseAlarms(bool interrupted, bool readable)
         if (m_turns.known(axis)) {
             m_alarms.clear(unknown);
         } else if ((interrupted || (readable && m_turns.question(axis, drive))) && !m_alarms.active(unknown)) {
-            // Where nothing moved, the survey may answer it first.
+            // Where nothing moved, the drive check may answer it first.
             m_alarms.raise(unknown, {drive.label()});
         }
         raisePlaceAlarm(axis);

@@ -11,8 +11,8 @@
 #include <array>
 #include <optional>
 
-// Keeps the turns of both axes up to date: gives what the survey knows of each drive to the TurnKeeper, forgets the
-// turn of a drive that was silent, and raises the alarms while a turn is not known. Station thread only.
+// Keeps the wraps of both axes up to date: gives what the drive check knows of each drive to the TurnKeeper, forgets
+// the wrap of a drive that was silent, and raises the alarms while a wrap is unknown. Station thread only.
 namespace boresight {
 
 class TurnWatch
@@ -22,10 +22,10 @@ public:
         : m_turns(turns), m_drives(drives), m_watches(watches), m_alarms(alarms)
     {}
 
-    // What the survey knows about a drive now; empty: nothing, its turn is then judged anew.
+    // What the drive check knows about a drive now. Empty: nothing, and its wrap is then judged again.
     void learn(Axis axis, const std::optional<survey::DriveFacts>& facts) { m_facts[index(axis)] = facts; }
     [[nodiscard]] const std::optional<survey::DriveFacts>& facts(Axis axis) const { return m_facts[index(axis)]; }
-    // What the drive's position counts from is to be read anew.
+    // What the drive's position counts from is to be read again.
     [[nodiscard]] bool needsOrigin(Axis axis) const;
     // The drive was power-cycled under our eyes, or may be another one.
     void forget(Axis axis);

@@ -23,7 +23,7 @@ Result<> FirstMoves::admits(const AxisRates& rates, const AxisPosition& place, c
     if (std::max(abs(rates.azimuth), abs(rates.elevation)) > profile::kFastestUnconfirmed) {
         return failure(
             ErrorCode::Refused,
-            Text::tr("it is not confirmed yet which way the axes turn: jog at 5°/s or slower, or confirm it"));
+            Text::tr("The directions of the axes are not confirmed. Jog at 5°/s or slower, or confirm them."));
     }
     if (!m_origin) {
         m_origin = place;
@@ -31,7 +31,7 @@ Result<> FirstMoves::admits(const AxisRates& rates, const AxisPosition& place, c
     if (outwards(rest.azimuth - m_origin->azimuth, rates.azimuth) ||
         outwards(rest.elevation - m_origin->elevation, rates.elevation)) {
         return failure(ErrorCode::Refused,
-                       Text::tr("it is not confirmed yet which way the axes turn: no farther than 2° until it is"));
+                       Text::tr("The directions of the axes are not confirmed. Until then an axis moves at most 2°."));
     }
     return {};
 }

@@ -17,9 +17,9 @@ class FirstMoves
 public:
     static constexpr Angle kFarthest = Angle::fromDegrees(1.9);  // 2°, less what a tick adds
 
-    // May the axes, which are at `place`, be jogged so? `rest` is where they would come to rest from such a motion.
+    // May the axes, which are at `place`, be jogged so? `rest` is where they would stop from such a motion.
     Result<> admits(const AxisRates& rates, const AxisPosition& place, const AxisPosition& rest);
-    // An axis that moves so, braking now, would come to rest beyond the small way and moves farther out. The way back
+    // An axis that moves so, braking now, would stop beyond the small way and moves farther out. The way back
     // is no such motion, nor does an axis at its end keep the other from moving.
     [[nodiscard]] bool exceeded(const AxisRates& rates, const AxisPosition& rest) const;
 
@@ -27,7 +27,7 @@ private:
     std::optional<AxisPosition> m_origin;
 };
 
-// Where an axis that moves so comes to rest when it brakes now, by its own limits.
+// Where an axis that moves so stops when it brakes now, by its own limits.
 [[nodiscard]] Angle restingPlace(const tracking::Setpoint& now, const tracking::MotionLimits& limits);
 
 }  // namespace boresight

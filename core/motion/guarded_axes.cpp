@@ -192,7 +192,7 @@ void GuardedAxes::stepInside(Seconds duration, const AxisWish& azimuth, const Ax
     m_held = {heldWay(azimuth, place().azimuth, azimuths), heldWay(elevation, place().elevation, elevations)};
 }
 
-// Each axis moves only from where it would come to rest towards the nearest permitted place; one that is on its way to
+// Each axis moves only from where it would stop towards the nearest permitted place; one that is on its way to
 // anywhere else brakes first.
 void GuardedAxes::stepOut(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation)
 {

@@ -14,7 +14,7 @@
 
 // The set-points of both axes, kept inside the permitted region whatever is asked of them and by whom: below every
 // source of motion this is what holds. In each step an axis gets as much room as is free while the other one is
-// anywhere between where it is and where it would come to rest; so both can always still brake, and along an edge they
+// anywhere between where it is and where it would stop, so both can always still brake, and along an edge they
 // slide. An axis that the rotator does not have stays at 0. Travel and limits of an axis that goes in steps end at the
 // last step inside. From a forbidden place (an edited mask, a mount that was pushed) they only move out. Pure, one
 // thread; README.md.
@@ -34,11 +34,11 @@ class GuardedAxes
 public:
     explicit GuardedAxes(const profile::Profile& profile, const Capabilities& capabilities = {});
 
-    // Takes over an axis that stands at a measured angle, at rest there.
+    // Takes over an axis that stands still at a measured angle.
     void start(Axis axis, Angle measured);
     void step(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
 
-    // From the next step on. New limits of motion take their time, as AxisProfile says.
+    // From the next step on. New limits of motion take their time (AxisProfile).
     void setRegion(const pointing::Region& region, const pointing::PointingModel& pointing);
     void setLimits(Axis axis, const tracking::MotionLimits& limits);
     // While nobody knows on which turn an axis stands, nobody knows what is forbidden: only the travel counts.

@@ -14,7 +14,7 @@ namespace {
 
 using pointing::AxisBox;
 
-// A way is not planned anew more often than this, nor for a target that has hardly moved.
+// A way is not planned again more often than this, nor for a target that has hardly moved.
 constexpr std::chrono::milliseconds kPlanPause{250};
 constexpr Angle kSameEnd = Angle::fromDegrees(0.5);
 

@@ -29,14 +29,14 @@ class Motion
 public:
     explicit Motion(const profile::Profile& profile, const Capabilities& capabilities = {});
 
-    // Takes over an axis that stands at a measured angle, at rest there. What is wanted stays.
+    // Takes over an axis that stands still at a measured angle. What is wanted stays.
     void start(Axis axis, Angle measured);
 
     void rest();  // decelerate, then stay
     void goTo(const AxisPosition& place);
     void follow(const AxisPosition& point, SteadyTime now);  // one point of a stream
     void confirmStream(SteadyTime now);                      // its client has read the position
-    void settleStream();                                     // no more points: come to rest at the last one
+    void settleStream();                                     // no more points: stop at the last one
     void run(const AxisRates& rates);
     void setTrim(const AxisPosition& trim);  // is added to the points of streams
     [[nodiscard]] const AxisPosition& trim() const { return m_trim; }
@@ -49,7 +49,7 @@ public:
     // While nobody knows on which turn an axis stands, nobody knows what is forbidden: only the travel counts.
     void enforceRegion(bool enforced) { m_axes.enforce(enforced); }
 
-    // Braking is as hard as that of a drive that is left alone, still with bounded jerk; else as the limits say.
+    // Braking is as hard as that of a drive that is left alone, still with bounded jerk; otherwise within the limits.
     void setHardBraking(bool hard) { m_hardBraking = hard; }
     // One step of braking; what is wanted stays, for when both axes can move again.
     void brake(Seconds step);

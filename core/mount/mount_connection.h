@@ -18,7 +18,7 @@
 #include <memory>
 #include <optional>
 
-// A mount with the line that leads to it: opened, closed and served by the station, which knows of no kind of rotator
+// A mount with the line that leads to it: opened, closed and served by the station, which knows no kind of rotator
 // more than this. Made on the main thread, then moved to the station thread with its parent; nothing blocks.
 namespace boresight {
 

@@ -40,7 +40,7 @@ public:
     [[nodiscard]] virtual AxisReport report(Axis axis) const = 0;
     // Why nothing is asked of it now although nothing is wrong: the bus is left to other tools.
     [[nodiscard]] virtual Result<> available() const = 0;
-    // Why it must not be moved: its own protections are not as they should be.
+    // Why it must not be moved: its own safety settings are wrong.
     [[nodiscard]] virtual const Result<>& fitness() const = 0;
     // Nullptr: nothing can be done to it but to move it.
     [[nodiscard]] virtual MountService* service() = 0;
@@ -58,7 +58,7 @@ public:
     virtual void brakeHard(bool hard) = 0;  // the set-points brake as hard as the mount can
     virtual void seize() = 0;               // stops what an axis does without our orders
     virtual void recover() = 0;             // clears faults and time-outs; moves nothing
-    virtual void rearmed() = 0;             // what was wrong before says nothing any more
+    virtual void rearmed() = 0;             // faults before this no longer count
     virtual void leave(profile::OnExit how) = 0;
 
     // Where a sensor on the antenna sees an axis: evidence where the wrap is asked for, and nothing else.

@@ -32,14 +32,14 @@ struct AxisReport
     bool answers = false;        // within the driver's own time; as of the last tick
     bool seen = false;           // what it does is reported; few lost replies in a row count as seen
     bool latched = false;        // a fault or time-out: it takes no orders before a re-arm
-    bool changesHands = false;   // being taken over, recovered, switched off or told its place
+    bool changesHands = false;   // being taken over, recovered, switched off or given its position
     bool underOrders = false;    // it is not only listened to
     bool wrapKnown = false;      // which turn of the cable it is on
-    bool wrapAsked = false;      // only the operator can tell
+    bool wrapAsked = false;      // only the operator knows it
     std::optional<Angle> place;  // the last that is believed, whatever its age
     SteadyTime placed{};         // when that was measured
     std::optional<AngularRate> rate;
-    std::optional<SteadyTime> heard;         // the last answer of any kind
+    std::optional<SteadyTime> heard;         // the last reply of any kind
     std::optional<double> voltage;           // V
     std::optional<double> torque;            // Nm
     std::optional<double> current;           // A

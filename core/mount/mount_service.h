@@ -35,7 +35,7 @@ public:
     struct ProofStep
     {
         std::optional<AxisRates> run;  // move the mount so
-        bool rest = false;             // come to rest
+        bool rest = false;             // stop
         bool ended = false;
     };
     // Refused with the reason. The axes may move within these ranges. Then beginProof() begins it.

@@ -76,8 +76,8 @@ void CalibrationAlarms::warnOfSun()
     }
     m_control.alarms().raise(alarmEntry("sun.followed"),
                              {m_follower.follows(ephemeris::Body::Sun)
-                                  ? Text::tr("The mount follows the Sun until something else is asked of it")
-                                  : Text::tr("That lasts until the mount is moved or the Sun has passed")});
+                                  ? Text::tr("The mount tracks the Sun until you command another motion")
+                                  : Text::tr("This lasts until the mount moves or the Sun has passed")});
 }
 
 }  // namespace boresight

@@ -31,14 +31,16 @@ Result<> ModelChanges::mayChange() const
 {
     return m_runs.isIdle().and_then([&]() -> Result<> {
         if (m_profile.wanted().bus != m_profile->bus) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("the mount at %1 waits for Reconnect, and this was found of the one at %2: "
-                                    "reconnect first")
-                               .arg(toQString(m_profile.wanted().bus), toQString(m_profile->bus)));
+            return failure(
+                ErrorCode::Refused,
+                Text::tr("This calibration belongs to the mount at %2, but the bus of the profile is now %1. "
+                         "Set the bus back, or press Reconnect and calibrate again.")
+                    .arg(toQString(m_profile.wanted().bus), toQString(m_profile->bus)));
         }
         if (m_control.followsClient()) {
-            return failure(ErrorCode::Refused, Text::tr("the mount follows a client, which the change would move: hold "
-                                                        "the mount first"));
+            return failure(ErrorCode::Refused,
+                           Text::tr("The mount tracks the target of a client, and the change would move it. "
+                                    "Press Hold first."));
         }
         return m_follower.following() ? Result<>{} : m_control.mayChangePointing();  // the body is let go
     });

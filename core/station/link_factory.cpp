@@ -12,7 +12,7 @@ namespace boresight {
 
 namespace {
 
-// As the survey would fix them.
+// As Fix would write them.
 void protect(sim::DriveConfig& drive, const profile::Profile& profile, Axis axis)
 {
     for (const survey::Protection& protection : survey::protectionsOf(profile, axis)) {

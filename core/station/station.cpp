@@ -22,7 +22,7 @@ namespace {
 const QString kServerSource = QStringLiteral("rotctld");
 constexpr std::chrono::seconds kReopenPeriod{1};
 // Who starts the program and asks for the position at once shall get one, if there is one to be had: where no drive
-// answers there is none, and drives that answer are surveyed first.
+// answers there is none, and drives that answer are checked first.
 constexpr std::chrono::milliseconds kStartPatience{500};
 constexpr std::chrono::seconds kSurveyPatience{6};
 // More than this is not read by anybody at once; the log file has it all.
@@ -218,7 +218,7 @@ void Station::tick()
     }
 }
 
-// What the sensor on the antenna says is compared, shown and told; nothing more comes of it.
+// What the sensor on the antenna says is compared, shown and reported. It does nothing more.
 void Station::witness()
 {
     double amperes = 0.0;
@@ -307,7 +307,7 @@ Result<> Station::carryOut(const Request& request)
 {
     if (const auto* const wanted = std::get_if<request::Disconnect>(&request)) {
         if (!m_server.disconnect(wanted->clientId, Text::tr("disconnected by the operator").toStdString())) {
-            return failure(ErrorCode::NotAvailable, Text::tr("this client has left"));
+            return failure(ErrorCode::NotAvailable, Text::tr("this client has disconnected"));
         }
         return {};
     }
@@ -328,8 +328,8 @@ Result<> Station::fits(const profile::Profile& wanted) const
 {
     if (profile::namesNoBus(wanted) != profile::namesNoBus(*m_profile)) {
         return failure(ErrorCode::Refused,
-                       Text::tr("bus.name changes between the simulated mount and a real one: press Reconnect, or "
-                                "start Boresight again"));
+                       Text::tr("The bus cannot change between simulated and real while the mount is connected. "
+                                "Press Reconnect, or restart Boresight."));
     }
     return m_mount->simulated() ? Result<>{} : profile::fitsRealMount(wanted);
 }

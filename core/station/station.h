@@ -47,7 +47,7 @@ public:
     Station(const profile::Profile& profile, const MountMaker& mount, const QString& stateDir, const Clock& clock);
     ~Station() override;
 
-    // How the orientation sensor is reached, if not by what the profile says alone. Before start().
+    // How the orientation sensor is reached, if not by the profile alone. Before start().
     void setSensorMaker(SensorMaker maker) { m_sensor.setMaker(std::move(maker)); }
 
     // Asks for real-time scheduling of the thread that start() runs on. Before start().
@@ -68,7 +68,7 @@ public Q_SLOTS:
     void request(const boresight::NumberedRequest& request);
     // The screen has taken the last update: the next may come.
     void updateTaken();
-    // Decelerates, leaves the drives as the profile says, then finished().
+    // Decelerates, leaves the drives as the profile wants, then finished().
     void shutDown();
 
     // What the timers call; tests with a hand-turned clock call them themselves after openAll().
@@ -79,14 +79,15 @@ public Q_SLOTS:
     void tellDirections();
 
 Q_SIGNALS:
-    // `listening` is the address of the rotctld server, empty when it could not listen, and then `problem` says why.
+    // `listening` is the address of the rotctld server, empty when it could not listen, and then `problem` is the
+    // reason.
     void started(const QString& listening, const QString& problem);
     void updated(const boresight::StationUpdate& update);
     void finished();
     void ticked();  // the control loop is alive
     // The operator's settings were taken over: they are worth saving.
     void profileApplied(const boresight::profile::Profile& profile);
-    // In place of finished(): the mount shall be connected anew, with this profile.
+    // In place of finished(): reconnect to the mount, with this profile.
     void reconnectWanted(const boresight::profile::Profile& profile);
 
 private:
@@ -134,7 +135,7 @@ private:
     bool m_startTold = false;
     bool m_updateWanted = true;
     bool m_finished = false;
-    std::optional<profile::Profile> m_next;  // to begin anew with
+    std::optional<profile::Profile> m_next;  // to start again with
 };
 
 }  // namespace boresight

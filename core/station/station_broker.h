@@ -14,7 +14,7 @@
 #include <optional>
 
 // The MQTT broker as the station uses it: one connection, by which the station's state goes out and the sensor's
-// messages come in. What happens to it is told in the log and never moves or stops anything. Station thread; the broker
+// messages come in. What happens to it is logged and never moves or stops anything. Station thread; the broker
 // itself is served by a thread of its own.
 namespace boresight {
 
@@ -30,7 +30,7 @@ public:
     void open() { connectAnew(); }
     // What did not change stays as it is.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
-    // Whether the orientation sensor is heard by the broker.
+    // Whether the orientation sensor comes by the broker.
     void setSensorWanted(bool wanted);
     void close();
 

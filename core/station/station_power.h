@@ -36,7 +36,7 @@ private:
     const Clock& m_clock;
     LogThrottle m_lines;
     std::unique_ptr<power::ThreadedLine> m_line;  // null: the profile names none, or it is closed
-    QString m_problem;                            // told last
+    QString m_problem;                            // reported last
     bool m_open = false;
 };
 

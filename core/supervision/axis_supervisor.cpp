@@ -174,9 +174,9 @@ void AxisSupervisor::judgeStanding(const AxisObservation& seen)
         limits.stop = limits.hint;
     }
     m_uncommanded.update(seen.now, abs(moved).degrees(), limits, [&] {
-        return (seen.engaged ? Text::tr("%1 was to hold its place and has moved by %2, to %3")
-                             : Text::tr("%1 has moved by %2, to %3, and not by us: by its weight, a hand, the wind or "
-                                        "another program"))
+        return (seen.engaged
+                    ? Text::tr("%1 moved by %2 to %3 although it has to hold its position")
+                    : Text::tr("%1 moved by %2 to %3 without a command (weight, wind, a hand or another program)"))
             .arg(m_name, words(moved), words(seen.actual));
     });
 }
@@ -202,8 +202,8 @@ void AxisSupervisor::judgeJump(const AxisObservation& seen)
                     : 0.0,
         limits, [&] {
             return (seen.jumped
-                        ? Text::tr("the reported angle of %1 jumped by %2 in %3, to %4: more than the axis can turn")
-                        : Text::tr("a false reply reported a jump of %1 by %2 in %3, to %4: it was ignored"))
+                        ? Text::tr("the reported angle of %1 jumped by %2 in %3 to %4, faster than the axis can move")
+                        : Text::tr("a false reply reported a jump of %1 by %2 in %3 to %4"))
                 .arg(m_name, words(leap->by), words(leap->within), words(leap->to));
         });
 }
@@ -251,7 +251,7 @@ void AxisSupervisor::judgeTorque(const AxisObservation& seen)
         {.stop = m_profile->supervision.torqueUnwind,
          .release = 0.85 * m_profile->supervision.torqueUnwind,
          .after = kConfirm},
-        [&] { return needs(Text::tr("%1 needs %2 Nm, %3 % of the %4 Nm allowed, while its turn is not known")); });
+        [&] { return needs(Text::tr("%1 needs %2 Nm, %3 % of the %4 Nm allowed, while its cable wrap is unknown")); });
 }
 
 // An axis that was stopped by something just before its target is asked for too little to be found by its progress.
@@ -322,7 +322,7 @@ void AxisSupervisor::judgeBoard(const AxisObservation& seen)
     m_boardHot.update(seen.now, temperature,
                       {.hint = m_profile->supervision.boardHot, .release = m_profile->supervision.boardHot - kCoolsBy},
                       [&] {
-                          return Text::tr("%1 is at %2 °C; it gives up at %3 °C")
+                          return Text::tr("%1 is at %2 °C and switches off at %3 °C")
                               .arg(what, words(temperature, 0), words(m_profile->supervision.boardLimit, 0));
                       });
     m_boardTrend.add(seen.now, temperature);

@@ -178,7 +178,7 @@ void AxisSurvey::finishRun()
 
 void AxisSurvey::fail(const std::string& why)
 {
-    m_trouble = Text::tr("the survey of %1 ended early: %2").arg(axisText(m_axis), QString::fromStdString(why));
+    m_trouble = Text::tr("the check of %1 ended early: %2").arg(axisText(m_axis), QString::fromStdString(why));
     m_run.reset();
     m_step = Step::Idle;
 }
@@ -208,7 +208,7 @@ void AxisSurvey::finishSetting()
         const Reading reading = asReading(answers[firstGet + i]);
         if (!tookEffect(*protection.remedy, reading)) {
             m_fixTrouble =
-                Text::tr("nothing was stored in %1: it was told %2 %3 and reads back %4")
+                Text::tr("nothing was stored in %1, because %2 was set to %3 and reads back %4")
                     .arg(axisText(m_axis), QString::fromStdString(protection.key),
                          QString::fromStdString(settingText(*protection.remedy)), foundText(protection, reading));
             return startReading();

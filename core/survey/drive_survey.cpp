@@ -99,8 +99,7 @@ Result<> DriveSurvey::mayFix() const
     return failure(
         ErrorCode::NotAvailable,
         right ? Text::tr("every setting is right")
-              : Text::tr(
-                    "there is nothing that can be written: what is wrong is for a person to change, as its line says"));
+              : Text::tr("Fix has nothing to write. Change the marked settings by hand, as each line explains"));
 }
 
 Result<> DriveSurvey::fix(SteadyTime)
@@ -263,7 +262,7 @@ void DriveSurvey::collectFindings()
                                   .about = axisName(side.axis),
                                   .weight = FindingWeight::Blocking,
                                   .what = side.drive.trouble(),
-                                  .remedy = Text::tr("Look at its power, its plugs and the bus cable.")});
+                                  .remedy = Text::tr("Check its power, its plugs and the bus cable.")});
         }
         if (!side.drive.fixTrouble().isEmpty()) {
             m_findings.push_back({.kind = FindingKind::NotStored,
@@ -288,11 +287,12 @@ void DriveSurvey::addProtectionFinding(const Side& side, Verdict verdict)
     }
     const bool dangerous = verdict == Verdict::Dangerous;
     const auto worst = std::ranges::find(lines, verdict, &ProtectionLine::verdict);
-    m_findings.push_back({.kind = dangerous ? FindingKind::Dangerous : FindingKind::Advised,
-                          .about = axisName(side.axis),
-                          .weight = dangerous ? FindingWeight::Blocking : FindingWeight::Advice,
-                          .what = protectionText(dangerous, static_cast<int>(count), side.axis, lineText(*worst)),
-                          .remedy = Text::tr("See the Protection page; Fix writes what can be written.")});
+    m_findings.push_back(
+        {.kind = dangerous ? FindingKind::Dangerous : FindingKind::Advised,
+         .about = axisName(side.axis),
+         .weight = dangerous ? FindingWeight::Blocking : FindingWeight::Advice,
+         .what = protectionText(dangerous, static_cast<int>(count), side.axis, lineText(*worst)),
+         .remedy = Text::tr("Open the page Protection and press Fix. It writes what can be written.")});
 }
 
 Result<> DriveSurvey::fitToMove() const
@@ -303,9 +303,9 @@ Result<> DriveSurvey::fitToMove() const
     }
     switch (m_state) {
         case SurveyState::NotDone:
-            return failure(ErrorCode::Refused, Text::tr("the drives have not been surveyed yet"));
+            return failure(ErrorCode::Refused, Text::tr("the drive check has not run yet"));
         case SurveyState::Running:
-            return failure(ErrorCode::Busy, Text::tr("the drives are being surveyed; that takes some seconds"));
+            return failure(ErrorCode::Busy, Text::tr("the drive check is running, wait some seconds"));
         case SurveyState::Fixing:
             return failure(ErrorCode::Busy, Text::tr("settings are being written to the drives"));
         case SurveyState::Done:
@@ -317,7 +317,7 @@ Result<> DriveSurvey::fitToMove() const
 QString DriveSurvey::progress() const
 {
     if (m_retrying) {  // one text for all that begins anew every 2 seconds
-        return Text::tr("not all drives can be read; they are looked for every 2 seconds");
+        return Text::tr("not all drives can be read, Boresight looks for them every 2 s");
     }
     if (m_state == SurveyState::Running && m_scan.isRunning()) {
         return Text::tr("looking for the drives");

@@ -57,10 +57,9 @@ void IdentityJudge::judgeShared()
             {.kind = FindingKind::SharedId,
              .about = QString::number(id),
              .weight = isOurs(id) ? FindingWeight::Blocking : FindingWeight::Warning,
-             .what = Text::tr("two boards have the id %1: their answers destroy each other").arg(id),
-             .remedy = Text::tr("Every board has the id 1 fresh from the box. Leave only one of them connected, give "
-                                "it another id (conf set id.id N, then conf write), then connect the other again. If "
-                                "there is only one, look at the plugs and the termination.")});
+             .what = Text::tr("two boards have the id %1, so their answers collide").arg(id),
+             .remedy = Text::tr("Connect only one of them, give it another id (conf set id.id N, conf write), then "
+                                "connect the other. If there is only one board, check plugs and termination.")});
     }
 }
 
@@ -73,7 +72,7 @@ void IdentityJudge::judgeStrangers()
                 {.kind = FindingKind::Stranger,
                  .about = QString::number(board.id),
                  .weight = FindingWeight::Warning,
-                 .what = Text::tr("a board that the profile does not know answers under id %1 (%2)")
+                 .what = Text::tr("a board with the id %1 (%2) is not in the profile")
                              .arg(board.id)
                              .arg(uuidOf(board).isEmpty() ? Text::tr("UUID unread") : uuidOf(board)),
                  .remedy = Text::tr("Take it off the bus, or enter its id in the profile if it drives an axis.")});
@@ -92,12 +91,12 @@ void IdentityJudge::judgeSwapped()
         findings.push_back(
             {.kind = FindingKind::Swapped,
              .weight = FindingWeight::Blocking,
-             .what = Text::tr("the ids are swapped: the board under id %1 (%2) was the one of %3")
+             .what = Text::tr("the ids are swapped, and the board with the id %1 (%2) was the board of %3")
                          .arg(idOf(axis))
                          .arg(axisText(axis), axisText(other)),
-             .remedy = Text::tr("Exchange the ids in the profile, or those of the boards (conf set id.id N, then conf "
-                                "write). If the boards themselves were exchanged, end Boresight, take the mount's "
-                                ".memory.json files out of the state folder and start again.")});
+             .remedy = Text::tr("Exchange the ids in the profile or in the boards (conf set id.id N, conf write). If "
+                                "the boards were exchanged, end Boresight, move the mount's .memory.json files out of "
+                                "the state folder, and start again.")});
         return;
     }
 }
@@ -110,9 +109,9 @@ void IdentityJudge::judgeAxis(Axis axis)
             {.kind = FindingKind::Missing,
              .about = axisName(axis),
              .weight = FindingWeight::Blocking,
-             .what = Text::tr("the board of %1 is missing: nobody answers under id %2").arg(axisText(axis)).arg(id),
+             .what = Text::tr("the board of %1 (id %2) does not answer").arg(axisText(axis)).arg(id),
              .remedy = Text::tr(
-                 "Look at its power, its plugs and the bus cable. If it has another id, enter that in the profile.")});
+                 "Check its power, its plugs and the bus cable. If it has another id, enter that in the profile.")});
         return;
     }
     const FoundController* board = onlyBoard(found, id);
@@ -127,9 +126,9 @@ void IdentityJudge::judgeAxis(Axis axis)
         findings.push_back({.kind = FindingKind::OtherBoard,
                             .about = axisName(axis),
                             .weight = FindingWeight::Warning,
-                            .what = Text::tr("%1 has another board than before: %2").arg(axisText(axis), uuid),
-                            .remedy = Text::tr("If it was exchanged, check calibration and gains. If not, look whether "
-                                               "another mount is connected.")});
+                            .what = Text::tr("%1 has another board than before (%2)").arg(axisText(axis), uuid),
+                            .remedy = Text::tr("If you exchanged it, check calibration and gains. If not, check "
+                                               "whether another mount is connected.")});
     }
 }
 
@@ -140,9 +139,9 @@ void IdentityJudge::judgeMap(Axis axis, const FoundController& board)
         return;
     }
     const QString ours = QString::number(moteus::kRegisterMapVersion);
-    const QString what = map ? Text::tr("the board of %1 has the register map %2; only version %3 is known here")
+    const QString what = map ? Text::tr("the board of %1 has the register map %2, but Boresight knows only version %3")
                                    .arg(axisText(axis), QString::number(*map), ours)
-                             : Text::tr("the board of %1 does not tell its register map; only version %2 is known here")
+                             : Text::tr("the board of %1 reports no register map, and Boresight knows only version %2")
                                    .arg(axisText(axis), ours);
     findings.push_back(
         {.kind = FindingKind::RegisterMap,
@@ -177,11 +176,10 @@ std::vector<Finding> identityFindings(const profile::Profile& profile, const Kno
                                       std::span<const FoundController> found)
 {
     if (found.empty()) {
-        return {
-            {.kind = FindingKind::NobodyAnswers,
-             .weight = FindingWeight::Blocking,
-             .what = Text::tr("no drive answers on the bus"),
-             .remedy = Text::tr("Look at the power of the drives, the bus cable, and whether both ends have 120 Ω.")}};
+        return {{.kind = FindingKind::NobodyAnswers,
+                 .weight = FindingWeight::Blocking,
+                 .what = Text::tr("no drive answers on the bus"),
+                 .remedy = Text::tr("Check the power of the drives, the bus cable, and the 120 Ω at both ends.")}};
     }
     IdentityJudge judge{profile, known, found};
     judge.judgeShared();

@@ -208,7 +208,7 @@ void SensorWatch::raiseAbsence()
     }
     m_alarms.raise(
         alarmEntry("sensor.silent"),
-        {m_source.name, m_source.status.problem.isEmpty() ? Text::tr("Check its power, its WiFi and its cable")
+        {m_source.name, m_source.status.problem.isEmpty() ? Text::tr("Check its power, WiFi and cable")
                                                           : m_source.status.problem});
 }
 
@@ -266,27 +266,24 @@ QString SensorWatch::causes(Axis axis) const
 {
     const auto frozen = m_judge.frozenSince();
     if (frozen && m_inForce.difference(axis).beganMoving && m_clock.now() - *frozen >= kFrozen) {
-        return Text::tr("The sensor repeats one value to the last digit: switch it off and on");
+        return Text::tr("The sensor repeats one value to the last digit. Switch it off and on");
     }
     if (axis == Axis::Elevation) {
-        return Text::tr(
-            "Likely: sensor.elevation_offset_deg is not set, the sensor has come loose, the zero of the "
-            "elevation is not true, or a coupling slips: look at the antenna");
+        return Text::tr("Check the elevation offset and mounting of the sensor, the elevation zero and the coupling");
     }
     if (const auto link = m_currentLink.correlation()) {
         return Text::tr(
-                   "It is correlated with the motors' current: %1 per ampere over the last minute (correlation %2). "
-                   "Put the sensor farther from motors and their cables, or twist these")
+                   "It follows the motor current, %1 per ampere (correlation %2). Move the sensor away from motors and "
+                   "their cables, or twist these")
             .arg(degreesText(link->perAmpere))
             .arg(link->coefficient, 0, 'f', 2);
     }
     return m_inForce.difference(axis).beganMoving
                ? Text::tr(
-                     "It began while the mount moved. Likely: current of the motors or iron near the compass, "
-                     "sensor.azimuth_sense is wrong, or a coupling slips: look at the antenna")
+                     "It began while the mount moved. Check the motor current, iron near the compass, the azimuth "
+                     "sense of the sensor and the coupling")
                : Text::tr(
-                     "Likely: sensor.azimuth_offset_deg is not set, iron near the compass, the sensor has come "
-                     "loose, or the zero of the azimuth is not true: look at the antenna");
+                     "Check the azimuth offset and mounting of the sensor, iron near the compass and the azimuth zero");
 }
 
 bool SensorWatch::isYoung() const

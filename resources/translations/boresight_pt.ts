@@ -320,12 +320,12 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
 <context>
     <name>ProfileChange</name>
     <message>
-        <source>another panel has changes that are not applied: apply or revert them first</source>
-        <translation>outro painel tem alterações por aplicar: aplique-as ou reverta-as primeiro</translation>
+        <source>Another panel has changes that are not applied. Apply or revert them first.</source>
+        <translation>Outro painel tem alterações por aplicar. Aplique-as ou reverta-as primeiro.</translation>
     </message>
     <message>
-        <source>the mount at %1 waits for Reconnect: press that first (tab Mount, Profile)</source>
-        <translation>a montagem em %1 espera por Reconectar: prima-o primeiro (separador Montagem, Perfil)</translation>
+        <source>The change to the bus %1 is not in force yet. Press Reconnect first (tab Mount, Profile).</source>
+        <translation>A mudança para o barramento %1 ainda não está em vigor. Prima Reconectar primeiro (separador Montagem, Perfil).</translation>
     </message>
 </context>
 <context>
@@ -903,14 +903,6 @@ do eixo</translation>
         <translation>Um dispositivo numa porta aux envia mais, ou a outra velocidade, do que o configurado</translation>
     </message>
     <message>
-        <source>Power-cycle the drive; check the wiring and configuration of its aux ports</source>
-        <translation>Desligue e ligue o acionamento; verifique a fiação e a configuração das portas aux</translation>
-    </message>
-    <message>
-        <source>Nothing to clear; it ends when the demand falls</source>
-        <translation>Nada a fazer; termina quando a exigência baixar</translation>
-    </message>
-    <message>
         <source>A blocked axis, wrong gains, or a trajectory too fast for the torque allowed</source>
         <translation>Eixo bloqueado, ganhos errados ou trajetória rápida demais para o torque permitido</translation>
     </message>
@@ -967,20 +959,8 @@ do eixo</translation>
         <translation>O motor girava enquanto o acionamento era ativado, ou a placa está danificada</translation>
     </message>
     <message>
-        <source>Let the axis come to rest and re-arm; if it comes again, replace the board</source>
-        <translation>Deixe o eixo parar e rearme; se voltar a acontecer, substitua a placa</translation>
-    </message>
-    <message>
         <source>The gate driver of the motor outputs switched off</source>
         <translation>O gate driver das saídas do motor desligou-se</translation>
-    </message>
-    <message>
-        <source>Nearly always the supply sagged below the driver&apos;s limit; else damaged hardware</source>
-        <translation>Quase sempre a alimentação caiu abaixo do limite do driver; senão, hardware danificado</translation>
-    </message>
-    <message>
-        <source>Use a stronger supply or lower the drive&apos;s maximum power or current; if it comes again, read drv8323 with tview and replace the board</source>
-        <translation>Use uma fonte mais forte ou reduza a potência ou corrente máxima do acionamento; se voltar, leia drv8323 com tview e substitua a placa</translation>
     </message>
     <message>
         <source>The bus voltage rose above servo.max_voltage</source>
@@ -1039,16 +1019,8 @@ do eixo</translation>
         <translation>Torque a mais por tempo a mais, ou pouca refrigeração</translation>
     </message>
     <message>
-        <source>Let it cool down; lower the torque or improve cooling</source>
-        <translation>Deixe esfriar; reduza o torque ou melhore a refrigeração</translation>
-    </message>
-    <message>
         <source>The axis was outside servopos.position_min/max when motion was commanded</source>
         <translation>O eixo estava fora de servopos.position_min/max quando foi comandado movimento</translation>
-    </message>
-    <message>
-        <source>Factory bounds of ±0.01 turns, a wrong turn after power-up, or an axis turned by hand</source>
-        <translation>Limites de fábrica de ±0.01 voltas, volta errada após ligar, ou eixo girado à mão</translation>
     </message>
     <message>
         <source>Correct the bounds on the Protection page or bring the axis inside by hand, then re-arm</source>
@@ -1103,10 +1075,6 @@ do eixo</translation>
         <translation>A tensão de alimentação é baixa demais, ou a placa está danificada</translation>
     </message>
     <message>
-        <source>Check the supply at the board, at least 10 V; if it is right, replace the board</source>
-        <translation>Verifique a alimentação na placa, pelo menos 10 V; se estiver certa, substitua a placa</translation>
-    </message>
-    <message>
         <source>The deprecated stop position was commanded together with motion limits</source>
         <translation>Foi comandada a obsoleta stop position juntamente com limites de movimento</translation>
     </message>
@@ -1141,10 +1109,6 @@ do eixo</translation>
     <message>
         <source>servopos.position_min/max lie beyond ±32768 turns</source>
         <translation>servopos.position_min/max ficam além de ±32768 voltas</translation>
-    </message>
-    <message>
-        <source>A slip in the drive&apos;s configuration</source>
-        <translation>Um lapso na configuração do acionamento</translation>
     </message>
     <message>
         <source>Correct the bounds on the Protection page</source>
@@ -1183,10 +1147,6 @@ do eixo</translation>
         <translation>O motor precisaria de mais tensão para a sua velocidade</translation>
     </message>
     <message>
-        <source>Nothing to clear; check the supply if it is below its nominal voltage</source>
-        <translation>Nada a fazer; verifique a alimentação se estiver abaixo da tensão nominal</translation>
-    </message>
-    <message>
         <source>Limited by servo.max_current_A</source>
         <translation>Limitado por servo.max_current_A</translation>
     </message>
@@ -1203,16 +1163,8 @@ do eixo</translation>
         <translation>Muito torque durante muito tempo, ou pouca refrigeração</translation>
     </message>
     <message>
-        <source>It ends when the board cools down; fault 38 follows if it gets hotter</source>
-        <translation>Termina quando a placa esfriar; se aquecer mais, segue-se a falha 38</translation>
-    </message>
-    <message>
         <source>Current reduced because the motor is warm</source>
         <translation>Corrente reduzida porque o motor está quente</translation>
-    </message>
-    <message>
-        <source>It ends when the motor cools down; fault 38 follows if it gets hotter</source>
-        <translation>Termina quando o motor esfriar; se aquecer mais, segue-se a falha 38</translation>
     </message>
     <message>
         <source>Limited by the maximum torque of the command</source>
@@ -1223,24 +1175,12 @@ do eixo</translation>
         <translation>Retido em servopos.position_min/max</translation>
     </message>
     <message>
-        <source>A place beyond the drive&apos;s own bounds was commanded, or the axis was pushed there</source>
-        <translation>Foi comandado um lugar além dos limites do próprio acionamento, ou o eixo foi empurrado para lá</translation>
-    </message>
-    <message>
-        <source>Nothing to clear; move the other way or correct the bounds</source>
-        <translation>Nada a fazer; mova para o outro lado ou corrija os limites</translation>
-    </message>
-    <message>
         <source>Braking energy is burnt in the motor to hold the bus voltage</source>
         <translation>A energia da frenagem é dissipada no motor para manter a tensão do barramento</translation>
     </message>
     <message>
         <source>The supply does not take back what braking feeds it</source>
         <translation>A alimentação não absorve o que a frenagem lhe devolve</translation>
-    </message>
-    <message>
-        <source>Nothing to clear; lower the acceleration if it comes often</source>
-        <translation>Nada a fazer; reduza a aceleração se acontecer muitas vezes</translation>
     </message>
     <message>
         <source>The field is weakened to reach the speed</source>
@@ -2059,10 +1999,6 @@ do eixo</translation>
         <translation>só o operador faz isto</translation>
     </message>
     <message>
-        <source>the bus is left to other tools: take it back first</source>
-        <translation>o barramento está entregue a outras ferramentas: retome-o primeiro</translation>
-    </message>
-    <message>
         <source>no reply from the %1</source>
         <translation>sem resposta do %1</translation>
     </message>
@@ -2071,40 +2007,12 @@ do eixo</translation>
         <translation>o Boresight está encerrando</translation>
     </message>
     <message>
-        <source>the drives have only just come back: wait a second</source>
-        <translation>os acionamentos acabam de voltar: espere um segundo</translation>
-    </message>
-    <message>
-        <source>STOP is latched: reset STOP first</source>
-        <translation>STOP está ativo: libere primeiro o STOP</translation>
-    </message>
-    <message>
-        <source>%1: re-arm first</source>
-        <translation>%1: rearme primeiro</translation>
-    </message>
-    <message>
-        <source>the operator has taken over: give control back to the clients first</source>
-        <translation>o operador assumiu o controle: devolva-o primeiro aos clientes</translation>
-    </message>
-    <message>
         <source>STOP is not latched</source>
         <translation>STOP não está ativo</translation>
     </message>
     <message>
-        <source>both drives answer; nothing moves</source>
-        <translation>os dois acionamentos respondem; nada se move</translation>
-    </message>
-    <message>
-        <source>the bus is left to other tools</source>
-        <translation>o barramento está entregue a outras ferramentas</translation>
-    </message>
-    <message>
         <source>a drive has stopped answering</source>
         <translation>um acionamento deixou de responder</translation>
-    </message>
-    <message>
-        <source>the operator has taken over: re-arming is up to the operator</source>
-        <translation>o operador assumiu o controle: rearmar cabe ao operador</translation>
     </message>
     <message>
         <source>there is no fault to re-arm from</source>
@@ -2113,14 +2021,6 @@ do eixo</translation>
     <message>
         <source>both drives must answer before re-arming</source>
         <translation>os dois acionamentos têm de responder antes de rearmar</translation>
-    </message>
-    <message>
-        <source>re-arms: drives in fault or time-out are stopped first</source>
-        <translation>rearma: acionamentos em falha ou tempo esgotado são parados primeiro</translation>
-    </message>
-    <message>
-        <source>re-arms by the profile&apos;s recovery policy; nothing moves by itself</source>
-        <translation>rearma pela política de recuperação do perfil; nada se move por si</translation>
     </message>
     <message>
         <source>the drives have not been looked at yet</source>
@@ -2133,34 +2033,6 @@ do eixo</translation>
     <message>
         <source>%1 s ago</source>
         <translation>há %1 s</translation>
-    </message>
-    <message>
-        <source>%1 has the lead: it connects for each command and sent its last %2</source>
-        <translation>%1 conduz: conecta-se para cada comando e enviou o último %2</translation>
-    </message>
-    <message>
-        <source>%1 was given the lead %2</source>
-        <translation>%1 recebeu o comando %2</translation>
-    </message>
-    <message>
-        <source>%1 has the lead: it sent its last command %2</source>
-        <translation>%1 conduz: enviou o seu último comando %2</translation>
-    </message>
-    <message>
-        <source>the operator has made this client read-only</source>
-        <translation>o operador deixou este cliente só com leitura</translation>
-    </message>
-    <message>
-        <source>the mount is locked to %1</source>
-        <translation>a montagem está reservada a %1</translation>
-    </message>
-    <message>
-        <source>this client has left</source>
-        <translation>este cliente saiu</translation>
-    </message>
-    <message>
-        <source>the mount is locked to %1: unlock it first</source>
-        <translation>a montagem está reservada a %1: desfaça a reserva primeiro</translation>
     </message>
     <message>
         <source>azimuth</source>
@@ -2203,10 +2075,6 @@ do eixo</translation>
         <translation>Sem resposta do %1</translation>
     </message>
     <message>
-        <source>Motion ended; the drive, if it has power, stops itself by its watchdog (%2 s)</source>
-        <translation>Movimento terminado; o acionamento, se tiver energia, para por si pelo seu watchdog (%2 s)</translation>
-    </message>
-    <message>
         <source>Check the supply, the CAN cable and the adapter, then re-arm</source>
         <translation>Verifique a alimentação, o cabo CAN e o adaptador e depois rearme</translation>
     </message>
@@ -2223,48 +2091,12 @@ do eixo</translation>
         <translation>%1 e depois rearme</translation>
     </message>
     <message>
-        <source>%1 is in fault and does not say which</source>
-        <translation>%1 está em falha e não diz qual</translation>
-    </message>
-    <message>
-        <source>The drive switched its output off; the other axis holds if its drive can</source>
-        <translation>O acionamento desligou a sua saída; o outro eixo mantém-se se o seu acionamento puder</translation>
-    </message>
-    <message>
-        <source>Look at it with boresightctl scan; then re-arm</source>
-        <translation>Examine-o com boresightctl scan; depois rearme</translation>
-    </message>
-    <message>
         <source>%1 fault %2: %3</source>
         <translation>%1 em falha %2: %3</translation>
     </message>
     <message>
-        <source>Nothing is commanded</source>
-        <translation>Nada é comandado</translation>
-    </message>
-    <message>
-        <source>Check the supply, the CAN cable, the adapter and the drive&apos;s id in the profile; boresightctl scan tells who answers</source>
-        <translation>Verifique a alimentação, o cabo CAN, o adaptador e o id do acionamento no perfil; boresightctl scan diz quem responde</translation>
-    </message>
-    <message>
-        <source>The %1 fell silent; it answers again</source>
-        <translation>O %1 ficou mudo; voltou a responder</translation>
-    </message>
-    <message>
-        <source>Motion ended; nothing moves before a re-arm</source>
-        <translation>Movimento terminado; nada se move antes de rearmar</translation>
-    </message>
-    <message>
         <source>Look for a loose plug, a worn cable or a weak supply, then re-arm</source>
         <translation>Procure um conector solto, um cabo gasto ou uma alimentação fraca e depois rearme</translation>
-    </message>
-    <message>
-        <source>The %1 timed out: it got no command in time</source>
-        <translation>O %1 esgotou o tempo: não recebeu comando a tempo</translation>
-    </message>
-    <message>
-        <source>It stopped itself by its watchdog; the motion of both axes ended</source>
-        <translation>Parou por si pelo seu watchdog; o movimento dos dois eixos terminou</translation>
     </message>
     <message>
         <source>Check the bus and the load of this computer, then re-arm</source>
@@ -2275,48 +2107,8 @@ do eixo</translation>
         <translation>O %1 desligou-se</translation>
     </message>
     <message>
-        <source>Its supply failed or another program stopped it: check both, then re-arm</source>
-        <translation>A alimentação falhou ou outro programa o parou: verifique ambos e depois rearme</translation>
-    </message>
-    <message>
-        <source>The %1 answers but does not do what it is told</source>
-        <translation>O %1 responde mas não faz o que se lhe manda</translation>
-    </message>
-    <message>
-        <source>Nothing is commanded any more; the other axis holds if its drive can</source>
-        <translation>Já nada é comandado; o outro eixo mantém-se se o seu acionamento puder</translation>
-    </message>
-    <message>
-        <source>Look at its mode and fault; another program may command it; then re-arm</source>
-        <translation>Veja o seu modo e falha; outro programa pode estar comandando-o; depois rearme</translation>
-    </message>
-    <message>
         <source>%1 limit %2: %3</source>
         <translation>%1 em limite %2: %3</translation>
-    </message>
-    <message>
-        <source>The drive gives less than it was asked for</source>
-        <translation>O acionamento dá menos do que lhe foi pedido</translation>
-    </message>
-    <message>
-        <source>Both axes came to rest and hold where they are</source>
-        <translation>Os dois eixos pararam e mantêm-se onde estão</translation>
-    </message>
-    <message>
-        <source>The mount goes on</source>
-        <translation>A montagem continua</translation>
-    </message>
-    <message>
-        <source>%1 is active without our orders: mode %2</source>
-        <translation>%1 está ativo sem ordens nossas: modo %2</translation>
-    </message>
-    <message>
-        <source>Boresight does not touch it before a command; STOP takes it over and holds</source>
-        <translation>O Boresight não lhe toca antes de um comando; STOP assume-o e mantém-no</translation>
-    </message>
-    <message>
-        <source>Another program, or an order left without a watchdog, drives it: end that</source>
-        <translation>É movido por outro programa, ou por uma ordem deixada sem watchdog: acabe com isso</translation>
     </message>
     <message>
         <source>written: %1</source>
@@ -2347,14 +2139,6 @@ do eixo</translation>
         <translation>não é possível escrever %1: %2</translation>
     </message>
     <message>
-        <source>it is not confirmed yet which way the axes turn: jog at 5°/s or slower, or confirm it</source>
-        <translation>ainda não está confirmado para que lado giram os eixos: mova a 5°/s ou menos, ou confirme</translation>
-    </message>
-    <message>
-        <source>it is not confirmed yet which way the axes turn: no farther than 2° until it is</source>
-        <translation>ainda não está confirmado para que lado giram os eixos: até lá, não mais que 2°</translation>
-    </message>
-    <message>
         <source>%1 similar lines left out</source>
         <translation>%1 linhas semelhantes omitidas</translation>
     </message>
@@ -2363,32 +2147,8 @@ do eixo</translation>
         <translation>este Gpredict só atualiza a cada %1°: ponha Threshold em 0.1 no seu Antenna Control</translation>
     </message>
     <message>
-        <source>The place of the axes is kept in memory only</source>
-        <translation>O lugar dos eixos só fica guardado na memória</translation>
-    </message>
-    <message>
-        <source>Check the disk, or choose another folder with --state-dir; else the turn must be told after a restart</source>
-        <translation>Verifique o disco, ou escolha outra pasta com --state-dir; senão será preciso dizer a volta após reiniciar</translation>
-    </message>
-    <message>
-        <source>Boresight goes on using the bus</source>
-        <translation>O Boresight continua a usar o barramento</translation>
-    </message>
-    <message>
-        <source>Nothing can be commanded; the bus is tried again each second</source>
-        <translation>Nada pode ser comandado; o barramento é tentado de novo a cada segundo</translation>
-    </message>
-    <message>
         <source>listening on %1</source>
         <translation>escuta em %1</translation>
-    </message>
-    <message>
-        <source>No client can connect; everything else works</source>
-        <translation>Nenhum cliente pode conectar-se; o resto funciona</translation>
-    </message>
-    <message>
-        <source>End the other program, or choose another port with --listen or in the profile, and start again</source>
-        <translation>Encerre o outro programa, ou escolha outra porta com --listen ou no perfil, e inicie de novo</translation>
     </message>
     <message>
         <source>refused: %1</source>
@@ -2411,10 +2171,6 @@ do eixo</translation>
         <translation>altera %1 de %2 para %3, em vigor após Reconectar</translation>
     </message>
     <message>
-        <source>The log is kept in memory only</source>
-        <translation>O registro só fica guardado na memória</translation>
-    </message>
-    <message>
         <source>Check the disk, or choose another folder with --state-dir</source>
         <translation>Verifique o disco, ou escolha outra pasta com --state-dir</translation>
     </message>
@@ -2435,52 +2191,12 @@ do eixo</translation>
         <translation>deixa %1 mover de novo a montagem</translation>
     </message>
     <message>
-        <source>may not move the mount any more: hold</source>
-        <translation>já não pode mover a montagem: manter</translation>
-    </message>
-    <message>
-        <source>the crash-stop proof moves the mount: end it first</source>
-        <translation>o ensaio de parada brusca move a montagem: termine-o primeiro</translation>
-    </message>
-    <message>
-        <source>the %1 reports no position: look at its encoder</source>
-        <translation>o %1 não relata posição: examine o seu encoder</translation>
-    </message>
-    <message>
-        <source>it is not confirmed yet which way the axes turn: jog each a little and confirm it first</source>
-        <translation>ainda não está confirmado para que lado giram os eixos: mova um pouco cada um e confirme primeiro</translation>
-    </message>
-    <message>
-        <source>it is not known on which turn the axis of the %1 stands: the operator must tell; slow jogging only</source>
-        <translation>não se sabe em que volta está o eixo do %1: o operador tem de o dizer; só movimento manual lento</translation>
-    </message>
-    <message>
-        <source>the place of the axes is being found out: wait a moment</source>
-        <translation>o lugar dos eixos está sendo determinado: espere um momento</translation>
-    </message>
-    <message>
-        <source>the turn of an axis is not known: jog at %1°/s or slower</source>
-        <translation>a volta de um eixo é desconhecida: mova a %1°/s ou menos</translation>
-    </message>
-    <message>
-        <source>takes over: motion commands of clients are refused</source>
-        <translation>assume o controle: comandos de movimento dos clientes são recusados</translation>
-    </message>
-    <message>
         <source>moves the mount from %1: %2</source>
         <translation>move a montagem a partir de %1: %2</translation>
     </message>
     <message>
         <source>ended before it was done</source>
         <translation>terminado antes de concluído</translation>
-    </message>
-    <message>
-        <source>%1; permitted nearest to it: %2</source>
-        <translation>%1; o permitido mais próximo: %2</translation>
-    </message>
-    <message>
-        <source>LIMITED: %1; driven to the nearest permitted point</source>
-        <translation>LIMITADO: %1; conduzido ao ponto permitido mais próximo</translation>
     </message>
     <message>
         <source>go to %1</source>
@@ -2515,32 +2231,12 @@ do eixo</translation>
         <translation>mover</translation>
     </message>
     <message>
-        <source>ends the motion: hold</source>
-        <translation>termina o movimento: manter</translation>
-    </message>
-    <message>
-        <source>STOP: both axes decelerate and hold; latched</source>
-        <translation>STOP: os dois eixos desaceleram e mantêm-se; fica ativo</translation>
-    </message>
-    <message>
-        <source>the mount is still braking: reset STOP when it stands</source>
-        <translation>a montagem ainda está freando: libere o STOP quando parar</translation>
-    </message>
-    <message>
-        <source>resets STOP: nothing moves until the next command</source>
-        <translation>libera o STOP: nada se move até ao próximo comando</translation>
-    </message>
-    <message>
         <source>is gone: its motion ends</source>
         <translation>desapareceu: o seu movimento termina</translation>
     </message>
     <message>
         <source>no fresh position from the %1</source>
         <translation>sem posição recente do %1</translation>
-    </message>
-    <message>
-        <source>it is not known on which turn an axis stands</source>
-        <translation>não se sabe em que volta está um eixo</translation>
     </message>
     <message>
         <source>was power-cycled: its turn must be judged anew</source>
@@ -2555,24 +2251,12 @@ do eixo</translation>
         <translation>uma compensação acima de %1° já não é uma correção</translation>
     </message>
     <message>
-        <source>jog ends: no farther than 2° until the directions of the axes are confirmed</source>
-        <translation>o movimento manual termina: não mais que 2° até estar confirmado para que lado giram os eixos</translation>
-    </message>
-    <message>
         <source>at the end of the travel</source>
         <translation>no fim de curso</translation>
     </message>
     <message>
         <source>at %1</source>
         <translation>em: %1</translation>
-    </message>
-    <message>
-        <source>turn not known</source>
-        <translation>volta desconhecida</translation>
-    </message>
-    <message>
-        <source>not by our orders</source>
-        <translation>sem ordens nossas</translation>
     </message>
     <message>
         <source>held by its own time-out mode</source>
@@ -2599,36 +2283,12 @@ do eixo</translation>
         <translation>saiu: %1</translation>
     </message>
     <message>
-        <source>the mount moves: stop it first</source>
-        <translation>a montagem move-se: pare-a primeiro</translation>
-    </message>
-    <message>
-        <source>a drive is being taken over: try again in a second</source>
-        <translation>um acionamento está sendo assumido: tente de novo dentro de um segundo</translation>
-    </message>
-    <message>
         <source>both drives must answer</source>
         <translation>os dois acionamentos têm de responder</translation>
     </message>
     <message>
         <source>the %1 is switched on: support the elevation, switch the drives off</source>
         <translation>o %1 está ligado: apoie a elevação, desligue os acionamentos</translation>
-    </message>
-    <message>
-        <source>switches both drives off: nothing holds the axes</source>
-        <translation>desliga os dois acionamentos: nada segura os eixos</translation>
-    </message>
-    <message>
-        <source>leaves the bus to other tools; drives that held go on by their time-out mode</source>
-        <translation>entrega o barramento a outras ferramentas; acionamentos que mantinham continuam pelo seu modo de tempo esgotado</translation>
-    </message>
-    <message>
-        <source>the bus was not left to other tools</source>
-        <translation>o barramento não estava entregue a outras ferramentas</translation>
-    </message>
-    <message>
-        <source>takes the bus back: the drives are read anew</source>
-        <translation>retoma o barramento: os acionamentos são lidos de novo</translation>
     </message>
     <message>
         <source>a crash stop is proven at %1 to %2°/s</source>
@@ -2677,10 +2337,6 @@ do eixo</translation>
     <message>
         <source>drives</source>
         <translation>acionamentos</translation>
-    </message>
-    <message>
-        <source>memory</source>
-        <translation>memória</translation>
     </message>
     <message>
         <source>bus</source>
@@ -2781,18 +2437,6 @@ do eixo</translation>
         <translation>DESLIGADO</translation>
     </message>
     <message>
-        <source>it is not known on which turn the axis of the %1 stands</source>
-        <translation>não se sabe em que volta está o eixo do %1</translation>
-    </message>
-    <message>
-        <source>Pointing is refused, clients get no position; slow jogging only</source>
-        <translation>O apontamento é recusado, os clientes não recebem posição; só movimento manual lento</translation>
-    </message>
-    <message>
-        <source>Look at the mount and its cable, then tell where it stands</source>
-        <translation>Observe a montagem e o seu cabo e depois diga onde está</translation>
-    </message>
-    <message>
         <source>this computer stalled for %1 s; drives may have stopped by their watchdog</source>
         <translation>este computador ficou bloqueado %1 s; os acionamentos podem ter parado pelo seu watchdog</translation>
     </message>
@@ -2807,10 +2451,6 @@ do eixo</translation>
     <message>
         <source>held: %1</source>
         <translation>retido: %1</translation>
-    </message>
-    <message>
-        <source>re-armed; nothing moves</source>
-        <translation>rearmado; nada se move</translation>
     </message>
     <message>
         <source>the azimuth</source>
@@ -2833,18 +2473,6 @@ do eixo</translation>
         <translation>o %1 não se move: %2 a %3 comandados em %4, %5 movidos</translation>
     </message>
     <message>
-        <source>%1 was to hold its place and has moved by %2, to %3</source>
-        <translation>o %1 devia manter o lugar e moveu-se %2, até %3</translation>
-    </message>
-    <message>
-        <source>%1 has moved by %2, to %3, and not by us: by its weight, a hand, the wind or another program</source>
-        <translation>o %1 moveu-se %2, até %3, e não por nós: pelo peso, por uma mão, pelo vento ou por outro programa</translation>
-    </message>
-    <message>
-        <source>the reported angle of %1 jumped by %2 in %3, to %4: more than the axis can turn</source>
-        <translation>o ângulo relatado do %1 saltou %2 em %3, para %4: mais do que o eixo pode girar</translation>
-    </message>
-    <message>
         <source>%1 is at %2, %3 beyond its travel %4…%5, and moves farther out</source>
         <translation>o %1 está em %2, %3 além do seu curso %4…%5, e afasta-se mais</translation>
     </message>
@@ -2855,10 +2483,6 @@ do eixo</translation>
     <message>
         <source>%1 needs %2 Nm, %3 % of the %4 Nm allowed</source>
         <translation>o %1 precisa de %2 Nm, %3 % dos %4 Nm permitidos</translation>
-    </message>
-    <message>
-        <source>%1 needs %2 Nm, %3 % of the %4 Nm allowed, while its turn is not known</source>
-        <translation>o %1 precisa de %2 Nm, %3 % dos %4 Nm permitidos, enquanto a sua volta é desconhecida</translation>
     </message>
     <message>
         <source>a reply of %1 drive came %2 after the one before</source>
@@ -2881,10 +2505,6 @@ do eixo</translation>
         <translation>a placa do acionamento do %1</translation>
     </message>
     <message>
-        <source>%1 is at %2 °C; it gives up at %3 °C</source>
-        <translation>%1 está a %2 °C; desiste a %3 °C</translation>
-    </message>
-    <message>
         <source>the motor of %1</source>
         <translation>o motor do %1</translation>
     </message>
@@ -2901,24 +2521,8 @@ do eixo</translation>
         <translation>%1 está em %2 %3 e desce %4 %3/min: %5 %3 em %6 min</translation>
     </message>
     <message>
-        <source>Look for wind, ice or a tight cable; else lower speed and acceleration or check the drive&apos;s gains.</source>
-        <translation>Procure vento, gelo ou um cabo esticado; senão reduza velocidade e aceleração ou verifique os ganhos do acionamento.</translation>
-    </message>
-    <message>
-        <source>Look what blocks the axis: a cable, a lock, ice, a coupling that slips. Free it.</source>
-        <translation>Veja o que bloqueia o eixo: um cabo, uma trava, gelo, um acoplamento que patina. Solte-o.</translation>
-    </message>
-    <message>
-        <source>Do not re-arm before the motor was calibrated again and its phases and the encoder were checked.</source>
-        <translation>Não rearme antes de calibrar de novo o motor e de verificar as suas fases e o encoder.</translation>
-    </message>
-    <message>
         <source>Look for wind, a person at the antenna or a slipping gear. Secure the axis, then check the position.</source>
         <translation>Procure vento, uma pessoa junto à antena ou uma engrenagem que patina. Segure o eixo e depois verifique a posição.</translation>
-    </message>
-    <message>
-        <source>The angle shown may be wrong. Compare it with the antenna, check encoder and wiring, and that no other program sets the drive&apos;s position.</source>
-        <translation>O ângulo mostrado pode estar errado. Compare-o com a antena, verifique encoder e fiação, e que nenhum outro programa define a posição do acionamento.</translation>
     </message>
     <message>
         <source>Jog the axis back inside while you watch the cable.</source>
@@ -2929,28 +2533,8 @@ do eixo</translation>
         <translation>Verifique a carga do barramento e deste computador, o cabo e a terminação.</translation>
     </message>
     <message>
-        <source>Check supply, battery and cable; lower the acceleration.</source>
-        <translation>Verifique fonte, bateria e cabo; reduza a aceleração.</translation>
-    </message>
-    <message>
-        <source>Braking feeds the supply: lower the acceleration, set servo.max_regen_power_W, or add a battery or a brake resistor.</source>
-        <translation>A frenagem devolve energia à fonte: reduza a aceleração, defina servo.max_regen_power_W, ou acrescente uma bateria ou um resistor de frenagem.</translation>
-    </message>
-    <message>
-        <source>Give the board air and shade, or move less and slower; at its limit the drive lets the axis go.</source>
-        <translation>Dê ar e sombra à placa, ou mova menos e mais devagar; no seu limite o acionamento solta o eixo.</translation>
-    </message>
-    <message>
-        <source>Let the motor cool down; look for friction or a load out of balance.</source>
-        <translation>Deixe o motor esfriar; procure atrito ou uma carga desequilibrada.</translation>
-    </message>
-    <message>
         <source>Look for wind, ice, friction or a load out of balance.</source>
         <translation>Procure vento, gelo, atrito ou uma carga desequilibrada.</translation>
-    </message>
-    <message>
-        <source>A cable may be wound up: look at it, and turn the other way.</source>
-        <translation>Um cabo pode estar enrolado: observe-o, e gire para o outro lado.</translation>
     </message>
     <message>
         <source>the motor is still at %1 °C; it must cool down to %2 °C</source>
@@ -2975,14 +2559,6 @@ do eixo</translation>
     <message>
         <source>it does not answer</source>
         <translation>não responde</translation>
-    </message>
-    <message>
-        <source>the survey of %1 ended early: %2</source>
-        <translation>o exame do acionamento de %1 terminou cedo: %2</translation>
-    </message>
-    <message>
-        <source>nothing was stored in %1: it was told %2 %3 and reads back %4</source>
-        <translation>nada foi guardado no acionamento de %1: mandou-se %2 %3 e lê-se %4</translation>
     </message>
     <message>
         <source>%1 did not store its settings: %2</source>
@@ -3041,52 +2617,12 @@ do eixo</translation>
         <translation>os acionamentos ainda não foram lidos</translation>
     </message>
     <message>
-        <source>there is nothing that can be written: what is wrong is for a person to change, as its line says</source>
-        <translation>não há nada que se possa escrever: o que está errado cabe a uma pessoa alterar, como diz a sua linha</translation>
-    </message>
-    <message>
-        <source>it is tried again every 2 seconds</source>
-        <translation>tenta-se de novo a cada 2 segundos</translation>
-    </message>
-    <message>
-        <source>Look at its power, its plugs and the bus cable.</source>
-        <translation>Verifique a sua alimentação, os conectores e o cabo do barramento.</translation>
-    </message>
-    <message>
-        <source>the settings were read again</source>
-        <translation>os parâmetros foram lidos de novo</translation>
-    </message>
-    <message>
         <source>Press Fix again.</source>
         <translation>Clique de novo em Corrigir.</translation>
     </message>
     <message>
-        <source>nothing is moved</source>
-        <translation>nada é movido</translation>
-    </message>
-    <message>
-        <source>the mount may move all the same</source>
-        <translation>a montagem pode mover-se mesmo assim</translation>
-    </message>
-    <message>
-        <source>See the Protection page; Fix writes what can be written.</source>
-        <translation>Veja a página Proteções; Corrigir escreve o que pode ser escrito.</translation>
-    </message>
-    <message>
-        <source>the drives have not been surveyed yet</source>
-        <translation>os acionamentos ainda não foram examinados</translation>
-    </message>
-    <message>
-        <source>the drives are being surveyed; that takes some seconds</source>
-        <translation>os acionamentos estão sendo examinados; demora alguns segundos</translation>
-    </message>
-    <message>
         <source>settings are being written to the drives</source>
         <translation>estão sendo escritos parâmetros nos acionamentos</translation>
-    </message>
-    <message>
-        <source>not all drives can be read; they are looked for every 2 seconds</source>
-        <translation>nem todos os acionamentos podem ser lidos; são procurados a cada 2 segundos</translation>
     </message>
     <message>
         <source>looking for the drives</source>
@@ -3097,76 +2633,12 @@ do eixo</translation>
         <translation>os parâmetros foram escritos, lidos de volta e guardados</translation>
     </message>
     <message>
-        <source>two boards have the id %1: their answers destroy each other</source>
-        <translation>duas placas têm o id %1: as suas respostas destroem-se mutuamente</translation>
-    </message>
-    <message>
-        <source>Every board has the id 1 fresh from the box. Leave only one of them connected, give it another id (conf set id.id N, then conf write), then connect the other again. If there is only one, look at the plugs and the termination.</source>
-        <translation>Toda placa sai da caixa com o id 1. Deixe só uma conectada, dê-lhe outro id (conf set id.id N, depois conf write) e conecte de novo a outra. Se só houver uma, verifique os conectores e a terminação.</translation>
-    </message>
-    <message>
-        <source>a board that the profile does not know answers under id %1 (%2)</source>
-        <translation>uma placa que o perfil não conhece responde sob o id %1 (%2)</translation>
-    </message>
-    <message>
         <source>UUID unread</source>
         <translation>UUID não lido</translation>
     </message>
     <message>
-        <source>it is left alone</source>
-        <translation>fica como está</translation>
-    </message>
-    <message>
         <source>Take it off the bus, or enter its id in the profile if it drives an axis.</source>
         <translation>Retire-a do barramento, ou ponha o seu id no perfil se ela move um eixo.</translation>
-    </message>
-    <message>
-        <source>the ids are swapped: the board under id %1 (%2) was the one of %3</source>
-        <translation>os ids estão trocados: a placa sob o id %1 (%2) era a do eixo de %3</translation>
-    </message>
-    <message>
-        <source>nothing is moved: the orders of one axis would reach the other</source>
-        <translation>nada é movido: as ordens de um eixo chegariam ao outro</translation>
-    </message>
-    <message>
-        <source>Exchange the ids in the profile, or those of the boards (conf set id.id N, then conf write). If the boards themselves were exchanged, end Boresight, take the mount&apos;s .memory.json files out of the state folder and start again.</source>
-        <translation>Troque os ids no perfil, ou os das placas (conf set id.id N, depois conf write). Se foram trocadas as próprias placas, encerre o Boresight, retire da pasta de estado os arquivos .memory.json da montagem e inicie de novo.</translation>
-    </message>
-    <message>
-        <source>the board of %1 is missing: nobody answers under id %2</source>
-        <translation>falta a placa do eixo de %1: ninguém responde sob o id %2</translation>
-    </message>
-    <message>
-        <source>it is looked for every 2 seconds</source>
-        <translation>é procurada a cada 2 segundos</translation>
-    </message>
-    <message>
-        <source>Look at its power, its plugs and the bus cable. If it has another id, enter that in the profile.</source>
-        <translation>Verifique a sua alimentação, os conectores e o cabo do barramento. Se tiver outro id, ponha-o no perfil.</translation>
-    </message>
-    <message>
-        <source>%1 has another board than before: %2</source>
-        <translation>o eixo de %1 tem uma placa diferente da de antes: %2</translation>
-    </message>
-    <message>
-        <source>its turn is taken as unknown</source>
-        <translation>a sua volta é tida por desconhecida</translation>
-    </message>
-    <message>
-        <source>If it was exchanged, check calibration and gains. If not, look whether another mount is connected.</source>
-        <translation>Se foi trocada, verifique calibração e ganhos. Se não, veja se está conectada outra montagem.</translation>
-    </message>
-    <message>
-        <source>the board of %1 has the register map %2; only version %3 is known here</source>
-        <translation>a placa do eixo de %1 tem o mapa de registros %2; aqui só se conhece a versão %3</translation>
-    </message>
-    <message>
-        <source>the board of %1 does not tell its register map; only version %2 is known here</source>
-        <translation>a placa do eixo de %1 não diz o seu mapa de registros; aqui só se conhece a versão %2</translation>
-    </message>
-    <message>
-        <source>nothing is moved: what it reports may mean something else</source>
-        <translation>nada é movido: o que ela relata pode significar outra coisa</translation>
     </message>
     <message>
         <source>Install firmware with the register map %1 in the board (moteus_tool --flash), or a newer Boresight.</source>
@@ -3177,16 +2649,8 @@ do eixo</translation>
         <translation>nenhum acionamento responde no barramento</translation>
     </message>
     <message>
-        <source>Look at the power of the drives, the bus cable, and whether both ends have 120 Ω.</source>
-        <translation>Verifique a alimentação dos acionamentos, o cabo do barramento, e se as duas pontas têm 120 Ω.</translation>
-    </message>
-    <message>
         <source>%1 to %2 %3 (%4)</source>
         <translation>%1 a %2 %3 (%4)</translation>
-    </message>
-    <message>
-        <source>%1 to %2%3</source>
-        <translation>%1 a %2%3</translation>
     </message>
     <message>
         <source>the drive has no limit of its own: nothing but this program ends a move</source>
@@ -3613,18 +3077,6 @@ do eixo</translation>
         <translation>perdeu-se uma parte da resposta; repita o comando</translation>
     </message>
     <message>
-        <source>There Boresight turns back by 360° and follows on; the target is lost for about %3</source>
-        <translation>Ali o Boresight gira 360° para trás e continua a seguir; perde-se o alvo por cerca de %3</translation>
-    </message>
-    <message>
-        <source>Boresight holds there until the target can be reached again</source>
-        <translation>O Boresight mantém-se ali até o alvo voltar a ser alcançável</translation>
-    </message>
-    <message>
-        <source>Widen the limits if the cable allows, or let the target go</source>
-        <translation>Alargue os limites se o cabo o permite, ou deixe ir o alvo</translation>
-    </message>
-    <message>
         <source>another bus is being looked at: wait a moment</source>
         <translation>outro barramento está sendo examinado: espere um momento</translation>
     </message>
@@ -3651,10 +3103,6 @@ do eixo</translation>
     <message>
         <source>The drive&apos;s zero was set or lost since the journal was written</source>
         <translation>O zero do acionamento foi definido ou perdido desde que o diário foi escrito</translation>
-    </message>
-    <message>
-        <source>Motion ended; an order under way may have switched it on again, then it holds by itself; the other axis holds if its drive can</source>
-        <translation>O movimento terminou; uma ordem a caminho pode tê-lo ligado de novo, então ele segura sozinho; o outro eixo segura se o seu acionamento puder</translation>
     </message>
     <message>
         <source>The drive&apos;s position was set by another tool</source>
@@ -3731,42 +3179,6 @@ do eixo</translation>
     <message>
         <source>line %1: %2</source>
         <translation>linha %1: %2</translation>
-    </message>
-    <message>
-        <source>%1 by the magnetic model</source>
-        <translation>%1 segundo o modelo magnético</translation>
-    </message>
-    <message>
-        <source>%1 as typed</source>
-        <translation>%1 como digitado</translation>
-    </message>
-    <message>
-        <source>the declination of this place is not known: type it, or give site and magnetic model</source>
-        <translation>a declinação deste lugar não é conhecida: digite-a, ou indique o local e o modelo magnético</translation>
-    </message>
-    <message>
-        <source>Declination by the sensor: it has added %1, Boresight adds nothing</source>
-        <translation>Declinação pelo sensor: ele somou %1, o Boresight não soma nada</translation>
-    </message>
-    <message>
-        <source>Declination by Boresight: the sensor&apos;s %1 is taken away and %2 is added, together %3</source>
-        <translation>Declinação pelo Boresight: retira-se o %1 do sensor e soma-se %2, ao todo %3</translation>
-    </message>
-    <message>
-        <source>Declination by Boresight: %1</source>
-        <translation>Declinação pelo Boresight: %1</translation>
-    </message>
-    <message>
-        <source>No declination: the heading stays as it comes, with the sensor&apos;s %1 in it</source>
-        <translation>Sem declinação: o rumo fica como vem, com o %1 do sensor nele</translation>
-    </message>
-    <message>
-        <source>the declination here is %1, the sensor has added %2: its headings are %3 off</source>
-        <translation>a declinação aqui é %1, o sensor somou %2: os seus rumos têm um erro de %3</translation>
-    </message>
-    <message>
-        <source>the magnetic model %1 ends with %2: look for the next one</source>
-        <translation>o modelo magnético %1 termina em %2: procure o próximo</translation>
     </message>
     <message>
         <source>Sun</source>
@@ -4253,52 +3665,12 @@ do eixo</translation>
         <translation>as suas mensagens contêm mais do que aqui se conhece: %1</translation>
     </message>
     <message>
-        <source>Pointing goes on without it: it is only a witness</source>
-        <translation>O apontamento continua sem ele: é só uma testemunha</translation>
-    </message>
-    <message>
-        <source>The orientation sensor sends nothing but zeros</source>
-        <translation>O sensor de orientação só envia zeros</translation>
-    </message>
-    <message>
-        <source>Its BNO055 does not answer its board: check their wires, then switch it off and on</source>
-        <translation>O BNO055 não responde à sua placa: verifique os fios entre eles, depois desligue e ligue</translation>
-    </message>
-    <message>
-        <source>Nothing is heard of the orientation sensor (%1)</source>
-        <translation>Nada se recebe do sensor de orientação (%1)</translation>
-    </message>
-    <message>
-        <source>Check its power, its WiFi and its cable</source>
-        <translation>Verifique a sua alimentação, o WiFi e o cabo</translation>
-    </message>
-    <message>
         <source>The orientation sensor and the axes differ by %1 in azimuth</source>
         <translation>O sensor de orientação e os eixos diferem %1 em azimute</translation>
     </message>
     <message>
         <source>The orientation sensor and the axes differ by %1 in elevation</source>
         <translation>O sensor de orientação e os eixos diferem %1 em elevação</translation>
-    </message>
-    <message>
-        <source>Nothing is moved because of it: the encoders count, the sensor is only a witness</source>
-        <translation>Nada é movido por isso: valem os codificadores, o sensor é só uma testemunha</translation>
-    </message>
-    <message>
-        <source>The sensor repeats one value to the last digit: switch it off and on</source>
-        <translation>O sensor repete um valor até ao último algarismo: desligue e ligue</translation>
-    </message>
-    <message>
-        <source>Likely: sensor.elevation_offset_deg is not set, the sensor has come loose, the zero of the elevation is not true, or a coupling slips: look at the antenna</source>
-        <translation>Provável: sensor.elevation_offset_deg não está definido, o sensor se soltou, o zero da elevação não é verdadeiro, ou um acoplamento desliza: olhe para a antena</translation>
-    </message>
-    <message>
-        <source>It began while the mount moved. Likely: current of the motors or iron near the compass, sensor.azimuth_sense is wrong, or a coupling slips: look at the antenna</source>
-        <translation>Começou com a montagem em movimento. Provável: corrente dos motores ou ferro perto da bússola, sensor.azimuth_sense errado, ou um acoplamento desliza: olhe para a antena</translation>
-    </message>
-    <message>
-        <source>Likely: sensor.azimuth_offset_deg is not set, iron near the compass, the sensor has come loose, or the zero of the azimuth is not true: look at the antenna</source>
-        <translation>Provável: sensor.azimuth_offset_deg não está definido, ferro perto da bússola, o sensor se soltou, ou o zero do azimute não é verdadeiro: olhe para a antena</translation>
     </message>
     <message>
         <source>sensor</source>
@@ -4353,24 +3725,8 @@ do eixo</translation>
         <translation>espera-se um caminho desde /</translation>
     </message>
     <message>
-        <source>Mend it; or choose another adapter in the guide, or another mount on the page Profile</source>
-        <translation>Conserte-o; ou escolha outro adaptador no guia, ou outra montagem na página Perfil</translation>
-    </message>
-    <message>
-        <source>in this direction the azimuth cable can not be wound less than it is</source>
-        <translation>nesta direção o cabo de azimute não pode ficar menos enrolado do que está</translation>
-    </message>
-    <message>
         <source>unwind the cable, azimuth to %1</source>
         <translation>desenrolar o cabo, azimute para %1</translation>
-    </message>
-    <message>
-        <source>To turn back earlier press Unwind, then give control back</source>
-        <translation>Para voltar antes, clique em Desenrolar e depois devolva o controle</translation>
-    </message>
-    <message>
-        <source>asks for a place outside the limits: %1; the nearest permitted one is driven</source>
-        <translation>pede um lugar fora dos limites: %1; vai-se ao permitido mais próximo</translation>
     </message>
     <message>
         <source>the target is beyond %1</source>
@@ -4381,36 +3737,8 @@ do eixo</translation>
         <translation>o alvo está fora dos limites</translation>
     </message>
     <message>
-        <source>LIMITED, the nearest permitted point is driven: %1</source>
-        <translation>LIMITADO, vai-se ao ponto permitido mais próximo: %1</translation>
-    </message>
-    <message>
-        <source>None needed: the mount follows on when the target comes inside</source>
-        <translation>Nada a fazer: a montagem volta a seguir quando o alvo entrar</translation>
-    </message>
-    <message>
-        <source>None needed. If it happens often, look at the load of this computer</source>
-        <translation>Nada a fazer. Se acontecer com frequência, verifique a carga deste computador</translation>
-    </message>
-    <message>
-        <source>Look at the plugs, the cable and the termination of the bus</source>
-        <translation>Verifique os conectores, o cabo e a terminação do barramento</translation>
-    </message>
-    <message>
-        <source>No word from the station for %1</source>
-        <translation>Sem notícia da estação há %1</translation>
-    </message>
-    <message>
-        <source>Old numbers are not shown</source>
-        <translation>Não se mostram números antigos</translation>
-    </message>
-    <message>
         <source>STOP is not confirmed</source>
         <translation>STOP não está confirmado</translation>
-    </message>
-    <message>
-        <source>It was sent, but the status does not show it</source>
-        <translation>Foi enviado, mas o estado não o mostra</translation>
     </message>
     <message>
         <source>Use the hard-wired emergency stop if the mount moves</source>
@@ -4431,14 +3759,6 @@ do eixo</translation>
     <message>
         <source>The beam is less than %1° from the Sun</source>
         <translation>O feixe está a menos de %1° do Sol</translation>
-    </message>
-    <message>
-        <source>Nothing moves by itself, and motions only lead out of there</source>
-        <translation>Nada se move sozinho, e os movimentos só levam para fora dali</translation>
-    </message>
-    <message>
-        <source>Move the mount away, or let the Sun pass; sun.keep_away switches this off</source>
-        <translation>Afaste a montagem ou deixe o Sol passar; sun.keep_away desliga isto</translation>
     </message>
     <message>
         <source>the readings do not determine the tilt: read it at more azimuths</source>
@@ -4481,10 +3801,6 @@ do eixo</translation>
         <translation>o modelo magnético %1 vale de %2 a %3, não em %4: é preciso um arquivo do atual (World Magnetic Model, .COF); enquanto isso, digite a declinação</translation>
     </message>
     <message>
-        <source>the magnetic model %1 has ended with %2: its declination grows less true each year; get the present one (World Magnetic Model, .COF)</source>
-        <translation>o modelo magnético %1 terminou em %2: a declinação dele fica menos certa a cada ano; obtenha o atual (World Magnetic Model, .COF)</translation>
-    </message>
-    <message>
         <source>Deviation of the sensor&apos;s compass, as a swing finds it: the part that goes with the sine of the true heading.</source>
         <translation>Desvio da bússola do sensor, como um giro o encontra: a parte que segue o seno do rumo verdadeiro.</translation>
     </message>
@@ -4519,14 +3835,6 @@ do eixo</translation>
     <message>
         <source>the %1 is not followed any more</source>
         <translation>%1 já não é seguido</translation>
-    </message>
-    <message>
-        <source>The mount follows the Sun until something else is asked of it</source>
-        <translation>A montagem segue o Sol até receber outra ordem</translation>
-    </message>
-    <message>
-        <source>Never look along the beam, nor through a sight tube without a solar filter; a dish gathers the Sun&apos;s heat in the feed: cover it, or be quick</source>
-        <translation>Nunca olhe ao longo do feixe, nem por um tubo de visada sem filtro solar; um prato concentra o calor do Sol no alimentador: cubra-o, ou seja rápido</translation>
     </message>
     <message>
         <source>the mount still moves</source>
@@ -4567,10 +3875,6 @@ do eixo</translation>
     <message>
         <source>ended by the operator</source>
         <translation>terminado pelo operador</translation>
-    </message>
-    <message>
-        <source>the mount follows a client, which the change would move: hold the mount first</source>
-        <translation>a montagem segue um cliente, que a mudança deslocaria: mantenha primeiro a montagem</translation>
     </message>
     <message>
         <source>with this the profile would not make sense, %1: change that first</source>
@@ -4753,10 +4057,6 @@ do eixo</translation>
         <translation>Lua</translation>
     </message>
     <message>
-        <source>trims what is followed by %1° in azimuth, %2° in elevation</source>
-        <translation>compensa o que é seguido em %1° de azimute, %2° de elevação</translation>
-    </message>
-    <message>
         <source>calibration</source>
         <translation>calibração</translation>
     </message>
@@ -4933,14 +4233,6 @@ do eixo</translation>
         <translation>O modelo de apontamento em vigor (&quot;%1&quot;, %2) foi aplicado em outro local</translation>
     </message>
     <message>
-        <source>It stays in force; nothing moves</source>
-        <translation>Ele continua em vigor; nada se move</translation>
-    </message>
-    <message>
-        <source>Find north anew and apply it, or take the calibration back</source>
-        <translation>Encontre o norte de novo e aplique-o, ou desfaça a calibração</translation>
-    </message>
-    <message>
         <source>%1 is a list of many authorities: name the one that signed the broker&apos;s certificate, or leave mqtt.ca_file empty to trust those this computer knows</source>
         <translation>%1 é uma lista de muitas autoridades: indique a que assinou o certificado do broker, ou deixe mqtt.ca_file vazio para confiar nas que este computador conhece</translation>
     </message>
@@ -5017,14 +4309,6 @@ do eixo</translation>
         <translation>a montagem não chega ao repouso</translation>
     </message>
     <message>
-        <source>What is applied is in force; its history is kept in memory only</source>
-        <translation>O que foi aplicado está em vigor; o seu histórico fica só na memória</translation>
-    </message>
-    <message>
-        <source>Check the disk, or choose another folder with --state-dir; else it cannot be taken back after the program was ended</source>
-        <translation>Verifique o disco ou escolha outra pasta com --state-dir; senão não pode ser anulado depois de o programa terminar</translation>
-    </message>
-    <message>
         <source>The sensor was heard all the time since the turn was known, and has seen it turn to about %1 (± %2)</source>
         <translation>O sensor foi ouvido o tempo todo desde que a volta era conhecida, e viu-o girar até cerca de %1 (± %2)</translation>
     </message>
@@ -5039,10 +4323,6 @@ do eixo</translation>
     <message>
         <source>: none of the places is near that</source>
         <translation>: nenhum dos lugares fica perto disso</translation>
-    </message>
-    <message>
-        <source>It is correlated with the motors&apos; current: %1 per ampere over the last minute (correlation %2). Put the sensor farther from motors and their cables, or twist these</source>
-        <translation>Está correlacionado com a corrente dos motores: %1 por ampere no último minuto (correlação %2). Ponha o sensor mais longe dos motores e dos cabos deles, ou torça estes</translation>
     </message>
     <message>
         <source>readings: %1</source>
@@ -5081,18 +4361,6 @@ do eixo</translation>
         <translation>o sensor foi reiniciado entretanto: a sua bússola pode agora contar de outro modo</translation>
     </message>
     <message>
-        <source>the swing of the compass waits for its sensor</source>
-        <translation>o giro da bússola espera pelo seu sensor</translation>
-    </message>
-    <message>
-        <source>The mount stands still and goes on BY ITSELF when the sensor is heard within %1 s</source>
-        <translation>A montagem está parada e continua POR SI MESMA se o sensor for ouvido dentro de %1 s</translation>
-    </message>
-    <message>
-        <source>Keep clear of the mount; STOP or Hold ends the swing</source>
-        <translation>Mantenha-se longe da montagem; STOP ou Manter termina o giro</translation>
-    </message>
-    <message>
         <source>the sensor was silent meanwhile and does not tell how it is calibrated: if it was started anew, repeat the swing</source>
         <translation>o sensor esteve em silêncio entretanto e não diz como está calibrado: se foi reiniciado, repita o giro</translation>
     </message>
@@ -5103,14 +4371,6 @@ do eixo</translation>
     <message>
         <source>the beam does not get to a place of the scan: %1</source>
         <translation>o feixe não chega a um lugar da varredura: %1</translation>
-    </message>
-    <message>
-        <source>the mount follows directions, which the change would move: hold the mount first</source>
-        <translation>a montagem segue direções, que a mudança deslocaria: mantenha primeiro a montagem</translation>
-    </message>
-    <message>
-        <source>the mount is on its way to a direction, which the change would move: wait until it is there, or hold it first</source>
-        <translation>a montagem está a caminho de uma direção, que a mudança deslocaria: espere até que chegue, ou mantenha-a primeiro</translation>
     </message>
     <message>
         <source>with the boom at %1 the compass says nothing: lower it to %2 or less, best to 30°</source>
@@ -5233,52 +4493,16 @@ do eixo</translation>
         <translation>os pontos da página Sol/Lua foram tomados em outro local</translation>
     </message>
     <message>
-        <source>None of them is used any more: nothing is found from them</source>
-        <translation>Nenhum deles é mais usado: nada se tira deles</translation>
-    </message>
-    <message>
-        <source>Drop them and take new ones; a point that still holds can be used again on the page Model</source>
-        <translation>Descarte-os e tome novos; um ponto que ainda vale pode ser usado de novo na página Modelo</translation>
-    </message>
-    <message>
         <source>%1 points that were taken before are here again; they count when both drives have told who they are</source>
         <translation>%1 pontos tomados antes estão de novo aqui; contam quando ambos os acionamentos tiverem dito quem são</translation>
-    </message>
-    <message>
-        <source>No north is set in the profile, and the orientation sensor and the axes differ by %1 in azimuth</source>
-        <translation>Nenhum norte está definido no perfil, e o sensor de orientação e os eixos diferem %1 em azimute</translation>
-    </message>
-    <message>
-        <source>Nothing is moved because of it: azimuths are those of the axis</source>
-        <translation>Nada se move por causa disso: os azimutes são os do eixo</translation>
-    </message>
-    <message>
-        <source>Find north: panel North (Ctrl+9). If the zero of the axis was set to north already, likely: the sensor has an offset of its own or was shifted, or a coupling slips</source>
-        <translation>Encontre o norte: painel Norte (Ctrl+9). Se o zero do eixo já foi posto no norte, provável: o sensor tem um desvio próprio ou saiu do lugar, ou um acoplamento escorrega</translation>
-    </message>
-    <message>
-        <source>the mount at %1 waits for Reconnect, and this was found of the one at %2: reconnect first</source>
-        <translation>a montagem em %1 espera por Reconectar, e isto foi achado na de %2: reconecte primeiro</translation>
     </message>
     <message>
         <source>all points are about as high: the azimuth&apos;s offset and the collimation cannot be told apart; take one much higher or lower, or one over the top</source>
         <translation>todos os pontos têm quase a mesma altura: não se distinguem o desvio do azimute e a colimação; tome um bem mais alto ou mais baixo, ou um passando pelo zênite</translation>
     </message>
     <message>
-        <source>the travel and the limits of the axes do not reach it over the top</source>
-        <translation>o curso e os limites dos eixos não chegam lá passando pelo zênite</translation>
-    </message>
-    <message>
         <source>by the model in force the beam is %1° beside it: if it was not centred, drop point %2</source>
         <translation>pelo modelo em vigor, o feixe está a %1° dele: se não estava centrado, descarte o ponto %2</translation>
-    </message>
-    <message>
-        <source>the beam is at the Sun, or led there</source>
-        <translation>o feixe está no Sol ou é levado até ele</translation>
-    </message>
-    <message>
-        <source>That lasts until the mount is moved or the Sun has passed</source>
-        <translation>Isso dura até que a montagem seja movida ou o Sol passe</translation>
     </message>
     <message>
         <source>the compass contradicts the north in force by %1, more than both may err: apply this if the mount was moved or has slipped; if iron came near, take it away and measure again</source>
@@ -5338,7 +4562,7 @@ do eixo</translation>
     </message>
     <message>
         <source>from a file</source>
-        <translation>de um ficheiro</translation>
+        <translation>de um arquivo</translation>
     </message>
     <message>
         <source>discards &quot;%1&quot;</source>
@@ -5355,18 +4579,6 @@ do eixo</translation>
     <message>
         <source>azimuth cable ends at %1, about %2</source>
         <translation>o cabo do azimute acaba a %1, por volta das %2</translation>
-    </message>
-    <message>
-        <source>turns back by %1: the cable ends at %2</source>
-        <translation>gira %1 para trás: o cabo acaba a %2</translation>
-    </message>
-    <message>
-        <source>%1; the target is lost for about %2</source>
-        <translation>%1; perde-se o alvo por cerca de %2</translation>
-    </message>
-    <message>
-        <source>cable ends: turns back by %1</source>
-        <translation>fim do cabo: gira %1 para trás</translation>
     </message>
     <message>
         <source>another program</source>
@@ -5445,14 +4657,6 @@ do eixo</translation>
         <translation>Outro cliente rearmou os acionamentos enquanto este continuava a enviar. Faça-o pausar %1 s, ou envie R 1.</translation>
     </message>
     <message>
-        <source>The %1 does not report a position that can be believed</source>
-        <translation>O %1 não relata uma posição em que se possa acreditar</translation>
-    </message>
-    <message>
-        <source>It was ordered to brake and hold; the motion of both axes ended</source>
-        <translation>Recebeu ordem de frear e manter; o movimento dos dois eixos terminou</translation>
-    </message>
-    <message>
         <source>Check its encoder and the CAN cable, then re-arm</source>
         <translation>Verifique o seu encoder e o cabo CAN e depois rearme</translation>
     </message>
@@ -5471,14 +4675,6 @@ do eixo</translation>
     <message>
         <source>Nobody has confirmed which way the axes turn. Boresight moves the mount at most 2° at 5°/s, by a jog or by M of a client. See both axes turn as the profile says. Then confirm it in the guide of the window, or run boresightctl confirm-directions PROFILE and start again.</source>
         <translation>Ninguém confirmou para que lado giram os eixos. O Boresight move a montagem no máximo 2° a 5°/s, por movimento manual ou por M de um cliente. Veja se os dois eixos giram como diz o perfil. Depois confirme no guia da janela, ou execute boresightctl confirm-directions PERFIL e inicie de novo.</translation>
-    </message>
-    <message>
-        <source>Nothing is commanded and no client can connect</source>
-        <translation>Nada é comandado e nenhum cliente pode conectar-se</translation>
-    </message>
-    <message>
-        <source>End the other program, then press Reconnect; or give this mount another name in its profile</source>
-        <translation>Encerre o outro programa e depois clique em Reconectar; ou dê a esta montagem outro nome no seu perfil</translation>
     </message>
     <message>
         <source>End that program, or give this mount another name in its profile</source>
@@ -5533,30 +4729,6 @@ do eixo</translation>
         <translation>o relógio deste computador não está sincronizado</translation>
     </message>
     <message>
-        <source>the place of the Sun is known again</source>
-        <translation>o lugar do Sol voltou a ser conhecido</translation>
-    </message>
-    <message>
-        <source>the clock of this computer is not synchronised, so the Sun may be in the beam: only the operator may jog the mount out of there, at %1°/s or slower</source>
-        <translation>o relógio deste computador não está sincronizado, por isso o Sol pode estar no feixe: só o operador pode tirar dali a montagem com movimento manual, a %1°/s ou menos</translation>
-    </message>
-    <message>
-        <source>The clock of this computer is not synchronised, so the place of the Sun is unknown</source>
-        <translation>O relógio deste computador não está sincronizado, por isso o lugar do Sol é desconhecido</translation>
-    </message>
-    <message>
-        <source>Boresight refuses motions to every place that the Sun can have</source>
-        <translation>O Boresight recusa movimentos para qualquer lugar onde o Sol possa estar</translation>
-    </message>
-    <message>
-        <source>Synchronise the clock by NTP or GPS. If its time is right, set sun.clock to trusted</source>
-        <translation>Sincronize o relógio por NTP ou GPS. Se a sua hora estiver certa, ponha sun.clock em trusted</translation>
-    </message>
-    <message>
-        <source>--standing-at was not used for the %1: %2</source>
-        <translation>--standing-at não foi usado para o %1: %2</translation>
-    </message>
-    <message>
         <source>The cable wrap stays unknown</source>
         <translation>A volta do cabo continua desconhecida</translation>
     </message>
@@ -5585,14 +4757,6 @@ do eixo</translation>
         <translation>%1 está fora do curso (%2 a %3) por mais de %4. Escreva o ângulo do eixo.</translation>
     </message>
     <message>
-        <source>; limit %1 of the drive: %2</source>
-        <translation>; limite %1 do acionamento: %2</translation>
-    </message>
-    <message>
-        <source>a false reply reported a jump of %1 by %2 in %3, to %4: it was ignored</source>
-        <translation>uma resposta falsa relatou um salto do %1 de %2 em %3, até %4: foi ignorada</translation>
-    </message>
-    <message>
         <source>%1 stands and needs %2 Nm, %3 % of the %4 Nm allowed: more than the %5 Nm of weight and friction</source>
         <translation>o %1 está parado e precisa de %2 Nm, %3 % dos %4 Nm permitidos: mais do que os %5 Nm do peso e do atrito</translation>
     </message>
@@ -5617,10 +4781,6 @@ do eixo</translation>
         <translation>o perfil não foi aplicado, o perfil anterior continua em vigor: %1</translation>
     </message>
     <message>
-        <source>Enter the place in the window, or start again with the present place and time</source>
-        <translation>Escreva o lugar na janela, ou inicie de novo com o lugar e a hora atuais</translation>
-    </message>
-    <message>
         <source>With &quot;synchronised&quot; Boresight computes the Sun only from a clock that NTP or GPS set in the last 24 h. With &quot;trusted&quot; it uses the clock of this computer without that check.</source>
         <translation>Com &quot;synchronised&quot; o Boresight só calcula o Sol a partir de um relógio que o NTP ou o GPS acertou nas últimas 24 h. Com &quot;trusted&quot; usa o relógio deste computador sem essa verificação.</translation>
     </message>
@@ -5635,10 +4795,6 @@ do eixo</translation>
     <message>
         <source>the drive does not report its temperature</source>
         <translation>o acionamento não informa a temperatura</translation>
-    </message>
-    <message>
-        <source>in fault, does not say which</source>
-        <translation>em falha, não diz qual</translation>
     </message>
     <message>
         <source>fault %2: %3</source>
@@ -5667,14 +4823,6 @@ do eixo</translation>
     <message>
         <source>at the lower limit %1</source>
         <translation>no limite inferior %1</translation>
-    </message>
-    <message>
-        <source>whoever sends last moves the mount</source>
-        <translation>move a montagem quem envia por último</translation>
-    </message>
-    <message>
-        <source>it has the control</source>
-        <translation>já tem o controle</translation>
     </message>
     <message>
         <source>it is not known where the %1 is</source>
@@ -5721,14 +4869,6 @@ do eixo</translation>
         <translation>Este rotor não tem watchdog próprio</translation>
     </message>
     <message>
-        <source>Boresight orders it only one small step ahead</source>
-        <translation>O Boresight só lhe ordena um pequeno passo de cada vez</translation>
-    </message>
-    <message>
-        <source>Keep its power switch in reach: if Boresight or the cable fails, it still ends its last step</source>
-        <translation>Tenha o interruptor da alimentação à mão: se o Boresight ou o cabo falhar, ainda termina o último passo</translation>
-    </message>
-    <message>
         <source>This mount has no azimuth axis.</source>
         <translation>Esta montagem não tem eixo de azimute.</translation>
     </message>
@@ -5758,8 +4898,868 @@ do eixo</translation>
         <translation>O que move o eixo. &quot;simple&quot; é apenas simulado: um rotor de graus inteiros sem watchdog. Com &quot;none&quot; a montagem não tem este eixo.</translation>
     </message>
     <message>
-        <source>bus.name changes between the simulated mount and a real one: press Reconnect, or start Boresight again</source>
-        <translation>bus.name muda entre a montagem simulada e uma real: clique em Reconectar, ou inicie o Boresight de novo</translation>
+        <source>%1 (magnetic model)</source>
+        <translation>%1 (modelo magnético)</translation>
+    </message>
+    <message>
+        <source>%1 (entered)</source>
+        <translation>%1 (introduzida)</translation>
+    </message>
+    <message>
+        <source>The declination of this site is not known. Enter it, or enter the site and the file of the magnetic model.</source>
+        <translation>A declinação deste local não é conhecida. Introduza-a, ou introduza o local e o arquivo do modelo magnético.</translation>
+    </message>
+    <message>
+        <source>The sensor applies the declination (%1). Boresight adds nothing.</source>
+        <translation>O sensor aplica a declinação (%1). O Boresight não soma nada.</translation>
+    </message>
+    <message>
+        <source>Boresight adds a declination of %2 and removes the sensor&apos;s %1. The sum is %3.</source>
+        <translation>O Boresight soma uma declinação de %2 e retira %1 do sensor. A soma é %3.</translation>
+    </message>
+    <message>
+        <source>Boresight cannot apply the declination. %1</source>
+        <translation>O Boresight não consegue aplicar a declinação. %1</translation>
+    </message>
+    <message>
+        <source>Nothing corrects the declination. The heading contains %1 of the sensor.</source>
+        <translation>Nada corrige a declinação. O rumo contém %1 do sensor.</translation>
+    </message>
+    <message>
+        <source>The declination here is %1, but the sensor added %2. Its headings are off by %3.</source>
+        <translation>A declinação aqui é %1, mas o sensor somou %2. Os rumos dele têm um erro de %3.</translation>
+    </message>
+    <message>
+        <source>The magnetic model %1 ended with %2. Its declination is less exact each year. Get the present World Magnetic Model (.COF).</source>
+        <translation>O modelo magnético %1 terminou em %2. A sua declinação é menos exata a cada ano. Obtenha o World Magnetic Model atual (.COF).</translation>
+    </message>
+    <message>
+        <source>The magnetic model %1 ends with %2. Look for the next one.</source>
+        <translation>O modelo magnético %1 termina em %2. Procure o seguinte.</translation>
+    </message>
+    <message>
+        <source>This calibration belongs to the mount at %2, but the bus of the profile is now %1. Set the bus back, or press Reconnect and calibrate again.</source>
+        <translation>Esta calibração é da montagem em %2, mas o barramento do perfil é agora %1. Reponha o barramento, ou prima Reconectar e calibre de novo.</translation>
+    </message>
+    <message>
+        <source>The mount tracks the target of a client, and the change would move it. Press Hold first.</source>
+        <translation>A montagem segue o alvo de um cliente, e a alteração movê-la-ia. Prima Manter primeiro.</translation>
+    </message>
+    <message>
+        <source>The bus cannot change between simulated and real while the mount is connected. Press Reconnect, or restart Boresight.</source>
+        <translation>O barramento não pode mudar entre simulado e real enquanto a montagem está ligada. Prima Reconectar, ou reinicie o Boresight.</translation>
+    </message>
+    <message>
+        <source>Boresight does not stop the mount</source>
+        <translation>O Boresight não para a montagem</translation>
+    </message>
+    <message>
+        <source>Boresight stopped both axes and holds them</source>
+        <translation>O Boresight parou os dois eixos e mantém-nos</translation>
+    </message>
+    <message>
+        <source>Look for a cable, a lock, ice or a slipping coupling that blocks the axis, and free it.</source>
+        <translation>Procure um cabo, uma trava, gelo ou um acoplamento que escorrega a bloquear o eixo, e liberte-o.</translation>
+    </message>
+    <message>
+        <source>Calibrate the motor again and check its phases and the encoder before you re-arm.</source>
+        <translation>Calibre de novo o motor e verifique as fases e o encoder antes de rearmar.</translation>
+    </message>
+    <message>
+        <source>Compare the shown angle with the antenna. Check encoder, wiring and other programs on the bus.</source>
+        <translation>Compare o ângulo mostrado com a antena. Verifique o encoder, a cablagem e outros programas no barramento.</translation>
+    </message>
+    <message>
+        <source>Check supply, battery and cable, or lower the acceleration.</source>
+        <translation>Verifique a alimentação, a bateria e o cabo, ou baixe a aceleração.</translation>
+    </message>
+    <message>
+        <source>Lower the acceleration, set servo.max_regen_power_W, or add a battery or a brake resistor.</source>
+        <translation>Baixe a aceleração, defina servo.max_regen_power_W, ou acrescente uma bateria ou uma resistência de travagem.</translation>
+    </message>
+    <message>
+        <source>Cool and shade the board, or move less. At its limit the drive releases the axis.</source>
+        <translation>Arrefeça a placa e dê-lhe sombra, ou mova menos. No seu limite o acionamento liberta o eixo.</translation>
+    </message>
+    <message>
+        <source>Let the motor cool down. Look for friction or a load out of balance.</source>
+        <translation>Deixe o motor arrefecer. Procure atrito ou uma carga desequilibrada.</translation>
+    </message>
+    <message>
+        <source>Check whether a cable is wound up, and jog the other way.</source>
+        <translation>Verifique se há um cabo enrolado, e faça jog no outro sentido.</translation>
+    </message>
+    <message>
+        <source>The output of the drive is off. The other axis holds if its drive can</source>
+        <translation>A saída do acionamento está desligada. O outro eixo mantém-se se o seu acionamento puder</translation>
+    </message>
+    <message>
+        <source>%1 is in fault and reports no fault code</source>
+        <translation>%1 está em falha e não indica o código da falha</translation>
+    </message>
+    <message>
+        <source>Read its fault with boresightctl scan, then re-arm</source>
+        <translation>Leia a falha com boresightctl scan e rearme</translation>
+    </message>
+    <message>
+        <source>in fault, reports no fault code</source>
+        <translation>em falha, não indica o código da falha</translation>
+    </message>
+    <message>
+        <source>The %1 timed out because it received no command in time</source>
+        <translation>O %1 excedeu o tempo porque não recebeu nenhum comando a tempo</translation>
+    </message>
+    <message>
+        <source>The watchdog stopped the drive. Boresight ended the motion of both axes</source>
+        <translation>O watchdog parou o acionamento. O Boresight terminou o movimento dos dois eixos</translation>
+    </message>
+    <message>
+        <source>Boresight ended the motion. Each axis holds if its drive still can</source>
+        <translation>O Boresight terminou o movimento. Cada eixo mantém-se se o seu acionamento ainda puder</translation>
+    </message>
+    <message>
+        <source>Check its supply and look for another program that stopped it, then re-arm</source>
+        <translation>Verifique a alimentação e procure outro programa que o tenha parado, e rearme</translation>
+    </message>
+    <message>
+        <source>The %1 reports no credible position</source>
+        <translation>O %1 não comunica nenhuma posição credível</translation>
+    </message>
+    <message>
+        <source>Boresight ended the motion of both axes and commanded this drive to brake and hold</source>
+        <translation>O Boresight terminou o movimento dos dois eixos e mandou este acionamento travar e manter</translation>
+    </message>
+    <message>
+        <source>The %1 answers but does not follow its commands</source>
+        <translation>O %1 responde mas não cumpre os comandos</translation>
+    </message>
+    <message>
+        <source>Boresight sends no more motion commands. The other axis holds if its drive can</source>
+        <translation>O Boresight não envia mais comandos de movimento. O outro eixo mantém-se se o seu acionamento puder</translation>
+    </message>
+    <message>
+        <source>Check its mode and fault, look for another program that commands it, then re-arm</source>
+        <translation>Verifique o modo e a falha, procure outro programa que o comande, e rearme</translation>
+    </message>
+    <message>
+        <source>Boresight ended the motion. If the drive has power, its watchdog stops it within %2 s</source>
+        <translation>O Boresight terminou o movimento. Se o acionamento tiver energia, o seu watchdog para-o dentro de %2 s</translation>
+    </message>
+    <message>
+        <source>Boresight sends no motion commands</source>
+        <translation>O Boresight não envia comandos de movimento</translation>
+    </message>
+    <message>
+        <source>The %1 was silent and is back</source>
+        <translation>O %1 esteve em silêncio e voltou</translation>
+    </message>
+    <message>
+        <source>Boresight ended the motion. Nothing moves before a re-arm</source>
+        <translation>O Boresight terminou o movimento. Nada se move antes de um rearme</translation>
+    </message>
+    <message>
+        <source>The drive gives less than Boresight commands</source>
+        <translation>O acionamento dá menos do que o Boresight comanda</translation>
+    </message>
+    <message>
+        <source>%1 is active in mode %2 without a command from Boresight</source>
+        <translation>%1 está ativo no modo %2 sem um comando do Boresight</translation>
+    </message>
+    <message>
+        <source>Boresight leaves it alone until the first motion. STOP takes it over and holds it</source>
+        <translation>O Boresight não lhe toca até ao primeiro movimento. STOP assume-o e mantém-no</translation>
+    </message>
+    <message>
+        <source>End the other program, or the old command without a watchdog, that moves it</source>
+        <translation>Termine o outro programa, ou o comando antigo sem watchdog, que o move</translation>
+    </message>
+    <message>
+        <source>the cable wrap of the %1 is unknown</source>
+        <translation>a volta do cabo do %1 é desconhecida</translation>
+    </message>
+    <message>
+        <source>Pointing is blocked and clients get no position. Slow jog still works</source>
+        <translation>O apontamento está bloqueado e os clientes não recebem posição. O jog lento continua a funcionar</translation>
+    </message>
+    <message>
+        <source>Look at the mount and its cable, then enter where the axis is</source>
+        <translation>Olhe para a montagem e o cabo, e indique onde está o eixo</translation>
+    </message>
+    <message>
+        <source>Boresight did not use --standing-at for the %1: %2</source>
+        <translation>O Boresight não usou --standing-at para o %1: %2</translation>
+    </message>
+    <message>
+        <source>Enter the position in the window, or restart with the present position and time</source>
+        <translation>Introduza a posição na janela, ou reinicie com a posição e a hora atuais</translation>
+    </message>
+    <message>
+        <source>No data from the orientation sensor (%1)</source>
+        <translation>Sem dados do sensor de orientação (%1)</translation>
+    </message>
+    <message>
+        <source>Pointing continues, because the sensor is only a cross-check</source>
+        <translation>O apontamento continua, porque o sensor é só uma verificação independente</translation>
+    </message>
+    <message>
+        <source>The orientation sensor sends only zeros</source>
+        <translation>O sensor de orientação envia só zeros</translation>
+    </message>
+    <message>
+        <source>Check the wires between its BNO055 and its board, then switch it off and on</source>
+        <translation>Verifique os fios entre o BNO055 e a placa, e desligue e ligue o sensor</translation>
+    </message>
+    <message>
+        <source>Pointing is unchanged, because the sensor is only a cross-check</source>
+        <translation>O apontamento não muda, porque o sensor é só uma verificação independente</translation>
+    </message>
+    <message>
+        <source>North is not set, and the orientation sensor and the axes differ by %1 in azimuth</source>
+        <translation>O norte não está definido, e o sensor de orientação e os eixos diferem %1 em azimute</translation>
+    </message>
+    <message>
+        <source>Pointing is unchanged. Until north is set, azimuths are axis angles</source>
+        <translation>O apontamento não muda. Até o norte ser definido, os azimutes são ângulos do eixo</translation>
+    </message>
+    <message>
+        <source>Find north (panel North, Ctrl+9). If the axis zero is north, check sensor mounting and coupling</source>
+        <translation>Encontre o norte (painel Norte, Ctrl+9). Se o zero do eixo é o norte, verifique a fixação do sensor e o acoplamento</translation>
+    </message>
+    <message>
+        <source>Move the mount away or let the Sun pass. The setting keep_away (Sun) turns this off</source>
+        <translation>Afaste a montagem ou deixe passar o Sol. A configuração keep_away (Sol) desliga isto</translation>
+    </message>
+    <message>
+        <source>The clock of this computer is not synchronised, so the position of the Sun is unknown</source>
+        <translation>O relógio deste computador não está sincronizado, por isso a posição do Sol é desconhecida</translation>
+    </message>
+    <message>
+        <source>Boresight refuses motions to every position that the Sun can have</source>
+        <translation>O Boresight recusa movimentos para qualquer posição que o Sol possa ter</translation>
+    </message>
+    <message>
+        <source>Synchronise the clock by NTP or GPS. If its time is right, set clock (Sun) to trusted</source>
+        <translation>Sincronize o relógio por NTP ou GPS. Se a hora está certa, ponha clock (Sol) em trusted</translation>
+    </message>
+    <message>
+        <source>the antenna points at the Sun, or moves to it</source>
+        <translation>a antena aponta para o Sol, ou move-se para ele</translation>
+    </message>
+    <message>
+        <source>the compass swing waits for its sensor</source>
+        <translation>a compensação da bússola espera pelo seu sensor</translation>
+    </message>
+    <message>
+        <source>The mount stands still. It continues BY ITSELF when sensor data returns within %1 s</source>
+        <translation>A montagem está parada. Continua SOZINHA quando os dados do sensor voltarem dentro de %1 s</translation>
+    </message>
+    <message>
+        <source>Keep clear of the mount. STOP or Hold ends the swing</source>
+        <translation>Afaste-se da montagem. STOP ou Manter termina a compensação</translation>
+    </message>
+    <message>
+        <source>The model stays in force. Boresight moves nothing</source>
+        <translation>O modelo continua em vigor. O Boresight não move nada</translation>
+    </message>
+    <message>
+        <source>Find north again and apply it, or undo the calibration</source>
+        <translation>Encontre o norte de novo e aplique-o, ou desfaça a calibração</translation>
+    </message>
+    <message>
+        <source>The calibration is in force. Boresight keeps its history in memory only</source>
+        <translation>A calibração está em vigor. O Boresight guarda o histórico só na memória</translation>
+    </message>
+    <message>
+        <source>Check the disk or choose another --state-dir. After a restart Undo is not possible</source>
+        <translation>Verifique o disco ou escolha outra --state-dir. Após um reinício não é possível desfazer</translation>
+    </message>
+    <message>
+        <source>Boresight no longer uses any of them</source>
+        <translation>O Boresight já não usa nenhum deles</translation>
+    </message>
+    <message>
+        <source>Drop them and take new ones. On the page Model you can use a point again that is still right</source>
+        <translation>Descarte-os e tome outros. Na página Modelo pode voltar a usar um ponto que ainda esteja certo</translation>
+    </message>
+    <message>
+        <source>Nothing can be commanded. Boresight tries the bus again each second</source>
+        <translation>Nada pode ser comandado. O Boresight tenta o barramento de novo a cada segundo</translation>
+    </message>
+    <message>
+        <source>Remove the fault, or choose another adapter in the guide or another mount on the page Profile</source>
+        <translation>Elimine a falha, ou escolha outro adaptador no guia ou outra montagem na página Perfil</translation>
+    </message>
+    <message>
+        <source>Boresight continues to use the bus</source>
+        <translation>O Boresight continua a usar o barramento</translation>
+    </message>
+    <message>
+        <source>Check the plugs, the cable and the termination of the bus</source>
+        <translation>Verifique as fichas, o cabo e a terminação do barramento</translation>
+    </message>
+    <message>
+        <source>None needed. If it happens often, reduce the load of this computer</source>
+        <translation>Nada a fazer. Se acontecer muitas vezes, reduza a carga deste computador</translation>
+    </message>
+    <message>
+        <source>No client can connect. Everything else works</source>
+        <translation>Nenhum cliente se pode ligar. Tudo o resto funciona</translation>
+    </message>
+    <message>
+        <source>End the other program, or choose another port (--listen, or rotctld.listen), then restart Boresight</source>
+        <translation>Termine o outro programa, ou escolha outra porta (--listen, ou rotctld.listen), e reinicie o Boresight</translation>
+    </message>
+    <message>
+        <source>Boresight commands nothing and no client can connect</source>
+        <translation>O Boresight não comanda nada e nenhum cliente se pode ligar</translation>
+    </message>
+    <message>
+        <source>End the other program and press Reconnect, or give this mount another name in its profile</source>
+        <translation>Termine o outro programa e prima Reconectar, ou dê outro nome a esta montagem no perfil</translation>
+    </message>
+    <message>
+        <source>Boresight keeps the position of the axes in memory only</source>
+        <translation>O Boresight guarda a posição dos eixos só na memória</translation>
+    </message>
+    <message>
+        <source>Check the disk or choose another --state-dir. After a restart the cable wrap may be unknown</source>
+        <translation>Verifique o disco ou escolha outra --state-dir. Após um reinício a volta do cabo pode ser desconhecida</translation>
+    </message>
+    <message>
+        <source>Boresight keeps the log in memory only</source>
+        <translation>O Boresight guarda o registo só na memória</translation>
+    </message>
+    <message>
+        <source>Boresight commands only one small step ahead</source>
+        <translation>O Boresight comanda só um pequeno passo de cada vez</translation>
+    </message>
+    <message>
+        <source>Keep its power switch in reach. If Boresight or the cable fails, it still ends its last step</source>
+        <translation>Tenha o interruptor ao alcance. Se o Boresight ou o cabo falhar, ele ainda termina o último passo</translation>
+    </message>
+    <message>
+        <source>The mount goes to the nearest permitted point (%1)</source>
+        <translation>A montagem vai para o ponto permitido mais próximo (%1)</translation>
+    </message>
+    <message>
+        <source>None needed. Tracking resumes when the target comes inside</source>
+        <translation>Nada a fazer. O seguimento retoma quando o alvo entrar nos limites</translation>
+    </message>
+    <message>
+        <source>At the end Boresight unwinds 360° and resumes. The target is lost for about %3</source>
+        <translation>No fim o Boresight desenrola 360° e retoma. O alvo perde-se durante cerca de %3</translation>
+    </message>
+    <message>
+        <source>To choose the moment, press Unwind earlier, then give control back</source>
+        <translation>Para escolher o momento, prima Desenrolar mais cedo, e devolva o controlo</translation>
+    </message>
+    <message>
+        <source>At the end Boresight holds until the target can be reached again</source>
+        <translation>No fim o Boresight mantém até o alvo poder ser alcançado de novo</translation>
+    </message>
+    <message>
+        <source>Widen the limits if the cable allows it, or stop tracking this target</source>
+        <translation>Alargue os limites se o cabo o permitir, ou deixe de seguir este alvo</translation>
+    </message>
+    <message>
+        <source>Boresight looks for it every 2 s</source>
+        <translation>o Boresight procura-a a cada 2 s</translation>
+    </message>
+    <message>
+        <source>Boresight moves nothing</source>
+        <translation>o Boresight não move nada</translation>
+    </message>
+    <message>
+        <source>Boresight does not use it</source>
+        <translation>o Boresight não a usa</translation>
+    </message>
+    <message>
+        <source>Boresight moves nothing, because commands would reach the wrong axis</source>
+        <translation>o Boresight não move nada, porque os comandos chegariam ao eixo errado</translation>
+    </message>
+    <message>
+        <source>Boresight treats its cable wrap as unknown</source>
+        <translation>o Boresight trata a volta do seu cabo como desconhecida</translation>
+    </message>
+    <message>
+        <source>Boresight moves nothing, because the reports of the board may mean something else</source>
+        <translation>o Boresight não move nada, porque os dados da placa podem significar outra coisa</translation>
+    </message>
+    <message>
+        <source>Boresight tries again every 2 s</source>
+        <translation>o Boresight tenta de novo a cada 2 s</translation>
+    </message>
+    <message>
+        <source>Boresight read the settings again</source>
+        <translation>o Boresight leu de novo as configurações</translation>
+    </message>
+    <message>
+        <source>the mount may still move</source>
+        <translation>a montagem pode mover-se mesmo assim</translation>
+    </message>
+    <message>
+        <source>No status from the station for %1</source>
+        <translation>Sem estado da estação há %1</translation>
+    </message>
+    <message>
+        <source>The window hides the old numbers</source>
+        <translation>A janela oculta os números antigos</translation>
+    </message>
+    <message>
+        <source>The window sent it, but the status does not show it</source>
+        <translation>A janela enviou-o, mas o estado não o mostra</translation>
+    </message>
+    <message>
+        <source>position journal</source>
+        <translation>diário de posição</translation>
+    </message>
+    <message>
+        <source>Check supply, CAN cable, adapter and the drive&apos;s id in the profile. boresightctl scan lists the drives</source>
+        <translation>Verifique a alimentação, o cabo CAN, o adaptador e o id do acionamento no perfil. boresightctl scan lista os acionamentos</translation>
+    </message>
+    <message>
+        <source> (limit %1 of the drive: %2)</source>
+        <translation> (limite %1 do acionamento: %2)</translation>
+    </message>
+    <message>
+        <source>The mount tracks the Sun until you command another motion</source>
+        <translation>A montagem segue o Sol até comandar outro movimento</translation>
+    </message>
+    <message>
+        <source>This lasts until the mount moves or the Sun has passed</source>
+        <translation>Isto dura até a montagem se mover ou o Sol ter passado</translation>
+    </message>
+    <message>
+        <source>%1 moved by %2 to %3 although it has to hold its position</source>
+        <translation>%1 moveu-se %2 até %3, embora deva manter a posição</translation>
+    </message>
+    <message>
+        <source>the reported angle of %1 jumped by %2 in %3 to %4, faster than the axis can move</source>
+        <translation>o ângulo comunicado de %1 saltou %2 em %3 para %4, mais depressa do que o eixo se pode mover</translation>
+    </message>
+    <message>
+        <source>a false reply reported a jump of %1 by %2 in %3 to %4</source>
+        <translation>uma resposta falsa comunicou um salto de %1 de %2 em %3 para %4</translation>
+    </message>
+    <message>
+        <source>%1 needs %2 Nm, %3 % of the %4 Nm allowed, while its cable wrap is unknown</source>
+        <translation>%1 precisa de %2 Nm, %3 % dos %4 Nm permitidos, enquanto a volta do cabo é desconhecida</translation>
+    </message>
+    <message>
+        <source>%1 is at %2 °C and switches off at %3 °C</source>
+        <translation>%1 está a %2 °C e desliga a %3 °C</translation>
+    </message>
+    <message>
+        <source>the check of %1 ended early: %2</source>
+        <translation>a verificação de %1 terminou antes do tempo: %2</translation>
+    </message>
+    <message>
+        <source>nothing was stored in %1, because %2 was set to %3 and reads back %4</source>
+        <translation>nada foi guardado em %1, porque %2 foi definido para %3 e lê-se %4</translation>
+    </message>
+    <message>
+        <source>Fix has nothing to write. Change the marked settings by hand, as each line explains</source>
+        <translation>Corrigir não tem nada a escrever. Mude à mão as configurações assinaladas, como cada linha explica</translation>
+    </message>
+    <message>
+        <source>Check its power, its plugs and the bus cable.</source>
+        <translation>Verifique a energia, as fichas e o cabo do barramento.</translation>
+    </message>
+    <message>
+        <source>Open the page Protection and press Fix. It writes what can be written.</source>
+        <translation>Abra a página Proteção e prima Corrigir. Escreve o que pode ser escrito.</translation>
+    </message>
+    <message>
+        <source>the drive check has not run yet</source>
+        <translation>a verificação dos acionamentos ainda não correu</translation>
+    </message>
+    <message>
+        <source>the drive check is running, wait some seconds</source>
+        <translation>a verificação dos acionamentos está a correr, espere alguns segundos</translation>
+    </message>
+    <message>
+        <source>not all drives can be read, Boresight looks for them every 2 s</source>
+        <translation>nem todos os acionamentos podem ser lidos, o Boresight procura-os a cada 2 s</translation>
+    </message>
+    <message>
+        <source>two boards have the id %1, so their answers collide</source>
+        <translation>duas placas têm o id %1, por isso as suas respostas colidem</translation>
+    </message>
+    <message>
+        <source>Connect only one of them, give it another id (conf set id.id N, conf write), then connect the other. If there is only one board, check plugs and termination.</source>
+        <translation>Ligue só uma delas, dê-lhe outro id (conf set id.id N, conf write), e ligue a outra. Se houver uma só placa, verifique as fichas e a terminação.</translation>
+    </message>
+    <message>
+        <source>a board with the id %1 (%2) is not in the profile</source>
+        <translation>uma placa com o id %1 (%2) não está no perfil</translation>
+    </message>
+    <message>
+        <source>the ids are swapped, and the board with the id %1 (%2) was the board of %3</source>
+        <translation>os ids estão trocados, e a placa com o id %1 (%2) era a placa de %3</translation>
+    </message>
+    <message>
+        <source>Exchange the ids in the profile or in the boards (conf set id.id N, conf write). If the boards were exchanged, end Boresight, move the mount&apos;s .memory.json files out of the state folder, and start again.</source>
+        <translation>Troque os ids no perfil ou nas placas (conf set id.id N, conf write). Se as placas foram trocadas, termine o Boresight, retire os arquivos .memory.json da montagem da pasta de estado, e inicie de novo.</translation>
+    </message>
+    <message>
+        <source>the board of %1 (id %2) does not answer</source>
+        <translation>a placa de %1 (id %2) não responde</translation>
+    </message>
+    <message>
+        <source>Check its power, its plugs and the bus cable. If it has another id, enter that in the profile.</source>
+        <translation>Verifique a energia, as fichas e o cabo do barramento. Se tiver outro id, introduza-o no perfil.</translation>
+    </message>
+    <message>
+        <source>%1 has another board than before (%2)</source>
+        <translation>%1 tem outra placa do que antes (%2)</translation>
+    </message>
+    <message>
+        <source>If you exchanged it, check calibration and gains. If not, check whether another mount is connected.</source>
+        <translation>Se a trocou, verifique a calibração e os ganhos. Se não, verifique se está ligada outra montagem.</translation>
+    </message>
+    <message>
+        <source>the board of %1 has the register map %2, but Boresight knows only version %3</source>
+        <translation>a placa de %1 tem o mapa de registos %2, mas o Boresight só conhece a versão %3</translation>
+    </message>
+    <message>
+        <source>the board of %1 reports no register map, and Boresight knows only version %2</source>
+        <translation>a placa de %1 não comunica o mapa de registos, e o Boresight só conhece a versão %2</translation>
+    </message>
+    <message>
+        <source>Check the power of the drives, the bus cable, and the 120 Ω at both ends.</source>
+        <translation>Verifique a energia dos acionamentos, o cabo do barramento, e os 120 Ω nas duas pontas.</translation>
+    </message>
+    <message>
+        <source>Check its power, WiFi and cable</source>
+        <translation>Verifique a energia, o WiFi e o cabo</translation>
+    </message>
+    <message>
+        <source>The sensor repeats one value to the last digit. Switch it off and on</source>
+        <translation>O sensor repete um valor até ao último dígito. Desligue-o e ligue-o</translation>
+    </message>
+    <message>
+        <source>Check the elevation offset and mounting of the sensor, the elevation zero and the coupling</source>
+        <translation>Verifique o desvio de elevação e a fixação do sensor, o zero da elevação e o acoplamento</translation>
+    </message>
+    <message>
+        <source>It follows the motor current, %1 per ampere (correlation %2). Move the sensor away from motors and their cables, or twist these</source>
+        <translation>Acompanha a corrente dos motores, %1 por ampere (correlação %2). Afaste o sensor dos motores e dos cabos deles, ou torça-os</translation>
+    </message>
+    <message>
+        <source>It began while the mount moved. Check the motor current, iron near the compass, the azimuth sense of the sensor and the coupling</source>
+        <translation>Começou enquanto a montagem se movia. Verifique a corrente dos motores, ferro junto da bússola, o sentido de azimute do sensor e o acoplamento</translation>
+    </message>
+    <message>
+        <source>Check the azimuth offset and mounting of the sensor, iron near the compass and the azimuth zero</source>
+        <translation>Verifique o desvio de azimute e a fixação do sensor, ferro junto da bússola e o zero do azimute</translation>
+    </message>
+    <message>
+        <source>Look for wind, ice or a tight cable. Otherwise lower the acceleration or check the gains.</source>
+        <translation>Procure vento, gelo ou um cabo esticado. Senão, baixe a aceleração ou verifique os ganhos.</translation>
+    </message>
+    <message>
+        <source>Boresight starts no motion and allows only motions away from the Sun</source>
+        <translation>O Boresight não inicia movimentos e só permite os que se afastem do Sol</translation>
+    </message>
+    <message>
+        <source>Never look along the beam or a sight tube without a solar filter. Protect a dish feed from the heat</source>
+        <translation>Nunca olhe ao longo do feixe ou por um tubo de mira sem filtro solar. Proteja do calor o alimentador de um prato</translation>
+    </message>
+    <message>
+        <source>Power-cycle the drive. Check the wiring and configuration of its aux ports</source>
+        <translation>Desligue e ligue o acionamento. Verifique a cablagem e a configuração das portas auxiliares</translation>
+    </message>
+    <message>
+        <source>Nothing to clear. It ends when the demand falls</source>
+        <translation>Nada a limpar. Termina quando a exigência baixar</translation>
+    </message>
+    <message>
+        <source>Wait until the axis stands still and re-arm. If it comes again, replace the board</source>
+        <translation>Espere até o eixo ficar parado e rearme. Se voltar a acontecer, substitua a placa</translation>
+    </message>
+    <message>
+        <source>The supply sagged below the driver&apos;s limit, or the hardware is damaged</source>
+        <translation>A alimentação caiu abaixo do limite do driver, ou o hardware está danificado</translation>
+    </message>
+    <message>
+        <source>Use a stronger supply or lower the drive&apos;s maximum power or current. If it comes again, read drv8323 with tview and replace the board</source>
+        <translation>Use uma alimentação mais forte ou baixe a potência ou corrente máxima do acionamento. Se voltar a acontecer, leia drv8323 com tview e substitua a placa</translation>
+    </message>
+    <message>
+        <source>Let it cool down. Lower the torque or improve the cooling</source>
+        <translation>Deixe arrefecer. Baixe o binário ou melhore o arrefecimento</translation>
+    </message>
+    <message>
+        <source>Factory bounds of ±0.01 turns, a wrong cable wrap after power-up, or an axis moved by hand</source>
+        <translation>Limites de fábrica de ±0,01 voltas, uma volta do cabo errada após ligar, ou um eixo movido à mão</translation>
+    </message>
+    <message>
+        <source>Check the supply at the board (at least 10 V). If it is right, replace the board</source>
+        <translation>Verifique a alimentação na placa (pelo menos 10 V). Se estiver certa, substitua a placa</translation>
+    </message>
+    <message>
+        <source>A mistake in the drive&apos;s configuration</source>
+        <translation>Um erro na configuração do acionamento</translation>
+    </message>
+    <message>
+        <source>Nothing to clear. Check the supply if it is below its nominal voltage</source>
+        <translation>Nada a limpar. Verifique a alimentação se estiver abaixo da tensão nominal</translation>
+    </message>
+    <message>
+        <source>It ends when the board cools down. Fault 38 follows if it gets hotter</source>
+        <translation>Termina quando a placa arrefecer. Segue-se a falha 38 se aquecer mais</translation>
+    </message>
+    <message>
+        <source>It ends when the motor cools down. Fault 38 follows if it gets hotter</source>
+        <translation>Termina quando o motor arrefecer. Segue-se a falha 38 se aquecer mais</translation>
+    </message>
+    <message>
+        <source>A position beyond the drive&apos;s own bounds was commanded, or the axis was pushed there</source>
+        <translation>Foi comandada uma posição além dos limites do acionamento, ou o eixo foi empurrado para lá</translation>
+    </message>
+    <message>
+        <source>Nothing to clear. Move the other way or correct the bounds</source>
+        <translation>Nada a limpar. Mova no outro sentido ou corrija os limites</translation>
+    </message>
+    <message>
+        <source>Nothing to clear. Lower the acceleration if it comes often</source>
+        <translation>Nada a limpar. Baixe a aceleração se acontecer muitas vezes</translation>
+    </message>
+    <message>
+        <source>%1 moved by %2 to %3 without a command (weight, wind, a hand or another program)</source>
+        <translation>%1 moveu-se %2 até %3 sem comando (peso, vento, uma mão ou outro programa)</translation>
+    </message>
+    <message>
+        <source>The drives have just come back. Wait a second.</source>
+        <translation>Os acionamentos acabaram de voltar. Espere um segundo.</translation>
+    </message>
+    <message>
+        <source>STOP is latched. Reset STOP first.</source>
+        <translation>STOP está retido. Reponha STOP primeiro.</translation>
+    </message>
+    <message>
+        <source>%1. Re-arm first.</source>
+        <translation>%1. Rearme primeiro.</translation>
+    </message>
+    <message>
+        <source>The operator has control. Give control back to the clients first.</source>
+        <translation>O operador tem o controlo. Devolva primeiro o controlo aos clientes.</translation>
+    </message>
+    <message>
+        <source>both drives answer, and nothing moves</source>
+        <translation>os dois acionamentos respondem, e nada se move</translation>
+    </message>
+    <message>
+        <source>the bus is released to other tools</source>
+        <translation>o barramento está libertado para outras ferramentas</translation>
+    </message>
+    <message>
+        <source>The operator has control. Only the operator can re-arm.</source>
+        <translation>O operador tem o controlo. Só o operador pode rearmar.</translation>
+    </message>
+    <message>
+        <source>re-arms, and first stops drives in fault or time-out</source>
+        <translation>rearma, e primeiro para os acionamentos em falha ou tempo excedido</translation>
+    </message>
+    <message>
+        <source>re-arms by the recovery policy of the profile, and nothing moves by itself</source>
+        <translation>rearma pela política de recuperação do perfil, e nada se move sozinho</translation>
+    </message>
+    <message>
+        <source>turns back by %1 because the cable ends at %2</source>
+        <translation>volta atrás %1 porque o cabo termina em %2</translation>
+    </message>
+    <message>
+        <source>%1, and the target is lost for about %2</source>
+        <translation>%1, e o alvo perde-se durante cerca de %2</translation>
+    </message>
+    <message>
+        <source>cable end, turns back %1</source>
+        <translation>fim do cabo, volta atrás %1</translation>
+    </message>
+    <message>
+        <source>may no longer move the mount, so the mount holds</source>
+        <translation>já não pode mover a montagem, por isso a montagem mantém</translation>
+    </message>
+    <message>
+        <source>ends the motion, and the mount holds</source>
+        <translation>termina o movimento, e a montagem mantém</translation>
+    </message>
+    <message>
+        <source>the newest client has control</source>
+        <translation>o cliente mais recente tem o controlo</translation>
+    </message>
+    <message>
+        <source>it has control</source>
+        <translation>tem o controlo</translation>
+    </message>
+    <message>
+        <source>asks for a position outside the limits (%1). The mount goes to the nearest permitted one</source>
+        <translation>pede uma posição fora dos limites (%1). A montagem vai para a permitida mais próxima</translation>
+    </message>
+    <message>
+        <source>%1 has control. It connects for each command and sent its last %2.</source>
+        <translation>%1 tem o controlo. Liga-se para cada comando e enviou o último %2.</translation>
+    </message>
+    <message>
+        <source>%1 received control %2.</source>
+        <translation>%1 recebeu o controlo %2.</translation>
+    </message>
+    <message>
+        <source>%1 has control. It sent its last command %2.</source>
+        <translation>%1 tem o controlo. Enviou o último comando %2.</translation>
+    </message>
+    <message>
+        <source>The operator has made this client read-only.</source>
+        <translation>O operador pôs este cliente só de leitura.</translation>
+    </message>
+    <message>
+        <source>The mount is locked to %1.</source>
+        <translation>A montagem está reservada a %1.</translation>
+    </message>
+    <message>
+        <source>this client has disconnected</source>
+        <translation>este cliente desligou-se</translation>
+    </message>
+    <message>
+        <source>The mount is locked to %1. Unlock it first.</source>
+        <translation>A montagem está reservada a %1. Liberte-a primeiro.</translation>
+    </message>
+    <message>
+        <source>The crash-stop proof moves the mount. End it first.</source>
+        <translation>A prova de paragem de emergência move a montagem. Termine-a primeiro.</translation>
+    </message>
+    <message>
+        <source>The %1 reports no position. Check its encoder.</source>
+        <translation>O %1 não comunica posição. Verifique o encoder.</translation>
+    </message>
+    <message>
+        <source>The cable wrap of the %1 is unknown. Enter where the axis is. Only slow jog works.</source>
+        <translation>A volta do cabo do %1 é desconhecida. Indique onde está o eixo. Só o jog lento funciona.</translation>
+    </message>
+    <message>
+        <source>The directions of the axes are not confirmed. Jog each axis a little and confirm them first.</source>
+        <translation>Os sentidos dos eixos não estão confirmados. Faça jog um pouco em cada eixo e confirme-os primeiro.</translation>
+    </message>
+    <message>
+        <source>Boresight is finding the position of the axes. Wait a moment.</source>
+        <translation>O Boresight está a determinar a posição dos eixos. Espere um momento.</translation>
+    </message>
+    <message>
+        <source>The cable wrap of an axis is unknown. Jog at %1°/s or slower.</source>
+        <translation>A volta do cabo de um eixo é desconhecida. Faça jog a %1°/s ou menos.</translation>
+    </message>
+    <message>
+        <source>In this direction the azimuth cable is already wound least.</source>
+        <translation>Nesta direção o cabo de azimute já está o menos enrolado possível.</translation>
+    </message>
+    <message>
+        <source>The mount moves. Stop it first.</source>
+        <translation>A montagem move-se. Pare-a primeiro.</translation>
+    </message>
+    <message>
+        <source>Boresight is taking over a drive. Try again in a second.</source>
+        <translation>O Boresight está a assumir um acionamento. Tente de novo dentro de um segundo.</translation>
+    </message>
+    <message>
+        <source>The clock of this computer is not synchronised, so the Sun may be in the beam. Only the operator may jog the mount out, at %1°/s or slower.</source>
+        <translation>O relógio deste computador não está sincronizado, por isso o Sol pode estar no feixe. Só o operador pode tirar a montagem por jog, a %1°/s ou menos.</translation>
+    </message>
+    <message>
+        <source>The mount tracks a target, and the change would move it. Press Hold first.</source>
+        <translation>A montagem segue um alvo, e a alteração movê-la-ia. Prima Manter primeiro.</translation>
+    </message>
+    <message>
+        <source>The mount is on its way to a target, and the change would move it. Wait until it is there, or press Hold.</source>
+        <translation>A montagem está a caminho de um alvo, e a alteração movê-lo-ia. Espere até chegar, ou prima Manter.</translation>
+    </message>
+    <message>
+        <source>%1. The nearest permitted position is %2.</source>
+        <translation>%1. A posição permitida mais próxima é %2.</translation>
+    </message>
+    <message>
+        <source>The travel and the limits of the axes do not reach it over the top.</source>
+        <translation>O curso e os limites dos eixos não o alcançam por cima do topo.</translation>
+    </message>
+    <message>
+        <source>goes to the nearest permitted point because of a limit (%1)</source>
+        <translation>vai para o ponto permitido mais próximo devido a um limite (%1)</translation>
+    </message>
+    <message>
+        <source>trims the tracked target by %1° in azimuth, %2° in elevation</source>
+        <translation>corrige o alvo seguido em %1° de azimute, %2° de elevação</translation>
+    </message>
+    <message>
+        <source>takes control, and Boresight refuses motion commands of clients</source>
+        <translation>toma o controlo, e o Boresight recusa comandos de movimento dos clientes</translation>
+    </message>
+    <message>
+        <source>switches both drives off, so nothing holds the axes</source>
+        <translation>desliga os dois acionamentos, por isso nada mantém os eixos</translation>
+    </message>
+    <message>
+        <source>releases the bus to other tools, and drives that held continue in their time-out mode</source>
+        <translation>liberta o barramento para outras ferramentas, e os acionamentos que mantinham continuam no seu modo de tempo excedido</translation>
+    </message>
+    <message>
+        <source>takes the bus back, and reads the drives again</source>
+        <translation>retoma o barramento, e lê de novo os acionamentos</translation>
+    </message>
+    <message>
+        <source>the position of the Sun is known again</source>
+        <translation>a posição do Sol é conhecida de novo</translation>
+    </message>
+    <message>
+        <source>STOP is latched, and both axes decelerate and hold</source>
+        <translation>STOP está retido, e os dois eixos desaceleram e mantêm</translation>
+    </message>
+    <message>
+        <source>The mount is still braking. Reset STOP when it stands still.</source>
+        <translation>A montagem ainda está a travar. Reponha STOP quando estiver parada.</translation>
+    </message>
+    <message>
+        <source>resets STOP, and nothing moves until the next command</source>
+        <translation>repõe STOP, e nada se move até ao próximo comando</translation>
+    </message>
+    <message>
+        <source>jog ends at 2° until the directions of the axes are confirmed</source>
+        <translation>o jog termina aos 2° até os sentidos dos eixos serem confirmados</translation>
+    </message>
+    <message>
+        <source>the cable wrap of an axis is unknown</source>
+        <translation>a volta do cabo de um eixo é desconhecida</translation>
+    </message>
+    <message>
+        <source>re-armed, and nothing moves</source>
+        <translation>rearmado, e nada se move</translation>
+    </message>
+    <message>
+        <source>wrap unknown</source>
+        <translation>volta desconhecida</translation>
+    </message>
+    <message>
+        <source>not commanded by Boresight</source>
+        <translation>não comandado pelo Boresight</translation>
+    </message>
+    <message>
+        <source>The bus is released to other tools. Take the bus back first.</source>
+        <translation>O barramento está libertado para outras ferramentas. Retome-o primeiro.</translation>
+    </message>
+    <message>
+        <source>the bus is not released to other tools</source>
+        <translation>o barramento não está libertado para outras ferramentas</translation>
+    </message>
+    <message>
+        <source>The directions of the axes are not confirmed. Jog at 5°/s or slower, or confirm them.</source>
+        <translation>Os sentidos dos eixos não estão confirmados. Faça jog a 5°/s ou menos, ou confirme-os.</translation>
+    </message>
+    <message>
+        <source>The directions of the axes are not confirmed. Until then an axis moves at most 2°.</source>
+        <translation>Os sentidos dos eixos não estão confirmados. Até lá um eixo move-se no máximo 2°.</translation>
+    </message>
+    <message>
+        <source>%1 to %2%3</source>
+        <translation>%1 a %2%3</translation>
     </message>
 </context>
 <context>
@@ -9286,12 +9286,12 @@ el %2</translation>
         <translation>nada espera por uma reconexão</translation>
     </message>
     <message>
-        <source>this is the profile of a real mount: to try the simulated one start Boresight with --simulate</source>
-        <translation>este é o perfil de uma montagem real: para experimentar a simulada inicie o Boresight com --simulate</translation>
+        <source>This is the profile of a real mount. To try it on the simulated mount, start Boresight with --simulate</source>
+        <translation>Este é o perfil de uma montagem real. Para o experimentar na montagem simulada, inicie o Boresight com --simulate</translation>
     </message>
     <message>
-        <source>Boresight was started with --simulate and stays so: start it with --bus %1 for this one</source>
-        <translation>o Boresight foi iniciado com --simulate e assim fica: inicie-o com --bus %1 para este</translation>
+        <source>Boresight was started with --simulate, so every mount is simulated. To use this bus, start Boresight with --bus %1</source>
+        <translation>O Boresight foi iniciado com --simulate, por isso todas as montagens são simuladas. Para usar este barramento, inicie o Boresight com --bus %1</translation>
     </message>
 </context>
 <context>
@@ -10444,10 +10444,6 @@ Ao lado da montagem em vigor:
         <translation>Levar</translation>
     </message>
     <message>
-        <source>This file names no bus of a real mount: it may hold what was found of the simulated one</source>
-        <translation>Este arquivo não indica o barramento de uma montagem real: pode conter o que se achou da simulada</translation>
-    </message>
-    <message>
         <source>Overwrite the mount &quot;%1&quot;?</source>
         <translation>Sobrescrever a montagem &quot;%1&quot;?</translation>
     </message>
@@ -10506,6 +10502,10 @@ Ao lado da montagem em vigor:
     <message>
         <source>The last change is taken back</source>
         <translation>A última alteração foi anulada</translation>
+    </message>
+    <message>
+        <source>This file is a profile of the simulated mount. It cannot replace the profile of a real mount. To import it, change mount.name in the file.</source>
+        <translation>Este arquivo é um perfil da montagem simulada. Não pode substituir o perfil de uma montagem real. Para o importar, mude mount.name no arquivo.</translation>
     </message>
 </context>
 <context>

@@ -68,7 +68,8 @@ TEST_F(CableEndTest, IsToldAheadThenTheMountTurnsBackAndFollowsOn)
     stream(rig, 435.0, 90);
     EXPECT_LE(farthest, 450.2) << "the mechanical end is never reached";
     EXPECT_NEAR(rig.truth(Axis::Azimuth), 524.0 - 360.0, 2.0);
-    EXPECT_TRUE(rig.logSays(QStringLiteral("turns back by 360°: the cable ends at 450.0°; the target is lost")));
+    EXPECT_TRUE(
+        rig.logSays(QStringLiteral("turns back by 360° because the cable ends at 450.0°, and the target is lost")));
     EXPECT_FALSE(rig.status().cableEnd.has_value());
 }
 
@@ -81,7 +82,7 @@ TEST_F(CableEndTest, WithoutAnotherTurnItSaysThatItHoldsAndStopsAtTheEnd)
     stream(rig, 400.0, 40);
     ASSERT_TRUE(rig.status().cableEnd.has_value());
     EXPECT_FALSE(rig.status().cableEnd->turningBack.has_value());
-    EXPECT_TRUE(rig.logSays(QStringLiteral("holds there until the target can be reached again")));
+    EXPECT_TRUE(rig.logSays(QStringLiteral("holds until the target can be reached again")));
     stream(rig, 440.0, 30);
     EXPECT_LE(farthest, 450.2);
     EXPECT_NEAR(rig.truth(Axis::Azimuth), 450.0, 0.2);

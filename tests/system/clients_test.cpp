@@ -124,7 +124,7 @@ TEST_F(ClientsTest, TheOperatorDisconnects)
     EXPECT_EQ(rig.ask(request::Disconnect{.clientId = id}), "");
     EXPECT_EQ(one->receiveUntilClosed(), "");
     EXPECT_EQ(rig.status().clients.size(), 1U);
-    EXPECT_EQ(rig.ask(request::Disconnect{.clientId = id}), "this client has left");
+    EXPECT_EQ(rig.ask(request::Disconnect{.clientId = id}), "this client has disconnected");
 }
 
 TEST_F(ClientsTest, AProgramThatConnectsForEachCommandKeepsTheLead)

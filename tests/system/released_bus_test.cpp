@@ -47,7 +47,7 @@ TEST_F(ReleasedBus, IsRefusedInMotion)
 {
     EXPECT_EQ(client->ask("P 200 60\n"), "RPRT 0\n");
     rig.run(Seconds(2.0));
-    EXPECT_THAT(rig.ask(request::ReleaseBus{}), HasSubstr("the mount moves"));
+    EXPECT_THAT(rig.ask(request::ReleaseBus{}), HasSubstr("The mount moves"));
     EXPECT_TRUE(rig.settle());
     EXPECT_NEAR(rig.truth(Axis::Azimuth), 200.0, 0.1);
 }

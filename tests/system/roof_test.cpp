@@ -82,7 +82,8 @@ TEST_F(RoofTest, APassBehindTheMastIsFollowedAlongItsEdges)
 TEST_F(RoofTest, ParkingInTheMastIsRefusedWithTheNearestPlace)
 {
     const std::string why = m_rig.ask(request::Park{});
-    EXPECT_NE(why.find("is in the keep-out \"mast\"; permitted nearest to it: 300.00° 25.00°"), std::string::npos)
+    EXPECT_NE(why.find("is in the keep-out \"mast\". The nearest permitted position is 300.00° 25.00°"),
+              std::string::npos)
         << why;
 }
 

@@ -117,20 +117,21 @@ std::vector<TermStatus> sixPointTerms()
 
 std::vector<BodyNow> bodiesAt(UtcTime now)
 {
-    return {{.body = ephemeris::Body::Sun,
-             .direction = {143.2_deg, 52.1_deg},
-             .isUp = true,
-             .obstacle = {},
-             .obstacleOverTheTop = {},
-             .nextRise = now + std::chrono::hours(11),
-             .nextSet = now + std::chrono::minutes(214)},
-            {.body = ephemeris::Body::Moon,
-             .direction = {301.7_deg, -11.4_deg},
-             .isUp = false,
-             .obstacle = QStringLiteral("it is below the lowest elevation 5.0°"),
-             .obstacleOverTheTop = QStringLiteral("the travel and the limits of the axes do not reach it over the top"),
-             .nextRise = now + std::chrono::minutes(338),
-             .nextSet = std::nullopt}};
+    return {
+        {.body = ephemeris::Body::Sun,
+         .direction = {143.2_deg, 52.1_deg},
+         .isUp = true,
+         .obstacle = {},
+         .obstacleOverTheTop = {},
+         .nextRise = now + std::chrono::hours(11),
+         .nextSet = now + std::chrono::minutes(214)},
+        {.body = ephemeris::Body::Moon,
+         .direction = {301.7_deg, -11.4_deg},
+         .isUp = false,
+         .obstacle = QStringLiteral("it is below the lowest elevation 5.0°"),
+         .obstacleOverTheTop = QStringLiteral("The travel and the limits of the axes do not reach it over the top."),
+         .nextRise = now + std::chrono::minutes(338),
+         .nextSet = std::nullopt}};
 }
 
 CalibrationStatus sample(const StationStatus& status)
@@ -220,7 +221,7 @@ StationStatus heard()
     status.sensor.declination = -1.9_deg;
     status.sensor.declinationModel = QStringLiteral("WMM-2025, 2025.0 to 2030.0");
     status.sensor.declinationText =
-        QStringLiteral("Declination by Boresight: -1.9° by the magnetic model, the sensor's 5.1° are taken out");
+        QStringLiteral("Boresight adds a declination of -1.9° (magnetic model) and removes the sensor's 5.1°.");
     status.sensor.azimuthDifference = 0.7_deg;
     status.sensor.elevationDifference = 0.2_deg;
     CalibrationStatus calibration = *status.calibration;

@@ -166,7 +166,7 @@ StationStatus released()
     StationStatus status = withAge(idle(), std::chrono::milliseconds(9000));
     status.state = StationState::Disconnected;
     status.stateReason = QStringLiteral("bus released to other tools");
-    const QString left = QStringLiteral("the bus is left to other tools: take it back first");
+    const QString left = QStringLiteral("The bus is released to other tools. Take the bus back first.");
     status.permissions = withoutMotion(left);
     for (const Action action : {Action::ReadDrives, Action::SwitchOff, Action::SetAzimuth, Action::SetElevation}) {
         status.permissions.refuse(action, left);
@@ -227,9 +227,7 @@ StationStatus asking(Axis axis, int places, Angle period, bool proposed)
     (axis == Axis::Azimuth ? status.azimuth : status.elevation).turnKnown = false;
     one.turnQuestion = question;
     const QString why =
-        QStringLiteral(
-            "it is not known on which turn the axis of the %1 stands: the operator must tell; "
-            "slow jogging only")
+        QStringLiteral("The cable wrap of the %1 is unknown. Enter where the axis is. Only slow jog works.")
             .arg(axis == Axis::Azimuth ? QStringLiteral("azimuth drive") : QStringLiteral("elevation drive"));
     status.permissions = withoutPointing(why);
     status.permissions.refuse(setAction(axis), why);

@@ -41,7 +41,7 @@ Permissions inMotion(Permissions may)
 {
     for (const Action action : {Action::SetAzimuth, Action::SetElevation, Action::ReadDrives, Action::SwitchOff,
                                 Action::ReleaseBus, Action::ProveCrashStop, Action::Reconnect}) {
-        may.refuse(action, QStringLiteral("the mount moves: stop it first"));
+        may.refuse(action, QStringLiteral("The mount moves. Stop it first."));
     }
     return may;
 }

@@ -194,13 +194,13 @@ StationStatus faulted()
         status, Severity::Alarm,
         QStringLiteral("Azimuth drive fault 38: The board (75 °C by default) or the motor is too hot. Likely: Too much "
                        "torque for too long, or too little cooling."),
-        QStringLiteral("The drive switched its output off; the other axis holds if its drive can."),
-        QStringLiteral("Let it cool down; lower the torque or improve cooling, then re-arm."));
+        QStringLiteral("The output of the drive is off. The other axis holds if its drive can."),
+        QStringLiteral("Let it cool down. Lower the torque or improve the cooling, then re-arm."));
     addAlarm(status, Severity::Warning,
              QStringLiteral("Azimuth drive limit 100: Current reduced because the board is warm. Likely: Much "
                             "torque for a long time, or too little cooling."),
-             QStringLiteral("The drive gives less than it was asked for."),
-             QStringLiteral("It ends when the board cools down; fault 38 follows if it gets hotter."));
+             QStringLiteral("The drive gives less than Boresight commands."),
+             QStringLiteral("It ends when the board cools down. Fault 38 follows if it gets hotter."));
     return status;
 }
 
@@ -219,9 +219,10 @@ StationStatus disconnected()
     status.line.problem = QStringLiteral("can0 is gone: plug the adapter in again");
     status.simulated = false;
     for (const char* const drive : {"azimuth drive", "elevation drive"}) {
-        addAlarm(status, Severity::Alarm, QStringLiteral("No reply from the %1.").arg(QLatin1String(drive)),
-                 QStringLiteral("Motion ended; the drive, if it has power, stops itself by its watchdog (0.1 s)."),
-                 QStringLiteral("Check the supply, the CAN cable and the adapter, then re-arm."));
+        addAlarm(
+            status, Severity::Alarm, QStringLiteral("No reply from the %1.").arg(QLatin1String(drive)),
+            QStringLiteral("Boresight ended the motion. If the drive has power, its watchdog stops it within 0.1 s."),
+            QStringLiteral("Check the supply, the CAN cable and the adapter, then re-arm."));
     }
     return status;
 }
@@ -258,8 +259,8 @@ StationStatus cableEnding()
     status.trim = SkyPointing{.azimuth = 0.3_deg, .elevation = -0.1_deg};
     status.cableEnd = CableEnd{.end = 450_deg, .in = Seconds(41.0), .turningBack = Seconds(37.0)};
     addAlarm(status, Severity::Warning, QStringLiteral("Azimuth cable ends at 450.0°, about 17:14:40Z."),
-             QStringLiteral("There Boresight turns back by 360° and follows on; the target is lost for about 37 s."),
-             QStringLiteral("To turn back earlier press Unwind, then give control back."));
+             QStringLiteral("At the end Boresight unwinds 360° and resumes. The target is lost for about 37 s."),
+             QStringLiteral("To choose the moment, press Unwind earlier, then give control back."));
     profile::Profile profile = *status.profile;
     profile.presets = {{"beacon", {113_deg, 10_deg}}, {"zenith", {0_deg, 90_deg}}};
     status.profile = std::make_shared<const profile::Profile>(profile);
@@ -285,8 +286,8 @@ StationStatus limited()
     status.limited = true;
     status.limitedReason = QStringLiteral("elevation -2.4° below limit 10.0°");
     addAlarm(status, Severity::Advisory, QStringLiteral("The target is outside the limits."),
-             QStringLiteral("LIMITED, the nearest permitted point is driven: elevation -2.4° below limit 10.0°."),
-             QStringLiteral("None needed: the mount follows on when the target comes inside."));
+             QStringLiteral("The mount goes to the nearest permitted point (elevation -2.4° below limit 10.0°)."),
+             QStringLiteral("None needed. Tracking resumes when the target comes inside."));
     return status;
 }
 

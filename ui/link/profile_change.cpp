@@ -3,6 +3,7 @@
 
 #include "core/profile/profile_diff.h"
 #include "ui/kit/command_button.h"
+#include "ui/link/setting_words.h"
 
 namespace boresight::ui {
 
@@ -35,15 +36,16 @@ bool ProfileChange::isAlready(const Edit& edit) const
 QString ProfileChange::whyNot(const StationStatus& status, const Edit& edit) const
 {
     if (m_draft.hasEdits()) {
-        return tr("another panel has changes that are not applied: apply or revert them first");
+        return tr("Another panel has changes that are not applied. Apply or revert them first.");
     }
     const profile::Profile wanted = changed(edit);
     if (wanted.bus == m_draft.applied().bus && wanted.bus != m_draft.inForce().bus) {
-        return tr("the mount at %1 waits for Reconnect: press that first (tab Mount, Profile)")
+        return tr("The change to the bus %1 is not in force yet. Press Reconnect first (tab Mount, Profile).")
             .arg(QString::fromStdString(wanted.bus));
     }
     if (const auto problems = m_draft.problemsOf(wanted); !problems.empty()) {
-        return QString::fromStdString(problems.front().key + ": " + problems.front().text);
+        return QStringLiteral("%1: %2").arg(settingName(problems.front().key),
+                                            QString::fromStdString(problems.front().text));
     }
     return needsReconnect(wanted) ? status.permissions.reason(Action::Reconnect) : QString();
 }
@@ -56,7 +58,7 @@ bool ProfileChange::needsReconnect(const profile::Profile& wanted) const
 void ProfileChange::send(const Edit& edit, QObject* asker, const RequestDesk::Reply& reply)
 {
     if (m_draft.hasEdits()) {
-        reply(refused(tr("another panel has changes that are not applied: apply or revert them first")));
+        reply(refused(tr("Another panel has changes that are not applied. Apply or revert them first.")));
         return;
     }
     m_draft.edit(edit);

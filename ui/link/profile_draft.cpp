@@ -3,6 +3,7 @@
 
 #include "core/profile/commissioning.h"
 #include "core/profile/profile_diff.h"
+#include "ui/link/setting_words.h"
 
 #include <QPointer>
 
@@ -91,14 +92,16 @@ std::vector<profile::Problem> ProfileDraft::problemsOf(const profile::Profile& w
     auto problems = simulates(wanted) ? profile::problemsOf(wanted) : profile::problemsOfReal(wanted);
     if (!simulates(m_applied) && simulates(wanted)) {
         problems.push_back(
-            {"bus.name", tr("this is the profile of a real mount: to try the simulated one start Boresight with "
-                            "--simulate")
+            {"bus.name", tr("This is the profile of a real mount. To try it on the simulated mount, start Boresight "
+                            "with --simulate")
                              .toStdString()});
     } else if (m_keepsSimulated && wanted.bus != m_applied.bus) {
         problems.push_back(
-            {"bus.name", tr("Boresight was started with --simulate and stays so: start it with --bus %1 for this one")
-                             .arg(QString::fromStdString(wanted.bus))
-                             .toStdString()});
+            {"bus.name",
+             tr("Boresight was started with --simulate, so every mount is simulated. To use this bus, start "
+                "Boresight with --bus %1")
+                 .arg(QString::fromStdString(wanted.bus))
+                 .toStdString()});
     }
     return problems;
 }
@@ -189,7 +192,8 @@ QString ProfileDraft::whyNoApply() const
         return tr("the profile was changed from elsewhere meanwhile: keep these edits or revert first");
     }
     if (!m_problems.empty()) {
-        return QString::fromStdString(m_problems.front().key + ": " + m_problems.front().text);
+        return QStringLiteral("%1: %2").arg(settingName(m_problems.front().key),
+                                            QString::fromStdString(m_problems.front().text));
     }
     return {};
 }

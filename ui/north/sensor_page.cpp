@@ -122,7 +122,7 @@ void SensorPage::showDeclination(const SensorStatus& sensor)
     if (sensor.declinationDoubt.isEmpty()) {
         m_declination->setValue(text, Tone::Secondary);
     } else {
-        m_declination->setValue(QStringLiteral("%1; %2").arg(text, sensor.declinationDoubt), Tone::Warning,
+        m_declination->setValue(QStringLiteral("%1 %2").arg(text, sensor.declinationDoubt), Tone::Warning,
                                 Symbol::Warning);
     }
 }

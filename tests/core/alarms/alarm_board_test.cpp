@@ -58,10 +58,10 @@ TEST_F(AlarmBoardTest, ALineDoesNotNameItsSourceTwice)
     const LogEntry line = log.since(0, EventLog::kCapacity).back();
     EXPECT_EQ(line.source, QStringLiteral("azimuth drive"));
     EXPECT_EQ(line.alarm, QStringLiteral("drive.fault-unnamed"));
-    EXPECT_TRUE(line.text.startsWith(QStringLiteral("In fault, does not say which. The drive")))
+    EXPECT_TRUE(line.text.startsWith(QStringLiteral("In fault, reports no fault code. The output")))
         << line.text.toStdString();
     EXPECT_TRUE(plainLine(line).startsWith(QStringLiteral("azimuth drive [drive.fault-unnamed]: In fault")));
-    EXPECT_EQ(board.list().front().what, QStringLiteral("Azimuth drive is in fault and does not say which."));
+    EXPECT_EQ(board.list().front().what, QStringLiteral("Azimuth drive is in fault and reports no fault code."));
 }
 
 TEST_F(AlarmBoardTest, WhatWasToldIsAlsoToldToBeOver)

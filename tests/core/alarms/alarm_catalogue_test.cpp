@@ -135,9 +135,10 @@ TEST(AlarmCatalogue, SentencesAreFilledWithTheirArguments)
     EXPECT_EQ(text.brief, QStringLiteral("Fault 38: 100%2 wrong."));
     EXPECT_EQ(text.remedy, QStringLiteral("Look at it, then re-arm."));
     EXPECT_EQ(namedByWhat(alarmEntry("drive.silent"), arguments), QStringList(QStringLiteral("azimuth drive")));
-    EXPECT_EQ(textOf(alarmEntry("axis.stalled"), {QStringLiteral("x")}).remedy,
-              QStringLiteral(
-                  "Look what blocks the axis: a cable, a lock, ice, a coupling that slips. Free it. Then re-arm."));
+    EXPECT_EQ(
+        textOf(alarmEntry("axis.stalled"), {QStringLiteral("x")}).remedy,
+        QStringLiteral(
+            "Look for a cable, a lock, ice or a slipping coupling that blocks the axis, and free it. Then re-arm."));
 }
 
 // With BORESIGHT_ALARM_TABLE set, the table is written into the page of that path.

@@ -118,8 +118,8 @@ TEST(Arming, StopShutsOutEverybodyUntilReset)
     ArmingRig rig;
     rig.makeReady();
     rig.arming.latchStop();
-    EXPECT_EQ(rig.refusal(kOperator), "STOP is latched: reset STOP first");
-    EXPECT_EQ(rig.refusal(kClient), "STOP is latched: reset STOP first");
+    EXPECT_EQ(rig.refusal(kOperator), "STOP is latched. Reset STOP first.");
+    EXPECT_EQ(rig.refusal(kClient), "STOP is latched. Reset STOP first.");
     EXPECT_TRUE(rig.arming.resetStop());
     EXPECT_TRUE(rig.arming.admits(kOperator));
     EXPECT_FALSE(rig.arming.resetStop()) << "there is none any more";
@@ -147,7 +147,7 @@ TEST(Arming, IsQuietForASecondAfterALostConnectionCameBack)
     EXPECT_EQ(rig.refusal(), "no reply from the azimuth drive");
     rig.azimuth.silent = false;
     rig.run(Seconds(0.9));
-    EXPECT_EQ(rig.refusal(), "the drives have only just come back: wait a second");
+    EXPECT_EQ(rig.refusal(), "The drives have just come back. Wait a second.");
     rig.run(Seconds(0.2));
     EXPECT_TRUE(rig.arming.admits(kOperator));
 }
@@ -159,7 +159,7 @@ TEST(Arming, ABusLeftToOthersAdmitsNobody)
     rig.mount.leaveBus();
     rig.run(kTick);
     EXPECT_EQ(rig.connectionsLost, 1);
-    EXPECT_EQ(rig.refusal(), "the bus is left to other tools: take it back first");
+    EXPECT_EQ(rig.refusal(), "The bus is released to other tools. Take the bus back first.");
 }
 
 TEST(Arming, TheFirstFaultOfASeriesIsTheReasonUntilARearmIsDone)
@@ -172,7 +172,7 @@ TEST(Arming, TheFirstFaultOfASeriesIsTheReasonUntilARearmIsDone)
     rig.fail(rig.elevation, 35);
     rig.run(Seconds(0.1));
     EXPECT_EQ(rig.arming.fault(), QStringLiteral("azimuth drive failed"));
-    EXPECT_EQ(rig.refusal(), "azimuth drive failed: re-arm first");
+    EXPECT_EQ(rig.refusal(), "azimuth drive failed. Re-arm first.");
     ASSERT_TRUE(rig.arming.rearm(kOperator));
     EXPECT_TRUE(rig.arming.fault()) << "the drives have not answered yet";
     rig.run(Seconds(0.2));
@@ -255,7 +255,7 @@ TEST(Arming, ThePolicyRearmsWhenItsTimeHasComeButNeverBehindAStop)
     ASSERT_TRUE(rig.arming.resetStop());
     rig.run(Seconds(0.3));
     EXPECT_EQ(rig.rearms, 1);
-    EXPECT_TRUE(rig.logSays("re-arms by the profile's recovery policy"));
+    EXPECT_TRUE(rig.logSays("re-arms by the recovery policy of the profile"));
     rig.fail(rig.azimuth, 38);
     rig.run(Seconds(20.0));
     EXPECT_EQ(rig.rearms, 1) << "once means once";

@@ -60,7 +60,7 @@ TEST_F(ClientLeadTest, WhoIsFollowedAndReadsKeepsTheLead)
         lead.followed(1, clock.now());
         lead.followed(2, clock.now());
     }
-    EXPECT_EQ(moves(2), "rotctld client 1 has the lead: it sent its last command 60 s ago");
+    EXPECT_EQ(moves(2), "rotctld client 1 has control. It sent its last command 60 s ago.");
     pass(10.0);
     EXPECT_EQ(moves(2), "");
     lead.followed(1, clock.now());
@@ -73,7 +73,7 @@ TEST_F(ClientLeadTest, TheFirstKeepsTheLeadWhileItSends)
     for (int i = 0; i < 30; ++i) {
         EXPECT_EQ(moves(1), "");
         pass(3.0);
-        EXPECT_EQ(moves(2), "rotctld client 1 has the lead: it sent its last command 3 s ago");
+        EXPECT_EQ(moves(2), "rotctld client 1 has control. It sent its last command 3 s ago.");
         EXPECT_TRUE(leads(1));
         EXPECT_FALSE(leads(2));
     }
@@ -83,10 +83,10 @@ TEST_F(ClientLeadTest, TenSecondsOfSilenceFreeTheLead)
 {
     EXPECT_EQ(moves(1), "");
     pass(9.99);
-    EXPECT_EQ(moves(2), "rotctld client 1 has the lead: it sent its last command 9 s ago");
+    EXPECT_EQ(moves(2), "rotctld client 1 has control. It sent its last command 9 s ago.");
     pass(0.01);
     EXPECT_EQ(moves(2), "");
-    EXPECT_EQ(moves(1), "rotctld client 2 has the lead: it sent its last command a moment ago");
+    EXPECT_EQ(moves(1), "rotctld client 2 has control. It sent its last command a moment ago.");
 }
 
 TEST_F(ClientLeadTest, WhoLeavesFreesTheLead)
@@ -106,7 +106,7 @@ TEST_F(ClientLeadTest, AHostThatConnectsForEachCommandKeepsTheLead)
     EXPECT_EQ(moves(1), "");
     lead.gone(client(1));
     pass(2.0);
-    EXPECT_EQ(moves(2), "10.0.0.7 has the lead: it connects for each command and sent its last 2 s ago");
+    EXPECT_EQ(moves(2), "10.0.0.7 has control. It connects for each command and sent its last 2 s ago.");
     for (std::uint64_t id = 3; id < 10; ++id) {
         lead.came(client(id), "10.0.0.7");
         EXPECT_EQ(moves(id), "");
@@ -142,7 +142,7 @@ TEST_F(ClientLeadTest, OnlyTheLockedHostMoves)
     EXPECT_EQ(moves(1), "") << "before the lock";
     rules.lead = profile::Lead::Locked;
     rules.lockedTo = "10.0.0.9";
-    EXPECT_EQ(moves(1), "the mount is locked to 10.0.0.9");
+    EXPECT_EQ(moves(1), "The mount is locked to 10.0.0.9.");
     EXPECT_EQ(moves(2), "");
     EXPECT_TRUE(lead.locked(rules, 2));
     EXPECT_FALSE(lead.locked(rules, 1));
@@ -165,7 +165,7 @@ TEST_F(ClientLeadTest, TheOperatorGivesTheLead)
     EXPECT_TRUE(lead.give(rules, 2, clock.now()));
     EXPECT_TRUE(leads(2));
     pass(4.0);
-    EXPECT_EQ(moves(1), "rotctld client 2 was given the lead 4 s ago");
+    EXPECT_EQ(moves(1), "rotctld client 2 received control 4 s ago.");
     EXPECT_EQ(moves(2), "");
     EXPECT_TRUE(lead.give(rules, 1, clock.now()));
     pass(10.0);
@@ -176,7 +176,7 @@ TEST_F(ClientLeadTest, ReadOnlyMovesNothingAndLeadsNot)
 {
     EXPECT_EQ(moves(1), "");
     EXPECT_TRUE(lead.setReadOnly(1, true));
-    EXPECT_EQ(moves(1), "the operator has made this client read-only");
+    EXPECT_EQ(moves(1), "The operator has made this client read-only.");
     EXPECT_FALSE(leads(1));
     EXPECT_EQ(moves(2), "");
     EXPECT_TRUE(lead.give(rules, 1, clock.now())) << "control given is no longer read-only";
@@ -184,7 +184,7 @@ TEST_F(ClientLeadTest, ReadOnlyMovesNothingAndLeadsNot)
     EXPECT_EQ(moves(1), "");
     rules.lead = profile::Lead::Last;
     EXPECT_TRUE(lead.setReadOnly(2, true));
-    EXPECT_EQ(moves(2), "the operator has made this client read-only");
+    EXPECT_EQ(moves(2), "The operator has made this client read-only.");
     EXPECT_TRUE(lead.setReadOnly(2, false));
     EXPECT_EQ(moves(2), "");
 }

@@ -189,7 +189,7 @@ TEST_P(PermissionsIn, AnActionIsAnsweredAsItWasPublished)
         const std::string published = rig.control.status().permissions.reason(action).toStdString();
         const Result<> answer = rig.ask(requestOf(action, rig));
         const std::string told = answer ? std::string() : answer.error().text;
-        EXPECT_EQ(published, told.substr(0, told.find("; permitted nearest"))) << static_cast<int>(action);
+        EXPECT_EQ(published, told.substr(0, told.find(". The nearest permitted"))) << static_cast<int>(action);
     }
 }
 
@@ -280,7 +280,7 @@ TEST(Permissions, AnAngleIsNotSetOfAnAxisThatIsTurnedByHand)
     rig.azimuth.velocity = 0.01;
     rig.run(Seconds(0.1));
     EXPECT_EQ(rig.control.status().permissions.reason(Action::SetAzimuth),
-              QStringLiteral("the mount moves: stop it first"));
+              QStringLiteral("The mount moves. Stop it first."));
     rig.azimuth.velocity = 0.0;
     rig.run(Seconds(0.1));
     EXPECT_TRUE(rig.control.status().permissions.allows(Action::SetAzimuth));
@@ -324,7 +324,7 @@ TEST(Permissions, AClientIsToldWhyControlCannotBeGivenToIt)
     };
     EXPECT_EQ(obstacle(1), "");
     ASSERT_TRUE(rig.ask(request::GiveLead{.clientId = 1}));
-    EXPECT_EQ(obstacle(1), "it has the control");
+    EXPECT_EQ(obstacle(1), "it has control");
     EXPECT_EQ(obstacle(2), "");
     rig.profile.rotctld.lead = profile::Lead::Locked;
     rig.profile.rotctld.lockedTo = "10.0.0.7";

@@ -67,8 +67,9 @@ protected:
     StationRig rig;
 };
 
-constexpr const char* kTurnsBack = "turns back by 360°: the cable ends at 450.0°; the target is lost for about 37 s";
-constexpr const char* kDetail = "cable ends: turns back by 360°";
+constexpr const char* kTurnsBack =
+    "turns back by 360° because the cable ends at 450.0°, and the target is lost for about 37 s";
+constexpr const char* kDetail = "cable end, turns back 360°";
 
 // Story: at the end of the cable the mount set off for a whole turn, and neither the log nor the screen said why.
 // REQ-CONTROL-31a: Unwrapping at the cable end is a motion of its own in the log, with source and reason, and stands
@@ -114,14 +115,15 @@ TEST_F(StationCable, TheOtherEndTurnsItBackTheOtherWay)
     standAt(-80_deg);
     stream(280.0, -1.0, 15);
     ASSERT_EQ(turnBacks().size(), 1U);
-    EXPECT_TRUE(turnBacks().front().text.startsWith(QStringLiteral("turns back by 360°: the cable ends at -90.0°")));
+    EXPECT_TRUE(
+        turnBacks().front().text.startsWith(QStringLiteral("turns back by 360° because the cable ends at -90.0°")));
     EXPECT_EQ(reason(), kDetail);
     rig.run(Seconds(60.0));
     EXPECT_NE(reason(), kDetail);
     EXPECT_NEAR(rig.azimuthDegrees(), 266.0, 1.0);
 }
 
-// Story: from 90° to 270° was logged as "turns back by 180°: the cable ends at -90.0°".
+// Story: from 90° to 270° was logged as "turns back by 180° because the cable ends at -90.0°".
 TEST_F(StationCable, HalfATurnIsNoTurnBack)
 {
     standAt(90_deg);
@@ -155,8 +157,8 @@ TEST_F(StationCable, AGoToTheOtherWayRoundSaysWhy)
     ASSERT_TRUE(rig.point(120.0, 30.0, kOperator));
     ASSERT_EQ(turnBacks().size(), 1U);
     EXPECT_EQ(turnBacks().front().source, kOperator.name);
-    EXPECT_EQ(turnBacks().front().text.toStdString(), "turns back by 300°: the cable ends at 450.0°");
-    EXPECT_EQ(reason(), "cable ends: turns back by 300°");
+    EXPECT_EQ(turnBacks().front().text.toStdString(), "turns back by 300° because the cable ends at 450.0°");
+    EXPECT_EQ(reason(), "cable end, turns back 300°");
     rig.settle();
     EXPECT_NEAR(rig.azimuthDegrees(), 120.0, 0.1);
     EXPECT_EQ(reason(), "go to 120.00° 30.00°");

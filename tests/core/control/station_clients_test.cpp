@@ -35,7 +35,7 @@ TEST_F(StationClients, OnlyTheFirstMovesTheMount)
 {
     ASSERT_TRUE(rig.point(40.0, 30.0));
     rig.run(Seconds(1.0));
-    const std::string why = "rotctld 1 has the lead: it sent its last command 1 s ago";
+    const std::string why = "rotctld 1 has control. It sent its last command 1 s ago.";
     EXPECT_EQ(text(rig.point(300.0, 10.0, kOtherClient)), why);
     EXPECT_EQ(text(rig.ask(request::PointAxes{{.azimuth = 10_deg, .elevation = 10_deg}}, kOtherClient)), why);
     EXPECT_EQ(text(rig.ask(request::Move{{.azimuth = 3_deg_s}}, kOtherClient)), why);
@@ -66,8 +66,9 @@ TEST_F(StationClients, ATargetOutsideIsToldForAsLongAsItLasts)
 {
     const auto limitedLines = [this] {
         const auto lines = rig.log.since(0, EventLog::kCapacity);
-        return std::ranges::count_if(
-            lines, [](const LogEntry& line) { return line.text.startsWith(QStringLiteral("LIMITED: ")); });
+        return std::ranges::count_if(lines, [](const LogEntry& line) {
+            return line.text.startsWith(QStringLiteral("goes to the nearest permitted point"));
+        });
     };
     for (int second = 0; second < 30; ++second) {
         ASSERT_TRUE(rig.point(90.0, -5.0));
@@ -81,10 +82,11 @@ TEST_F(StationClients, ATargetOutsideIsToldForAsLongAsItLasts)
     ASSERT_EQ(shown.alarms.size(), 1U);
     EXPECT_EQ(shown.alarms.front().severity, Severity::Advisory);
     EXPECT_EQ(shown.alarms.front().action.toStdString(),
-              "LIMITED, the nearest permitted point is driven: elevation -5.0° below limit 0.0°.");
-    EXPECT_EQ(status(kClient).advice.toStdString(),
-              "asks for a place outside the limits: elevation -5.0° below limit 0.0°; the nearest permitted one is "
-              "driven");
+              "The mount goes to the nearest permitted point (elevation -5.0° below limit 0.0°).");
+    EXPECT_EQ(
+        status(kClient).advice.toStdString(),
+        "asks for a position outside the limits (elevation -5.0° below limit 0.0°). The mount goes to the nearest "
+        "permitted one");
     EXPECT_TRUE(status(kOtherClient).advice.isEmpty());
     EXPECT_EQ(limitedLines(), 1) << "once, not with each of its points";
 
@@ -155,7 +157,7 @@ TEST_F(StationClients, GivingControlGivesTheAuthorityBack)
     EXPECT_EQ(rig.control.status().authority, Authority::Clients);
     EXPECT_TRUE(rig.point(80.0, 30.0));
     ASSERT_TRUE(rig.ask(request::Stop{}));
-    EXPECT_EQ(text(rig.ask(request::GiveLead{.clientId = 1})), "STOP is latched: reset STOP first");
+    EXPECT_EQ(text(rig.ask(request::GiveLead{.clientId = 1})), "STOP is latched. Reset STOP first.");
     EXPECT_EQ(rig.control.status().authority, Authority::Operator);
 }
 
@@ -176,8 +178,8 @@ TEST_F(StationClients, ReadOnlyEndsItsMotionAndRefusesTheNext)
     rig.run(Seconds(2.0));
     ASSERT_TRUE(rig.ask(request::SetReadOnly{.clientId = 1}));
     EXPECT_EQ(rig.state(), StationState::Hold);
-    EXPECT_EQ(text(rig.point(80.0, 30.0)), "the operator has made this client read-only");
-    EXPECT_EQ(text(rig.ask(request::Rearm{}, kClient)), "the operator has made this client read-only");
+    EXPECT_EQ(text(rig.point(80.0, 30.0)), "The operator has made this client read-only.");
+    EXPECT_EQ(text(rig.ask(request::Rearm{}, kClient)), "The operator has made this client read-only.");
     EXPECT_TRUE(status(kClient).readOnly);
     ASSERT_TRUE(rig.ask(request::SetReadOnly{.clientId = 1, .readOnly = false}));
     EXPECT_TRUE(rig.point(80.0, 30.0));
@@ -228,7 +230,7 @@ TEST_F(StationClients, WhoMayNotMoveMayNotRearm)
     rig.profile.rotctld.lockedTo = "10.0.0.7";
     rig.setProfile(rig.profile);
     failInMidMotion(rig, kClient, 12);
-    EXPECT_EQ(text(rig.ask(request::Rearm{}, kOtherClient)), "the mount is locked to 10.0.0.7");
+    EXPECT_EQ(text(rig.ask(request::Rearm{}, kOtherClient)), "The mount is locked to 10.0.0.7.");
     rig.run(Seconds(1.0));
     EXPECT_FALSE(rig.point(80.0, 30.0));
     EXPECT_EQ(rig.state(), StationState::Fault);
@@ -240,7 +242,7 @@ TEST_F(StationClients, WhileAnotherLeadsAClientMayNotRearm)
 {
     failInMidMotion(rig, kClient, 3);
     EXPECT_EQ(text(rig.ask(request::Rearm{}, kOtherClient)),
-              "rotctld 1 has the lead: it sent its last command 5 s ago");
+              "rotctld 1 has control. It sent its last command 5 s ago.");
 }
 
 // REQ-CONTROL-23a

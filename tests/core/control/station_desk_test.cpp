@@ -82,7 +82,7 @@ TEST(StationDesk, UnwindTurnsBackToTheSameDirection)
     EXPECT_NEAR(rig.elevationDegrees(), 30.0, 0.05);
     const auto again = rig.ask(request::Unwind{});
     ASSERT_FALSE(again);
-    EXPECT_EQ(again.error().text, "in this direction the azimuth cable can not be wound less than it is");
+    EXPECT_EQ(again.error().text, "In this direction the azimuth cable is already wound least.");
 }
 
 // REQ-CONTROL-34

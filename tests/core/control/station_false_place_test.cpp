@@ -229,7 +229,7 @@ TEST(FalsePlace, OneIsToldAndTheMotionGoesOn)
     rig.tickWithError(Axis::Azimuth, 90.0);
     rig.run(Seconds(0.1));
     EXPECT_THAT(rig.alarms(), HasSubstr("A false reply reported a jump of the azimuth by 90.0°"));
-    EXPECT_THAT(rig.alarms(), HasSubstr("The mount goes on."));
+    EXPECT_THAT(rig.alarms(), HasSubstr("Boresight does not stop the mount."));
     EXPECT_NEAR(rig.control.status().azimuth.actual->degrees(), 100.0, 1e-3);
     rig.run(Seconds(5.0));
     EXPECT_EQ(rig.state(), StationState::Hold);
@@ -311,7 +311,7 @@ TEST_P(BlindDrive, IsBrakedAfterThreeRepliesAndLostLikeASilentOne)
         rig.tick();
     }
     EXPECT_EQ(rig.state(), StationState::Fault);
-    EXPECT_THAT(rig.alarms(), HasSubstr("The azimuth drive does not report a position that can be believed."));
+    EXPECT_THAT(rig.alarms(), HasSubstr("The azimuth drive reports no credible position."));
     rig.azimuth.modeOnly = false;
     rig.azimuth.falsePlaces.clear();
     rig.run(Seconds(2.0));

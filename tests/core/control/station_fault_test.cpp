@@ -103,7 +103,7 @@ TEST(StationControl, ADriveThatAnswersAgainSaysSoWhileItWaitsForTheRearm)
     rig.run(Seconds(0.5));
     const StationStatus back = rig.control.status();
     EXPECT_EQ(back.state, StationState::Fault);
-    EXPECT_EQ(back.alarms.front().what, QStringLiteral("The azimuth drive fell silent; it answers again."));
+    EXPECT_EQ(back.alarms.front().what, QStringLiteral("The azimuth drive was silent and is back."));
     EXPECT_TRUE(back.alarms.front().remedy.contains(QStringLiteral("re-arm")));
     EXPECT_EQ(back.stateReason, QStringLiteral("the azimuth drive fell silent"));
     rig.control.alarms().acknowledgeAll();
@@ -128,7 +128,7 @@ struct SilenceRig : StationRig
     [[nodiscard]] static bool isOfSilence(const QString& text)
     {
         return text.contains(QStringLiteral("o reply from the azimuth drive")) ||
-               text.contains(QStringLiteral("azimuth drive fell silent"));
+               text.contains(QStringLiteral("azimuth drive was silent"));
     }
 
     [[nodiscard]] std::string shown() const
@@ -153,7 +153,7 @@ struct SilenceRig : StationRig
 };
 
 constexpr const char* kNoReply = "No reply from the azimuth drive.";
-constexpr const char* kBack = "The azimuth drive fell silent; it answers again.";
+constexpr const char* kBack = "The azimuth drive was silent and is back.";
 
 // Story: of two losses without a re-arm between, the second was never told: 41 s later the alarm still said that the
 // drive answered again.
@@ -350,7 +350,7 @@ TEST(StationControl, ADriveWithoutAPositionIsNotMoved)
     rig.elevation.position = std::numeric_limits<double>::quiet_NaN();
     rig.run(Seconds(0.5));
     EXPECT_EQ(rig.point(10.0, 10.0, kOperator).error().text,
-              "the elevation drive reports no position: look at its encoder");
+              "The elevation drive reports no position. Check its encoder.");
     EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 1_deg_s}}));
     EXPECT_FALSE(rig.ask(request::ProveCrashStop{2_deg_s}));
     EXPECT_EQ(rig.commands(), 0U);

@@ -74,8 +74,8 @@ TEST(StationRegion, TheOperatorIsRefusedAForbiddenPlaceAndToldTheNearest)
     ASSERT_FALSE(answer);
     EXPECT_EQ(answer.error().code, ErrorCode::OutOfRange);
     EXPECT_EQ(answer.error().text,
-              "azimuth -45.0° elevation 35.0° is in the keep-out \"stationMast\"; permitted nearest to it: "
-              "-45.00° 40.00°");
+              "azimuth -45.0° elevation 35.0° is in the keep-out \"stationMast\". The nearest permitted position "
+              "is -45.00° 40.00°.");
     EXPECT_EQ(rig.commands(), 0U);
 }
 
@@ -135,7 +135,8 @@ TEST(StationRegion, AClientGetsTheNearestPermittedPlace)
     EXPECT_EQ(status.elevation.state, AxisState::Limit);
     EXPECT_EQ(status.elevation.stateText, QStringLiteral("at the horizon"));
     EXPECT_NEAR(status.target->elevation.degrees(), 5, 1e-9);
-    EXPECT_TRUE(rig.logged(QStringLiteral("LIMITED: elevation 5.0° below the horizon 25.0° at azimuth 290.0°")));
+    EXPECT_TRUE(
+        rig.logged(QStringLiteral("because of a limit (elevation 5.0° below the horizon 25.0° at azimuth 290.0°)")));
     ASSERT_TRUE(rig.point(240, 5));
     rig.settlePermitted();
     EXPECT_FALSE(rig.control.status().limited);

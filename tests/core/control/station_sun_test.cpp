@@ -314,7 +314,7 @@ TEST(StationSunClock, FromInsideTheOperatorJogsOutSlowly)
     rig.profile = sunny();
     rig.setProfile(rig.profile);
     rig.run(Seconds(0.1));
-    EXPECT_NE(rig.refusal(20.0, 40.0).find("the clock of this computer is not synchronised"), std::string::npos);
+    EXPECT_NE(rig.refusal(20.0, 40.0).find("The clock of this computer is not synchronised"), std::string::npos);
     EXPECT_FALSE(rig.point(20.0, 40.0)) << "nor for a client";
     EXPECT_FALSE(rig.ask(request::Jog{{.elevation = -3_deg_s}})) << "too fast";
     for (int i = 0; i < 400; ++i) {

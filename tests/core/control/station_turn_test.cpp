@@ -423,8 +423,8 @@ TEST(StationTurns, APlaceOfTheCommandLineIsForgottenAfterTenMinutes)
         const auto alarms = rig.control.status().alarms;
         EXPECT_EQ(std::ranges::any_of(alarms,
                                       [](const Alarm& alarm) {
-                                          return alarm.what.startsWith(
-                                              QStringLiteral("--standing-at was not used for the azimuth drive: It"));
+                                          return alarm.what.startsWith(QStringLiteral(
+                                              "Boresight did not use --standing-at for the azimuth drive: It"));
                                       }),
                   !counts);
     }

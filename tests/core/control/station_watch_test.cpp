@@ -72,7 +72,7 @@ TEST(StationWatch, AStalledAxisStopsTheMountWithinASecond)
     const Seconds time = rig.untilFault([&] { rig.azimuth.position = stuck; });
     EXPECT_LE(time, Seconds(1.1));
     const std::string said = rig.alarm("The azimuth");
-    EXPECT_THAT(said, HasSubstr("Both axes came to rest and hold where they are."));
+    EXPECT_THAT(said, HasSubstr("Boresight stopped both axes and holds them."));
     EXPECT_THAT(said, HasSubstr("re-arm."));
     rig.run(Seconds(0.5));
     rig.expectStoppedAndRearmable();
@@ -227,7 +227,7 @@ TEST(StationWatch, AJumpOfTheEncoderStopsTheMountAndMakesTheTurnUnknown)
     const double before = rig.azimuth.position;
     const Seconds time = rig.untilFault([&] { rig.azimuth.position = before + 0.1; });
     EXPECT_LE(time, Seconds(0.2));
-    EXPECT_THAT(rig.alarm("jumped by"), HasSubstr("more than the axis can turn"));
+    EXPECT_THAT(rig.alarm("jumped by"), HasSubstr("faster than the axis can move"));
     EXPECT_THAT(rig.control.status().stateReason.toStdString(), HasSubstr("jumped"));
     rig.run(Seconds(1.0));
     EXPECT_TRUE(rig.ask(request::Rearm{}));
@@ -272,7 +272,7 @@ TEST(StationWatch, ASilenceIsNotToldAsLateRepliesToo)
     rig.run(Seconds(0.16));
     rig.azimuth.silent = false;
     rig.run(Seconds(0.1));
-    EXPECT_THAT(rig.alarm("after the one before"), HasSubstr("The mount goes on."));
+    EXPECT_THAT(rig.alarm("after the one before"), HasSubstr("Boresight does not stop the mount."));
 }
 
 }  // namespace

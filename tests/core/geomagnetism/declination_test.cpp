@@ -34,9 +34,10 @@ TEST(Declination, OneThatIsNotKnownIsNeverZero)
     const Declination unknown{.by = DeclinationBy::Boresight};
     ASSERT_FALSE(declinationCorrection(unknown));
     EXPECT_EQ(declinationCorrection(unknown).error().code, ErrorCode::NotAvailable);
-    EXPECT_EQ(describe(unknown).toStdString(),
-              "Declination by Boresight: the declination of this place is not known: type it, or "
-              "give site and magnetic model");
+    EXPECT_EQ(
+        describe(unknown).toStdString(),
+        "Boresight cannot apply the declination. The declination of this site is not known. Enter it, or enter the "
+        "site and the file of the magnetic model.");
     EXPECT_TRUE(declinationCorrection({.by = DeclinationBy::Sensor})) << "nothing is needed";
 }
 
@@ -44,23 +45,22 @@ TEST(Declination, OneThatIsNotKnownIsNeverZero)
 TEST(Declination, IsSaidInWordsWithTheNumbers)
 {
     EXPECT_EQ(describe(lisbon(DeclinationBy::Sensor)).toStdString(),
-              "Declination by the sensor: it has added +5.07°, Boresight adds nothing");
+              "The sensor applies the declination (+5.07°). Boresight adds nothing.");
     EXPECT_EQ(describe(lisbon(DeclinationBy::Boresight)).toStdString(),
-              "Declination by Boresight: the sensor's +5.07° is taken away and -0.87° by the magnetic model is added, "
-              "together -5.94°");
+              "Boresight adds a declination of -0.87° (magnetic model) and removes the sensor's +5.07°. The sum is "
+              "-5.94°.");
     EXPECT_EQ(describe({.by = DeclinationBy::Boresight, .inSensor = 0_deg, .here = 12.5_deg}).toStdString(),
-              "Declination by Boresight: the sensor's +0.00° is taken away and +12.50° as typed is added, together "
-              "+12.50°");
+              "Boresight adds a declination of +12.50° (entered) and removes the sensor's +0.00°. The sum is +12.50°.");
     EXPECT_EQ(describe(lisbon(DeclinationBy::None)).toStdString(),
-              "No declination: the heading stays as it comes, with the sensor's +5.07° in it");
+              "Nothing corrects the declination. The heading contains +5.07° of the sensor.");
 }
 
 // REQ-GEOMAGNETISM-08
 TEST(Declination, ASensorMadeForAnotherPlaceIsDoubted)
 {
     const std::string wrong =
-        "the declination here is -0.87° by the magnetic model, the sensor has added +5.07°: its headings are +5.94° "
-        "off";
+        "The declination here is -0.87° (magnetic model), but the sensor added +5.07°. Its headings are off by "
+        "+5.94°.";
     EXPECT_EQ(doubt(lisbon(DeclinationBy::Sensor)).toStdString(), wrong);
     EXPECT_EQ(doubt(lisbon(DeclinationBy::None)).toStdString(), wrong);
     EXPECT_EQ(doubt(lisbon(DeclinationBy::Boresight)).toStdString(), "");

@@ -171,10 +171,10 @@ TEST(MagneticModel, WarnsFromItsLastHalfYearOn)
 {
     const MagneticModel model = mixed();
     EXPECT_EQ(model.expiry(2029.49).toStdString(), "");
-    EXPECT_EQ(model.expiry(2029.51).toStdString(), "the magnetic model TEST ends with 2030.00: look for the next one");
+    EXPECT_EQ(model.expiry(2029.51).toStdString(), "The magnetic model TEST ends with 2030.00. Look for the next one.");
     EXPECT_EQ(model.expiry(2030.2).toStdString(),
-              "the magnetic model TEST has ended with 2030.00: its declination grows less true each year; get the "
-              "present one (World Magnetic Model, .COF)");
+              "The magnetic model TEST ended with 2030.00. Its declination is less exact each year. Get the "
+              "present World Magnetic Model (.COF).");
 }
 
 // 2000 and 6000 nT, the limits of the World Magnetic Model's report.

@@ -179,8 +179,8 @@ TEST(DriveCare, NothingMovesBeforeTheDrivesWereSurveyed)
     CareRig rig;
     rig.run(Seconds(0.5));
     EXPECT_EQ(rig.drives().survey, SurveyState::Running) << "by itself, as soon as they answer";
-    EXPECT_THAT(rig.ask(kGo), HasSubstr("being surveyed"));
-    EXPECT_THAT(rig.drives().armingObstacle.toStdString(), HasSubstr("being surveyed"));
+    EXPECT_THAT(rig.ask(kGo), HasSubstr("drive check is running"));
+    EXPECT_THAT(rig.drives().armingObstacle.toStdString(), HasSubstr("drive check is running"));
     ASSERT_TRUE(rig.endsItsSurvey());
     EXPECT_TRUE(rig.drives().armingObstacle.isEmpty()) << rig.drives().armingObstacle.toStdString();
     EXPECT_EQ(rig.ask(kGo), "");
@@ -337,7 +337,7 @@ TEST(DriveCare, OnAReleasedBusNothingIsSaidAndChangesAreToldAfterwards)
     rig.surveyed = false;
     rig.run(Seconds(5.0));
     EXPECT_FALSE(rig.surveyed);
-    EXPECT_THAT(rig.ask(kGo), HasSubstr("left to other tools"));
+    EXPECT_THAT(rig.ask(kGo), HasSubstr("released to other tools"));
     for (const Alarm& alarm : rig.control.status().alarms) {
         EXPECT_FALSE(alarm.active) << "a silence that was asked for is no alarm: " << alarm.what.toStdString();
     }

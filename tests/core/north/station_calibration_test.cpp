@@ -146,7 +146,8 @@ TEST(StationCalibration, TheSimulatedMountDoesNotTakeTheBusOfARealOne)
     const auto refused = rig.ask(request::ApplyProfile{real});
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().text,
-              "bus.name changes between the simulated mount and a real one: press Reconnect, or start Boresight again");
+              "The bus cannot change between simulated and real while the mount is connected. Press Reconnect, or "
+              "restart Boresight.");
     EXPECT_FALSE(rig.saved);
     EXPECT_TRUE(rig.ask(request::ApplyCalibration{rig.calibration()->proposal->number}));
     EXPECT_EQ(rig.saved->bus, "simulated");
@@ -167,8 +168,8 @@ TEST(StationCalibration, WhatIsFoundIsNotAppliedForAMountThatWaitsForItsReconnec
     const auto refused = rig.ask(request::ApplyCalibration{rig.calibration()->proposal->number});
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().text,
-              "the mount at socketcan:can1 waits for Reconnect, and this was found of the one at socketcan:can0: "
-              "reconnect first");
+              "This calibration belongs to the mount at socketcan:can0, but the bus of the profile is now "
+              "socketcan:can1. Set the bus back, or press Reconnect and calibrate again.");
     EXPECT_EQ(*rig.saved, other);
     other.bus = "socketcan:can0";
     ASSERT_TRUE(rig.ask(request::ApplyProfile{other}));

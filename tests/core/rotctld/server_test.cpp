@@ -373,7 +373,7 @@ TEST(RotctldServer, TellsHowAClientBehaves)
     }
     EXPECT_DOUBLE_EQ(fixture.server->clients().at(0).commandsPerSecond, 2.0);
     EXPECT_FALSE(fixture.server->clients().at(0).lastMotion);
-    fixture.rotator.fault = Error{.code = ErrorCode::Refused, .text = "another client has the lead"};
+    fixture.rotator.fault = Error{.code = ErrorCode::Refused, .text = "another client has control"};
     for (const char* const azimuth : {"10.00", "16.00", "22.00", "28.00"}) {
         EXPECT_EQ(peer->ask("P " + std::string(azimuth) + " 5.00\n"), "RPRT -9\n");
         fixture.elapse(10s);

@@ -160,7 +160,8 @@ TEST(StationRotator, ATargetOutsideTheLimitsIsToldInTheLog)
     ASSERT_TRUE(rig.pointTo(10.0, -20.0));
     const auto lines = rig.log.since(0, 5);
     EXPECT_TRUE(std::ranges::any_of(lines, [](const LogEntry& line) {
-        return line.text.startsWith(QStringLiteral("LIMITED: elevation -20")) && line.severity == Severity::Warning;
+        return line.text.contains(QStringLiteral("because of a limit (elevation -20")) &&
+               line.severity == Severity::Warning;
     }));
 }
 

@@ -101,7 +101,7 @@ TEST_F(AxisSupervisorTest, ASetpointThatIsPutSomewhereElseIsNoMotion)
 TEST_F(AxisSupervisorTest, AnAxisThatGetsFasterAgainstItsCommandIsTheWrongWayWhateverItsDriveReports)
 {
     ticks(50);
-    seen.limit = QStringLiteral("; limit 102 of the drive");
+    seen.limit = QStringLiteral(" (limit 102 of the drive)");
     AngularRate rate;
     for (int i = 0; i < 20 && !stops(Symptom::WrongWay); ++i) {
         rate += 3_deg_s;
@@ -240,7 +240,7 @@ TEST_F(AxisSupervisorTest, ATextIsRenewedWhenAnAxisWasTurnedTwiceAsFar)
     ASSERT_TRUE(found(Symptom::MovesUncommanded));
     EXPECT_EQ(found(Symptom::MovesUncommanded)->weight, Weight::Hint);
     EXPECT_THAT(found(Symptom::MovesUncommanded)->what.toStdString(),
-                ::testing::MatchesRegex("the azimuth has moved by 1[0-5]\\.[0-9]°.*not by us: by its weight.*"));
+                ::testing::MatchesRegex("the azimuth moved by 1[0-5]\\.[0-9]°.*without a command .weight, wind.*"));
 }
 
 // REQ-SUPERVISION-08
@@ -276,7 +276,7 @@ TEST_F(AxisSupervisorTest, BoardAndMotorAreHot)
     seen.motorTemperature = 82.0;
     ticks(2);
     EXPECT_EQ(found(Symptom::BoardHot)->what.toStdString(),
-              "the drive board of the azimuth is at 61 °C; it gives up at 75 °C");
+              "the drive board of the azimuth is at 61 °C and switches off at 75 °C");
     EXPECT_EQ(found(Symptom::MotorHot)->what.toStdString(), "the motor of the azimuth is at 82 °C");
     EXPECT_FALSE(stops(Symptom::BoardHot));
 }

@@ -23,7 +23,7 @@ using testing::UnorderedElementsAre;
 TEST(DriveSurvey, TheReferenceMountIsRightInEveryLine)
 {
     SurveyRig rig;
-    EXPECT_THAT(obstacle(rig.drives), HasSubstr("not been surveyed"));
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("drive check has not run"));
     rig.survey();
     ASSERT_EQ(rig.drives.state(), SurveyState::Done) << rig.drives.progress().toStdString();
     for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
@@ -138,7 +138,7 @@ TEST(DriveSurvey, NoticesAMissingAndAnUnknownBoard)
     SurveyRig rig(pair);
     rig.survey();
     EXPECT_THAT(causes(rig.drives), ElementsAre("drives.missing.elevation", "drives.foreign-board.7"));
-    EXPECT_THAT(obstacle(rig.drives), HasSubstr("nobody answers under id 2"));
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("(id 2) does not answer"));
     EXPECT_EQ(line(rig.drives, Axis::Azimuth, "servo.timeout_mode").found, QStringLiteral("10 (hold)"))
         << "read all the same";
     EXPECT_EQ(line(rig.drives, Axis::Elevation, "servo.timeout_mode").verdict, Verdict::Unread);
@@ -166,7 +166,7 @@ TEST(DriveSurvey, RepeatsItselfWithOneTextAndListsStrangers)
     SurveyRig rig(sim::commissionedPair(), profile);
     rig.survey();
     const QString text = rig.drives.progress();
-    EXPECT_THAT(text.toStdString(), HasSubstr("every 2 seconds"));
+    EXPECT_THAT(text.toStdString(), HasSubstr("every 2 s"));
     for (int i = 0; i < 400; ++i) {
         rig.tick();
         ASSERT_EQ(rig.drives.progress(), text) << i;
@@ -187,7 +187,7 @@ TEST(DriveSurvey, RefusesAnUnknownRegisterMap)
         {.kind = FaultKind::RegisterMap, .axis = Axis::Azimuth, .duration = Seconds(4.0), .value = 6});
     rig.survey();
     EXPECT_THAT(causes(rig.drives), ElementsAre("drives.map.azimuth"));
-    EXPECT_THAT(obstacle(rig.drives), HasSubstr("has the register map 6; only version 5 is known here"));
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("has the register map 6, but Boresight knows only version 5"));
     EXPECT_TRUE(rig.reaches(SurveyState::Done)) << "after other firmware was installed";
 }
 
@@ -200,7 +200,7 @@ TEST(DriveSurvey, RefusesSwappedBoards)
     SurveyRig rig(sim::commissionedPair(), {}, swapped);
     rig.survey();
     EXPECT_THAT(causes(rig.drives), ElementsAre("drives.swapped"));
-    EXPECT_THAT(obstacle(rig.drives), HasSubstr("the board under id 1"));
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("the board with the id 1"));
     rig.drives.setKnownBoards({swapped[1], swapped[0]});
     EXPECT_EQ(obstacle(rig.drives), "");
 }
@@ -267,7 +267,7 @@ TEST(DriveSurvey, ADriveThatFallsSilentEndsTheReadingUntilItIsBack)
     rig.survey();
     EXPECT_EQ(rig.drives.state(), SurveyState::NotDone);
     EXPECT_THAT(causes(rig.drives), ElementsAre("drives.unread.elevation"));
-    EXPECT_THAT(obstacle(rig.drives), HasSubstr("the survey of elevation ended early"));
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("the check of elevation ended early"));
     EXPECT_THAT(obstacle(rig.drives), HasSubstr("drive 2 does not answer on its console"));
     EXPECT_TRUE(rig.reaches(SurveyState::Done));
     EXPECT_EQ(obstacle(rig.drives), "");
@@ -282,7 +282,7 @@ TEST(DriveSurvey, ForgettingLeavesNothingKnown)
     EXPECT_EQ(rig.drives.state(), SurveyState::NotDone);
     EXPECT_FALSE(rig.drives.facts(Axis::Azimuth));
     EXPECT_EQ(line(rig.drives, Axis::Azimuth, "servo.timeout_mode").verdict, Verdict::Unread);
-    EXPECT_THAT(obstacle(rig.drives), HasSubstr("not been surveyed"));
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("drive check has not run"));
     rig.sent.clear();
     rig.run(Seconds(5.0));
     EXPECT_THAT(rig.sent, IsEmpty()) << "silent until begin()";
@@ -359,7 +359,7 @@ TEST(DriveSurvey, SaysWhatItDoes)
     rig.drives.begin(rig.now());
     rig.tick();
     EXPECT_EQ(rig.drives.progress(), QStringLiteral("looking for the drives"));
-    EXPECT_THAT(obstacle(rig.drives), HasSubstr("being surveyed"));
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("drive check is running"));
     rig.run(Seconds(1.8));
     EXPECT_THAT(rig.drives.progress().toStdString(),
                 testing::MatchesRegex("reading .* of azimuth, reading .* of elevation"));

@@ -17,7 +17,7 @@ TEST(SensorWatch, APersistentDifferenceIsAmberWithItsLikelyCauses)
     rig.heading = 130_deg;
     rig.run(3.0);
     EXPECT_THAT(rig.alarmText(), HasSubstr("differ by 30.0° in azimuth"));
-    EXPECT_THAT(rig.alarmText(), HasSubstr("Nothing is moved because of it"));
+    EXPECT_THAT(rig.alarmText(), HasSubstr("Pointing is unchanged"));
     EXPECT_THAT(rig.alarmText(), HasSubstr("iron near the compass"));
     EXPECT_TRUE(rig.watch.status().disagrees);
     rig.heading = 100_deg;
@@ -101,10 +101,11 @@ TEST(SensorWatch, BeforeNorthIsFoundADifferenceInAzimuthOnlyShowsTheWay)
     const std::vector<Alarm> shown = rig.alarms.list();
     ASSERT_EQ(shown.size(), 1U);
     EXPECT_EQ(shown[0].severity, Severity::Advisory);
-    EXPECT_THAT(shown[0].what.toStdString(), HasSubstr("No north is set in the profile"));
+    EXPECT_THAT(shown[0].what.toStdString(), HasSubstr("North is not set"));
     EXPECT_THAT(shown[0].what.toStdString(), HasSubstr("37.4° in azimuth"));
     EXPECT_THAT(shown[0].remedy.toStdString(), HasSubstr("panel North"));
-    EXPECT_THAT(shown[0].remedy.toStdString(), HasSubstr("a coupling slips")) << "the axis' zero may be north";
+    EXPECT_THAT(shown[0].remedy.toStdString(), HasSubstr("check sensor mounting and coupling"))
+        << "the axis' zero may be north";
     EXPECT_FALSE(rig.watch.status().disagrees);
 
     rig.elevation = 45_deg;  // gravity knows no north

@@ -68,7 +68,7 @@ TEST(SensorWatch, AFirstWordIsWaitedForTenSeconds)
     rig.run(9.9);
     EXPECT_EQ(rig.alarmText(), "");
     rig.run(0.2);
-    EXPECT_THAT(rig.alarmText(), HasSubstr("Nothing is heard of the orientation sensor"));
+    EXPECT_THAT(rig.alarmText(), HasSubstr("No data from the orientation sensor"));
 }
 
 TEST(SensorWatch, ADeadOneIsToldAsThat)
@@ -83,7 +83,7 @@ TEST(SensorWatch, ADeadOneIsToldAsThat)
     rig.watch.take(dead);
     rig.speaking = false;
     rig.run(0.1);
-    EXPECT_THAT(rig.alarmText(), HasSubstr("nothing but zeros"));
+    EXPECT_THAT(rig.alarmText(), HasSubstr("only zeros"));
     EXPECT_FALSE(rig.watch.status().direction);
     EXPECT_EQ(rig.watch.evidence(), SensorEvidence());
 }

@@ -181,7 +181,7 @@ TEST(StationSensor, ADisturbanceThatGoesWithTheMotorsCurrentIsToldAsThat)
             told += remedies();
         }
     }
-    EXPECT_THAT(told, HasSubstr("It is correlated with the motors' current: 1")) << strongest << " A";
+    EXPECT_THAT(told, HasSubstr("It follows the motor current, 1")) << strongest << " A";
     EXPECT_EQ(*rig.station->status().profile, before);
     EXPECT_NEAR(rig.station->status().actual->azimuth.degrees(), 0.0, 0.1);
 }
@@ -192,14 +192,14 @@ TEST(StationSensor, ASensorThatFailsIsAWarningAndThePointingGoesOn)
     rig.run(kSurvey);
     rig.mount->sensor.setFault(sim::SensorFault::Silent);
     rig.run(6.0);
-    EXPECT_THAT(rig.alarms(), HasSubstr("Nothing is heard of the orientation sensor (simulated)"));
+    EXPECT_THAT(rig.alarms(), HasSubstr("No data from the orientation sensor (simulated)"));
     EXPECT_EQ(rig.sensor().presence, Presence::Lost);
     ASSERT_TRUE(rig.ask(request::PointAxes{{20_deg, 30_deg}}));
     rig.run(10.0);
     EXPECT_NEAR(rig.station->status().actual->azimuth.degrees(), 20.0, 0.1);
     rig.mount->sensor.setFault(sim::SensorFault::Dead);
     rig.run(3.0);
-    EXPECT_THAT(rig.alarms(), HasSubstr("nothing but zeros"));
+    EXPECT_THAT(rig.alarms(), HasSubstr("only zeros"));
     rig.mount->sensor.setFault(sim::SensorFault::None);
     rig.run(3.0);
     EXPECT_EQ(rig.alarms(), "");

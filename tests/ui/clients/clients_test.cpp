@@ -200,7 +200,7 @@ TEST_F(ClientsPanelTest, WhoIsLockedOutCanNotBeGivenControl)
     select(1);
     EXPECT_TRUE(named<QPushButton>("Give control")
                     ->toolTip()
-                    .endsWith(QStringLiteral("the mount is locked to 10.0.0.77: unlock it first")));
+                    .endsWith(QStringLiteral("The mount is locked to 10.0.0.77. Unlock it first.")));
     choose(QStringLiteral("First"));
     ASSERT_EQ(asked<request::ApplyProfile>().size(), 1U);
     EXPECT_EQ(asked<request::ApplyProfile>()[0].profile.rotctld.lead, profile::Lead::First);

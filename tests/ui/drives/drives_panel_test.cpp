@@ -126,11 +126,11 @@ TEST_F(DrivesTest, TheBusIsReleasedAndTakenBackByOneButton)
     EXPECT_EQ(text("Reason of the state"), QStringLiteral("bus released to other tools"));
     EXPECT_EQ(text("Station state"), QStringLiteral("DISCONNECTED"));
     EXPECT_NE(named<ValueLabel>("Station state")->tone(), Tone::Alarm) << "the operator wanted it";
-    expectBlocked("Go", "the bus is left to other tools");
+    expectBlocked("Go", "The bus is released to other tools");
     click("Take bus back");
     EXPECT_EQ(asked<request::TakeBus>().size(), 1u);
     give(samples::update(samples::tracking(100)));
-    expectBlocked("Release bus", "the mount moves");
+    expectBlocked("Release bus", "The mount moves");
 }
 
 // REQ-UI-11
@@ -201,9 +201,9 @@ TEST_F(DrivesTest, EachAxisShowsItsLastProofWithTheDate)
 TEST_F(DrivesTest, NoProofWhileTheMountMovesOrATurnIsUnknown)
 {
     give(samples::update(samples::tracking(100)));
-    expectBlocked("Run (both axes) …", "the mount moves");
+    expectBlocked("Run (both axes) …", "The mount moves");
     give(samples::update(samples::asking(Axis::Elevation, 3, 30_deg, false)));
-    expectBlocked("Run (both axes) …", "on which turn the axis of the elevation drive stands");
+    expectBlocked("Run (both axes) …", "The cable wrap of the elevation drive is unknown");
 }
 
 // REQ-UI-12: Nothing is offered that the drives, an unknown wrap or a released bus forbid, and the reason is shown.

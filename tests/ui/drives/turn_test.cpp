@@ -315,8 +315,7 @@ TEST_F(TurnTest, GoToIsDisabledAndJoggingIsSlow)
     give(samples::update(fewPlaces()));
     for (const char* const name : {"Go", "Home", "Park", "Go here"}) {
         EXPECT_FALSE(named<CommandButton>(name)->isEnabled()) << name;
-        EXPECT_TRUE(
-            named<CommandButton>(name)->toolTip().contains(QLatin1String("on which turn the axis of the azimuth")));
+        EXPECT_TRUE(named<CommandButton>(name)->toolTip().contains(QLatin1String("The cable wrap of the azimuth")));
     }
     panels().setCurrentIndex(0);
     auto* const rate = named<QAbstractSlider>("Jog rate");
@@ -346,7 +345,7 @@ TEST_F(TurnTest, AStepIsAPointingAndNotOfferedOnAnUnknownTurn)
     pad->setStepMode(true);
     give(samples::update(fewPlaces()));
     EXPECT_FALSE(right->isEnabled());
-    EXPECT_TRUE(right->toolTip().contains(QStringLiteral("on which turn the axis of the azimuth drive stands")))
+    EXPECT_TRUE(right->toolTip().contains(QStringLiteral("The cable wrap of the azimuth drive is unknown")))
         << right->toolTip().toStdString();
     give(samples::update(samples::idle()));
     EXPECT_TRUE(right->isEnabled());

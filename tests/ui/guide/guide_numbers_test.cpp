@@ -206,7 +206,7 @@ TEST_F(GuideTest, AZeroNeedsAKnownTurn)
     give(samples::update(samples::asking(Axis::Azimuth, 3, 180_deg, true)));
     open<GuideNorth>(GuideStep::North);
     EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled());
-    EXPECT_TRUE(inGuide<QPushButton>("Set north").toolTip().contains(QStringLiteral("turn")));
+    EXPECT_TRUE(inGuide<QPushButton>("Set north").toolTip().contains(QStringLiteral("wrap")));
 }
 
 TEST_F(GuideTest, SiteAndLocatorFollowEachOther)

@@ -144,7 +144,7 @@ TEST_F(GuideTest, NothingIsSetForAMountThatWaitsForItsReconnect)
     open<GuideDirections>(GuideStep::Directions);
     const auto& swap = inGuide<QPushButton>("The other axis moved:\nswap the motors");
     EXPECT_FALSE(swap.isEnabled());
-    EXPECT_TRUE(swap.toolTip().contains(QStringLiteral("the mount at socketcan:can0 waits for Reconnect")))
+    EXPECT_TRUE(swap.toolTip().contains(QStringLiteral("the bus socketcan:can0 is not in force yet")))
         << swap.toolTip().toStdString();
 }
 
@@ -257,7 +257,7 @@ TEST_F(GuideTest, ChangesThatWaitOnAnotherPanelAreNotAppliedWithIt)
     open<GuideDirections>(GuideStep::Directions);
     const auto& swap = inGuide<QPushButton>("The other axis moved:\nswap the motors");
     EXPECT_FALSE(swap.isEnabled());
-    EXPECT_TRUE(swap.toolTip().contains(QStringLiteral("another panel")));
+    EXPECT_TRUE(swap.toolTip().contains(QStringLiteral("Another panel")));
 }
 
 // REQ-UI-34 (GuideProgressText.*)

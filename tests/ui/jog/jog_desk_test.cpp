@@ -148,7 +148,7 @@ TEST_F(JogDeskTest, ATrimIsShownByTheReadoutsInEveryPanelAndCleared)
 TEST_F(JogDeskTest, AWoundCableIsUnwoundByOneClick)
 {
     EXPECT_FALSE(named<CommandButton>("Unwind")->isEnabled());
-    EXPECT_TRUE(named<CommandButton>("Unwind")->toolTip().contains(QStringLiteral("can not be wound less")));
+    EXPECT_TRUE(named<CommandButton>("Unwind")->toolTip().contains(QStringLiteral("already wound least")));
     StationStatus status = holding();
     status.permissions = samples::permitted();
     give(samples::update(status));

@@ -283,7 +283,7 @@ TEST_F(JogTest, AtALimitOnlyTheWayBackIsOffered)
 TEST_F(JogTest, WhatCannotActSaysWhy)
 {
     const std::pair<StationStatus, const char*> cases[] = {{samples::stopped(), "STOP is latched"},
-                                                           {samples::faulted(), "re-arm first"},
+                                                           {samples::faulted(), "Re-arm first"},
                                                            {samples::disconnected(), "no reply"}};
     for (const auto& [status, reason] : cases) {
         give(samples::update(status));

@@ -59,7 +59,7 @@ protected:
 TEST_F(ProfileChangeTest, NothingIsChangedOfAMountThatWaitsForReconnect)
 {
     applyBus("socketcan:can0");
-    EXPECT_TRUE(whyNotReverse().contains(QStringLiteral("socketcan:can0 waits for Reconnect")))
+    EXPECT_TRUE(whyNotReverse().contains(QStringLiteral("socketcan:can0 is not in force yet")))
         << whyNotReverse().toStdString();
 }
 

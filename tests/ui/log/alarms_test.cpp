@@ -70,12 +70,11 @@ TEST_F(AlarmsTest, SaysWhatHappenedWhatWasDoneAndWhatToDo)
               QStringLiteral("2026-11-21 17:05:52.000Z, active, not acknowledged\n"
                              "■ Azimuth drive fault 38: The board (75 °C by default) or the motor is too hot. "
                              "Likely: Too much torque for too long, or too little cooling.\n"
-                             "Boresight: The drive switched its output off; the other axis holds if its drive "
-                             "can.\n"
-                             "To do: Let it cool down; lower the torque or improve cooling, then re-arm."))
+                             "Boresight: The output of the drive is off. The other axis holds if its drive can.\n"
+                             "To do: Let it cool down. Lower the torque or improve the cooling, then re-arm."))
         << "the worst is read without a click";
     clickRow(1);
-    EXPECT_TRUE(reading().contains(QStringLiteral("Boresight: The drive gives less than it was asked for.")));
+    EXPECT_TRUE(reading().contains(QStringLiteral("Boresight: The drive gives less than Boresight commands.")));
 }
 
 // REQ-UI-28

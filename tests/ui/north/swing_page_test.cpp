@@ -210,7 +210,8 @@ TEST_F(NorthPagesTest, TheDeclinationIsToldWithItsModelAndWhatIsWrongWithIt)
     EXPECT_TRUE(line.text().endsWith(QStringLiteral("(WMM-2025, 2025.0 to 2030.0)"))) << line.text().toStdString();
     EXPECT_EQ(Tone::Secondary, line.tone());
     EXPECT_FALSE(line.isElided());
-    status.sensor.declinationDoubt = QStringLiteral("the magnetic model WMM-2025 ends with 2030.00");
+    status.sensor.declinationDoubt =
+        QStringLiteral("The magnetic model WMM-2025 ends with 2030.00. Look for the next one.");
     show(CalibrationStep::Sensor, status);
     EXPECT_TRUE(line.text().contains(QStringLiteral("ends with 2030")));
     EXPECT_EQ(Tone::Warning, line.tone());

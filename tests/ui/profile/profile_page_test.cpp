@@ -163,7 +163,7 @@ TEST_F(ProfilePageTest, NothingIsSwitchedInMotionNorOverEdits)
 {
     choose("Field");
     give(samples::update(withProfile(roof, samples::tracking(10))));
-    EXPECT_TRUE(named<CommandButton>("Switch …")->toolTip().contains(QStringLiteral("the mount moves")));
+    EXPECT_TRUE(named<CommandButton>("Switch …")->toolTip().contains(QStringLiteral("The mount moves")));
     put(roof);
     EXPECT_TRUE(named<CommandButton>("Switch …")->isEnabled());
     edit("azimuth.max_speed", "8");

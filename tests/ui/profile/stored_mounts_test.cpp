@@ -135,7 +135,7 @@ TEST_F(ProfilePageTest, AFileOfTheSimulatedMountDoesNotReplaceARealOnes)
     ASSERT_TRUE(profile::saveProfile(tried, file));
     fromMenu("Import …");
     chooseFile(file);
-    EXPECT_TRUE(says("names no bus of a real mount"));
+    EXPECT_TRUE(says("is a profile of the simulated mount"));
     EXPECT_FALSE(page().isAsking());
     EXPECT_EQ(*profile::loadProfile(fieldFile), field);
 }

@@ -110,7 +110,7 @@ TEST_F(WindowTest, ASilentStationAgesTheScreenByItself)
     EXPECT_TRUE(QTest::qWaitFor([this] { return text("Detail of azimuth") == QLatin1String("age 1.0 s"); }));
     clock.advance(Seconds(1.5));
     EXPECT_TRUE(QTest::qWaitFor([this] { return text("State of azimuth") == QLatin1String("NO DATA"); }));
-    EXPECT_TRUE(text("Worst alarm").contains(QLatin1String("No word from the station for 2.5 s")));
+    EXPECT_TRUE(text("Worst alarm").contains(QLatin1String("No status from the station for 2.5 s")));
     give(samples::update(samples::tracking(100)));
     EXPECT_EQ(text("State of azimuth"), QStringLiteral("MOVING"));
     EXPECT_EQ(text("Worst alarm"), QStringLiteral("No alarm"));
@@ -232,7 +232,7 @@ TEST_F(WindowTest, AlarmsAreShownAcknowledgedAndFaultsReArmed)
     EXPECT_LT(text("Worst alarm").indexOf(QLatin1String("2 unacknowledged")),
               text("Worst alarm").indexOf(QLatin1String("fault 38")))
         << "a long text must not push the count out of the line";
-    EXPECT_TRUE(text("What was done and what to do").startsWith(QLatin1String("The drive switched its output off")));
+    EXPECT_TRUE(text("What was done and what to do").startsWith(QLatin1String("The output of the drive is off")));
     QTest::keyClick(&window, Qt::Key_F8);
     EXPECT_EQ(asked<request::AcknowledgeAlarms>().size(), 1u);
     QTest::mouseClick(named<CommandButton>("Re-arm"), Qt::LeftButton);
