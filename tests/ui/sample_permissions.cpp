@@ -155,10 +155,10 @@ QString noFix(const StationStatus& status)
                    : QStringLiteral(
                          "Fix has nothing to write. Change the marked settings by hand, as each line explains");
     }
-    return drivesOf(status).switchedOn ? QStringLiteral(
-                                             "the azimuth drive is switched on: support the elevation, "
-                                             "switch the drives off")
-                                       : QString();
+    return drivesOf(status).switchedOn
+               ? QStringLiteral(
+                     "The azimuth drive is switched on. Support the elevation and switch the drives off first.")
+               : QString();
 }
 
 void judgeDrives(StationStatus& status)

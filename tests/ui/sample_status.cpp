@@ -329,7 +329,7 @@ StationStatus fighting()
         .commandsPerSecond = 1.3,
         .driving = true,
         .leading = true,
-        .advice = QStringLiteral("this Gpredict updates only every 10°: set Threshold to 0.1 in its Antenna Control")};
+        .advice = QStringLiteral("This Gpredict updates only every 10°. Set Threshold to 0.1 in its Antenna Control.")};
     status.clients[1] = {.id = 2,
                          .address = QStringLiteral("192.168.100.109:50112"),
                          .program = QStringLiteral("CQRLOG"),
