@@ -48,7 +48,7 @@ Result<CrashStopProof> CrashStopProof::prepare(AngularRate rate, const AxisPosit
             return boresight::failure(
                 ErrorCode::Refused,
                 Text::tr(
-                    "not enough room for a crash stop of the %1 at %2°/s: move it away from both ends of its travel")
+                    "Not enough room for a crash stop of the %1 at %2°/s. Move it away from both ends of its travel.")
                     .arg(nameOf(axis), toQString(formatFixed(rate.degrees(), 1))));
         }
     }
@@ -123,7 +123,7 @@ CrashStopProof::Action CrashStopProof::watchStop(SteadyTime now)
         return Action::Recover;
     }
     if (now - *m_phaseSince > kPatience) {
-        m_failure = Text::tr("the %1 did not stop within %2 s without orders: look at its time-out mode")
+        m_failure = Text::tr("The %1 did not stop within %2 s without commands. Check its time-out mode.")
                         .arg(nameOf(m_axis))
                         .arg(kPatience.count());
         enter(Phase::Recovering, now);

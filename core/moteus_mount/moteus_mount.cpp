@@ -62,7 +62,7 @@ void MoteusMount::framesSent()
 
 void MoteusMount::driveRestarted(Axis axis)
 {
-    m_log.add(Severity::Warning, name(axis), Text::tr("was power-cycled: its turn must be judged anew"));
+    m_log.add(Severity::Warning, name(axis), Text::tr("was power-cycled, so its cable wrap is judged again"));
     m_turnWatch.forget(axis);
     m_restarted = true;
 }
@@ -311,9 +311,9 @@ Result<> MoteusMount::mayBeWritten() const
 {
     for (const Axis axis : kAxes) {
         if (isSwitchedOn(m_drives.drive(axis))) {
-            return failure(
-                ErrorCode::Refused,
-                Text::tr("the %1 is switched on: support the elevation, switch the drives off").arg(label(axis)));
+            return failure(ErrorCode::Refused,
+                           Text::tr("The %1 is switched on. Support the elevation and switch the drives off first.")
+                               .arg(label(axis)));
         }
     }
     return {};

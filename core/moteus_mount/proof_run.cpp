@@ -20,7 +20,7 @@ MountService::ProofStep ProofRun::step(SteadyTime now, UtcTime utc)
     Drive& drive = m_drives.drive(axis);
     const auto& place = drive.place();
     if (!place) {
-        end(Text::tr("ended: the drive reports no position any more"));
+        end(Text::tr("ended because the drive no longer reports a position"));
         return {.ended = true};
     }
     const bool settled = drive.phase() == Drive::Phase::Engaged || drive.phase() == Drive::Phase::Listening;

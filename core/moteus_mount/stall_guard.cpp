@@ -56,7 +56,7 @@ void StallGuard::excuseDrives(SteadyTime now)
         }
     }
     m_log.add(Severity::Warning, QStringLiteral("station"),
-              Text::tr("this computer stalled for %1 s; drives may have stopped by their watchdog")
+              Text::tr("this computer stalled for %1 s, and drives may have stopped by their watchdog")
                   .arg(gap.count(), 0, 'f', 2));
 }
 

@@ -170,7 +170,7 @@ void TurnKeeper::becomeKnown(Axis axis, const Drive& drive)
     // While it was asked about, the drive counted from the middle; and its place was written.
     const SteadyTime since = state(axis).phase == Phase::Unjudged ? state(axis).since : m_clock.now();
     state(axis) = {.phase = Phase::Known, .since = since, .homeState = drive.report()->homeState};
-    m_log.add(Severity::Advisory, toQString(drive.name()), Text::tr("the turn of its axis is known"));
+    m_log.add(Severity::Advisory, toQString(drive.name()), Text::tr("position confirmed"));
 }
 
 // Jogged, the axis is not where the journal has it.
@@ -262,7 +262,7 @@ void TurnKeeper::ask(Axis axis, const TurnQuestion& question, const Drive& drive
     state(axis).phase = Phase::Asked;
     state(axis).question = question;
     state(axis).reportedWhenAsked = drive.place()->position;
-    QString text = Text::tr("the turn of the axis is not known: no pointing until the operator has told it");
+    QString text = Text::tr("the cable wrap is unknown, so pointing is blocked until the operator enters the position");
     TurnQuestion told = question;
     addTurning(axis, told);
     for (const QString& line : told.evidence) {
@@ -337,10 +337,10 @@ Result<> TurnKeeper::choose(Axis axis, Angle angle, Drive& drive, const QString&
     const auto asked = question(axis, drive);
     if (!asked) {
         return failure(ErrorCode::Refused,
-                       Text::tr("nobody has asked where the axis of the %1 stands").arg(drive.label()));
+                       Text::tr("Boresight did not ask where the axis of the %1 is.").arg(drive.label()));
     }
     if (!drive.canBeReferenced()) {
-        return failure(ErrorCode::Refused, Text::tr("the drive is busy: try again in a second"));
+        return failure(ErrorCode::Refused, Text::tr("The drive is busy. Try again in a second."));
     }
     Angle place = angle;
     if (!asked->candidates.empty()) {
@@ -361,8 +361,8 @@ Result<> TurnKeeper::choose(Axis axis, Angle angle, Drive& drive, const QString&
     }
     if (drive.report()->mode != moteus::Mode::Stopped && beyondBounds(place, travel, *m_profile)) {
         return failure(ErrorCode::Refused,
-                       Text::tr("%1 is beyond the drive's own bounds, and it would pull the axis to them at once: "
-                                "switch the drives off first (support the elevation)")
+                       Text::tr("%1 is beyond the bounds of the drive, which would pull the axis back at once. Support "
+                                "the elevation and switch the drives off first.")
                            .arg(degreesText(place)));
     }
     settle(axis, place, asked->period, drive, source, Text::tr("chosen"));

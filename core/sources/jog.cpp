@@ -21,7 +21,7 @@ Result<> Jog::ask(const request::Jog& wanted, const Source& by)
 void Jog::step(SteadyTime now)
 {
     if (helm().current().is(Activity::Jogging) && now > m_deadline) {
-        helm().end(Severity::Warning, Text::tr("jog ends: its keep-alive did not come"));
+        helm().end(Severity::Warning, Text::tr("jog ends because its keep-alive did not come"));
     }
 }
 

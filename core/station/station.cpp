@@ -43,7 +43,7 @@ QString advice(const rotctld::ClientInfo& client)
     if (!client.leap || !QString::fromStdString(client.program).startsWith(QLatin1String("Gpredict"))) {
         return {};
     }
-    return Text::tr("this Gpredict updates only every %1°: set Threshold to 0.1 in its Antenna Control")
+    return Text::tr("This Gpredict updates only every %1°. Set Threshold to 0.1 in its Antenna Control.")
         .arg(client.leap->degrees(), 0, 'f', 0);
 }
 
@@ -343,7 +343,7 @@ Result<> Station::mayConnect(const profile::Profile& next) const
 void Station::reconnect(const profile::Profile& next)
 {
     m_log.add(Severity::Advisory, QStringLiteral("operator"),
-              Text::tr("connects anew to the mount \"%1\"").arg(QString::fromStdString(next.mount.name)));
+              Text::tr("reconnects to the mount \"%1\"").arg(QString::fromStdString(next.mount.name)));
     m_next = next;
     m_control.shutDown();
 }

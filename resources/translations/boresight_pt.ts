@@ -2043,16 +2043,8 @@ do eixo</translation>
         <translation>elevação</translation>
     </message>
     <message>
-        <source>not enough room for a crash stop of the %1 at %2°/s: move it away from both ends of its travel</source>
-        <translation>não há espaço para uma parada brusca do eixo de %1 a %2°/s: afaste-o dos dois fins de curso</translation>
-    </message>
-    <message>
         <source>the axis did not reach the speed</source>
         <translation>o eixo não atingiu a velocidade</translation>
-    </message>
-    <message>
-        <source>the %1 did not stop within %2 s without orders: look at its time-out mode</source>
-        <translation>o eixo de %1 não parou em %2 s sem ordens: veja o seu modo de tempo esgotado</translation>
     </message>
     <message>
         <source>its drive did not come back</source>
@@ -2143,10 +2135,6 @@ do eixo</translation>
         <translation>%1 linhas semelhantes omitidas</translation>
     </message>
     <message>
-        <source>this Gpredict updates only every %1°: set Threshold to 0.1 in its Antenna Control</source>
-        <translation>este Gpredict só atualiza a cada %1°: ponha Threshold em 0.1 no seu Antenna Control</translation>
-    </message>
-    <message>
         <source>listening on %1</source>
         <translation>escuta em %1</translation>
     </message>
@@ -2157,10 +2145,6 @@ do eixo</translation>
     <message>
         <source>disconnected by the operator</source>
         <translation>desconectado pelo operador</translation>
-    </message>
-    <message>
-        <source>connects anew to the mount &quot;%1&quot;</source>
-        <translation>conecta-se de novo à montagem &quot;%1&quot;</translation>
     </message>
     <message>
         <source>changes %1 from %2 to %3</source>
@@ -2231,16 +2215,8 @@ do eixo</translation>
         <translation>mover</translation>
     </message>
     <message>
-        <source>is gone: its motion ends</source>
-        <translation>desapareceu: o seu movimento termina</translation>
-    </message>
-    <message>
         <source>no fresh position from the %1</source>
         <translation>sem posição recente do %1</translation>
-    </message>
-    <message>
-        <source>was power-cycled: its turn must be judged anew</source>
-        <translation>foi desligado e ligado: a sua volta tem de ser avaliada de novo</translation>
     </message>
     <message>
         <source>ends the motion: %1</source>
@@ -2287,10 +2263,6 @@ do eixo</translation>
         <translation>os dois acionamentos têm de responder</translation>
     </message>
     <message>
-        <source>the %1 is switched on: support the elevation, switch the drives off</source>
-        <translation>o %1 está ligado: apoie a elevação, desligue os acionamentos</translation>
-    </message>
-    <message>
         <source>a crash stop is proven at %1 to %2°/s</source>
         <translation>uma parada brusca ensaia-se a %1 até %2°/s</translation>
     </message>
@@ -2305,10 +2277,6 @@ do eixo</translation>
     <message>
         <source>ended by the %1</source>
         <translation>terminado por: %1</translation>
-    </message>
-    <message>
-        <source>ended: the drive reports no position any more</source>
-        <translation>terminado: o acionamento já não relata posição</translation>
     </message>
     <message>
         <source>done</source>
@@ -2435,14 +2403,6 @@ do eixo</translation>
         <source>OFF</source>
         <comment>axis state</comment>
         <translation>DESLIGADO</translation>
-    </message>
-    <message>
-        <source>this computer stalled for %1 s; drives may have stopped by their watchdog</source>
-        <translation>este computador ficou bloqueado %1 s; os acionamentos podem ter parado pelo seu watchdog</translation>
-    </message>
-    <message>
-        <source>jog ends: its keep-alive did not come</source>
-        <translation>o movimento manual termina: não chegou o seu sinal de presença</translation>
     </message>
     <message>
         <source>held at %1</source>
@@ -3025,28 +2985,8 @@ do eixo</translation>
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>the turn of its axis is known</source>
-        <translation>a volta do seu eixo é conhecida</translation>
-    </message>
-    <message>
-        <source>the turn of the axis is not known: no pointing until the operator has told it</source>
-        <translation>a volta do eixo é desconhecida: não se aponta até o operador a dizer</translation>
-    </message>
-    <message>
-        <source>nobody has asked where the axis of the %1 stands</source>
-        <translation>ninguém perguntou onde está o eixo do %1</translation>
-    </message>
-    <message>
-        <source>the drive is busy: try again in a second</source>
-        <translation>o acionamento está ocupado: tente de novo dentro de um segundo</translation>
-    </message>
-    <message>
         <source>the drive&apos;s direction contradicts %1: the nearest it can be at is %2 (if that is wrong, another tool has set its position: switch its power off and on)</source>
         <translation>a direção do acionamento contradiz %1: o mais próximo onde pode estar é %2 (se isso está errado, outra ferramenta definiu a sua posição: desligue e ligue a alimentação)</translation>
-    </message>
-    <message>
-        <source>%1 is beyond the drive&apos;s own bounds, and it would pull the axis to them at once: switch the drives off first (support the elevation)</source>
-        <translation>%1 fica fora dos limites do próprio acionamento, e ele puxaria logo o eixo até eles: desligue primeiro os acionamentos (segure a elevação)</translation>
     </message>
     <message>
         <source>chosen</source>
@@ -5760,6 +5700,66 @@ do eixo</translation>
     <message>
         <source>%1 to %2%3</source>
         <translation>%1 a %2%3</translation>
+    </message>
+    <message>
+        <source>Not enough room for a crash stop of the %1 at %2°/s. Move it away from both ends of its travel.</source>
+        <translation>Sem espaço para uma paragem de emergência do %1 a %2°/s. Afaste-o dos dois fins do curso.</translation>
+    </message>
+    <message>
+        <source>The %1 did not stop within %2 s without commands. Check its time-out mode.</source>
+        <translation>O %1 não parou em %2 s sem comandos. Verifique o seu modo de tempo excedido.</translation>
+    </message>
+    <message>
+        <source>was power-cycled, so its cable wrap is judged again</source>
+        <translation>foi desligado e ligado, por isso a volta do cabo é avaliada de novo</translation>
+    </message>
+    <message>
+        <source>The %1 is switched on. Support the elevation and switch the drives off first.</source>
+        <translation>O %1 está ligado. Apoie a elevação e desligue primeiro os acionamentos.</translation>
+    </message>
+    <message>
+        <source>ended because the drive no longer reports a position</source>
+        <translation>terminou porque o acionamento já não comunica posição</translation>
+    </message>
+    <message>
+        <source>this computer stalled for %1 s, and drives may have stopped by their watchdog</source>
+        <translation>este computador parou %1 s, e os acionamentos podem ter parado pelo seu watchdog</translation>
+    </message>
+    <message>
+        <source>position confirmed</source>
+        <translation>posição confirmada</translation>
+    </message>
+    <message>
+        <source>the cable wrap is unknown, so pointing is blocked until the operator enters the position</source>
+        <translation>a volta do cabo é desconhecida, por isso o apontamento está bloqueado até o operador introduzir a posição</translation>
+    </message>
+    <message>
+        <source>Boresight did not ask where the axis of the %1 is.</source>
+        <translation>O Boresight não perguntou onde está o eixo do %1.</translation>
+    </message>
+    <message>
+        <source>The drive is busy. Try again in a second.</source>
+        <translation>O acionamento está ocupado. Tente de novo dentro de um segundo.</translation>
+    </message>
+    <message>
+        <source>%1 is beyond the bounds of the drive, which would pull the axis back at once. Support the elevation and switch the drives off first.</source>
+        <translation>%1 está além dos limites do acionamento, que puxaria logo o eixo de volta. Apoie a elevação e desligue primeiro os acionamentos.</translation>
+    </message>
+    <message>
+        <source>is gone, and its motion ends</source>
+        <translation>foi-se, e o seu movimento termina</translation>
+    </message>
+    <message>
+        <source>jog ends because its keep-alive did not come</source>
+        <translation>o jog termina porque o seu sinal de vida não chegou</translation>
+    </message>
+    <message>
+        <source>This Gpredict updates only every %1°. Set Threshold to 0.1 in its Antenna Control.</source>
+        <translation>Este Gpredict só atualiza a cada %1°. Defina Threshold para 0.1 no seu Antenna Control.</translation>
+    </message>
+    <message>
+        <source>reconnects to the mount &quot;%1&quot;</source>
+        <translation>religa-se à montagem &quot;%1&quot;</translation>
     </message>
 </context>
 <context>

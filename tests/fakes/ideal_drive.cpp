@@ -9,7 +9,8 @@ namespace boresight::fakes {
 std::optional<double> Written::find(moteus::Register reg) const
 {
     // The last one counts.
-    const auto found = std::find_if(m_values.rbegin(), m_values.rend(), [&](const auto& one) { return one.first == reg; });
+    const auto found =
+        std::find_if(m_values.rbegin(), m_values.rend(), [&](const auto& one) { return one.first == reg; });
     return found == m_values.rend() ? std::nullopt : std::optional(found->second);
 }
 
@@ -38,16 +39,26 @@ double IdealDrive::state(moteus::Register reg) const
 {
     using moteus::Register;
     switch (reg) {
-    case Register::Mode: return static_cast<double>(mode);
-    case Register::Position: return falsePlaces.empty() ? position : falsePlaces.front();
-    case Register::Velocity: return velocity.value_or(0.0);
-    case Register::Torque: return torque;
-    case Register::QCurrent: return current;
-    case Register::HomeState: return static_cast<double>(home);
-    case Register::Voltage: return voltage;
-    case Register::Temperature: return temperature;
-    case Register::Fault: return static_cast<double>(fault);
-    default: return 0.0;
+        case Register::Mode:
+            return static_cast<double>(mode);
+        case Register::Position:
+            return falsePlaces.empty() ? position : falsePlaces.front();
+        case Register::Velocity:
+            return velocity.value_or(0.0);
+        case Register::Torque:
+            return torque;
+        case Register::QCurrent:
+            return current;
+        case Register::HomeState:
+            return static_cast<double>(home);
+        case Register::Voltage:
+            return voltage;
+        case Register::Temperature:
+            return temperature;
+        case Register::Fault:
+            return static_cast<double>(fault);
+        default:
+            return 0.0;
     }
 }
 

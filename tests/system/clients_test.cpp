@@ -202,7 +202,7 @@ TEST(ClientsAdvice, AGpredictThatLeapsIsToldWhatToSet)
     GpredictClient coarse(rig.connect(), pass, 5_deg);
     const ClientStatus before = track(coarse, Seconds(-60.0));
     EXPECT_EQ(before.program.toStdString(), "Gpredict or SatDump");
-    EXPECT_TRUE(before.advice.contains(QStringLiteral("set Threshold to 0.1"))) << before.advice.toStdString();
+    EXPECT_TRUE(before.advice.contains(QStringLiteral("Set Threshold to 0.1"))) << before.advice.toStdString();
     EXPECT_NEAR(before.commandsPerSecond, 1.25, 0.5);
     coarse.setThreshold(0.1_deg);
     EXPECT_EQ(track(coarse, Seconds(0.0)).advice.toStdString(), "");

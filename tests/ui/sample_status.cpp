@@ -351,8 +351,8 @@ StationStatus fighting()
         .commandsPerSecond = 1.3,
         .driving = true,
         .leading = true,
-        .advice = QStringLiteral("this Gpredict updates only every 10°: set Threshold to 0.1 in its Antenna Control"),
-        .leadObstacle = QStringLiteral("it has the control")};
+        .advice = QStringLiteral("This Gpredict updates only every 10°. Set Threshold to 0.1 in its Antenna Control."),
+        .leadObstacle = QStringLiteral("it has control")};
     status.clients[1] = {.id = 2,
                          .address = QStringLiteral("192.168.100.109:50112"),
                          .program = QStringLiteral("CQRLOG"),

@@ -258,9 +258,9 @@ void StoredMounts::askOverwrite(const profile::Profile& read, const profile::Sto
                                 const profile::Profile& kept)
 {
     if (profile::namesNoBus(read) && !profile::namesNoBus(kept)) {
-        Q_EMIT failed(
-            tr("This file is a profile of the simulated mount. It cannot replace the profile of a real mount. To import "
-               "it, change mount.name in the file."));
+        Q_EMIT failed(tr(
+            "This file is a profile of the simulated mount. It cannot replace the profile of a real mount. To import "
+            "it, change mount.name in the file."));
         return;
     }
     ask(tr("Overwrite the mount \"%1\"?").arg(nameOf(read)),

@@ -276,7 +276,7 @@ TEST(StationControl, AStallOfThisComputerIsNotSilenceOfTheDrives)
     rig.run(Seconds(0.5));
     EXPECT_EQ(rig.state(), StationState::Slew);
     EXPECT_TRUE(rig.control.status().alarms.empty());
-    EXPECT_EQ(rig.lastLog(), "this computer stalled for 0.42 s; drives may have stopped by their watchdog");
+    EXPECT_EQ(rig.lastLog(), "this computer stalled for 0.42 s, and drives may have stopped by their watchdog");
     rig.azimuth.silent = true;
     rig.run(Seconds(0.3));
     EXPECT_EQ(rig.state(), StationState::Disconnected) << "real silence is noticed as before";

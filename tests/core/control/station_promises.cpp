@@ -243,9 +243,7 @@ void StationPromises::watchFrames(const StationStatus& now)
 
 void StationPromises::watchFrame(Axis axis, const fakes::IdealDrive::Seen& seen, const StationStatus& now)
 {
-    const auto field = [&](Register reg) {
-        return seen.fields.find(reg).value_or(std::nan(""));
-    };
+    const auto field = [&](Register reg) { return seen.fields.find(reg).value_or(std::nan("")); };
     if (seen.mode != moteus::Mode::Position) {
         m_traces[index(axis)].position.reset();
         m_traces[index(axis)].still = AxisTrace{}.still;

@@ -68,7 +68,7 @@ TEST_F(ClientsPanelTest, ShowsWhoIsThereAndWhatEachMayDo)
     EXPECT_EQ(cell(1, ClientModel::Role).toStdString(), "▲ wants to");
     EXPECT_EQ(cell(2, ClientModel::Role).toStdString(), "read-only");
     EXPECT_EQ(cell(2, ClientModel::Program).toStdString(), "unknown");
-    EXPECT_TRUE(text("About the selected client").contains(QStringLiteral("set Threshold to 0.1")));
+    EXPECT_TRUE(text("About the selected client").contains(QStringLiteral("Set Threshold to 0.1")));
     EXPECT_FALSE(named<ValueLabel>("About the selected client")->isElided());
 }
 
