@@ -139,3 +139,5 @@ void HostSearch::endScan(const ScanResult& result)
 }
 
 }  // namespace boresight::app
+
+#include "moc_host_search.cpp"

@@ -59,3 +59,5 @@ void LinkScan::end(const QString& problem)
 }
 
 }  // namespace boresight::app
+
+#include "moc_link_scan.cpp"

@@ -196,3 +196,5 @@ Result<> ProfileSaver::leaveSimulation(const profile::Profile& wanted)
 }
 
 }  // namespace boresight::app
+
+#include "moc_profile_saver.cpp"

@@ -83,3 +83,5 @@ void StationThread::start()
 }
 
 }  // namespace boresight::app
+
+#include "moc_station_thread.cpp"

@@ -71,3 +71,5 @@ UnixSignals::~UnixSignals()
 }
 
 }  // namespace boresight::app
+
+#include "moc_unix_signals.cpp"

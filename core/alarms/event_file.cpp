@@ -169,3 +169,5 @@ void EventFile::finishWriting()
 }
 
 }  // namespace boresight
+
+#include "moc_event_file.cpp"

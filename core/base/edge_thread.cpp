@@ -26,3 +26,5 @@ EdgeThread::~EdgeThread()
 }
 
 }  // namespace boresight
+
+#include "moc_edge_thread.cpp"

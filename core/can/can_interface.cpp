@@ -195,3 +195,5 @@ void KernelCanInterface::readChanges()
 }
 
 }  // namespace boresight::socketcan
+
+#include "moc_can_interface.cpp"

@@ -417,3 +417,5 @@ void FdcanusbLink::lose()
 }
 
 }  // namespace boresight
+
+#include "moc_fdcanusb_link.cpp"

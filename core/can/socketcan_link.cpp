@@ -331,3 +331,5 @@ void SocketCanLink::setStatus(LinkState state, const QString& trouble)
 }
 
 }  // namespace boresight
+
+#include "moc_socketcan_link.cpp"

@@ -25,3 +25,5 @@ Result<> UnusableLink::send(std::span<const CanFrame>)
 }
 
 }  // namespace boresight
+
+#include "moc_unusable_link.cpp"

@@ -231,3 +231,5 @@ Result<> MemoryFile::flush()
 }
 
 }  // namespace boresight::memory
+
+#include "moc_memory_file.cpp"

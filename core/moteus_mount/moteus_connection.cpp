@@ -191,3 +191,5 @@ MountMaker twoMoteus(std::unique_ptr<CanLink> link, const MoteusConnection::Star
 }
 
 }  // namespace boresight
+
+#include "moc_moteus_connection.cpp"

@@ -222,3 +222,5 @@ void BrokerClient::setProblem(const QString& problem)
 }
 
 }  // namespace boresight::mqtt
+
+#include "moc_broker_client.cpp"

@@ -379,3 +379,5 @@ void BrokerSession::end(const Ending& ending)
 }
 
 }  // namespace boresight::mqtt
+
+#include "moc_broker_session.cpp"

@@ -63,3 +63,5 @@ void ClientWorker::report()
 }
 
 }  // namespace boresight::mqtt
+
+#include "moc_client_worker.cpp"

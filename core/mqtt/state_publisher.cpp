@@ -118,3 +118,5 @@ void StatePublisher::show(const PublishedState& state)
 }
 
 }  // namespace boresight::mqtt
+
+#include "moc_state_publisher.cpp"

@@ -113,3 +113,5 @@ void ThreadedClient::deliver(const ClientReport& report)
 }
 
 }  // namespace boresight::mqtt
+
+#include "moc_threaded_client.cpp"

@@ -160,3 +160,5 @@ const calibration::CalibrationRecord& CalibrationFile::redo()
 }
 
 }  // namespace boresight
+
+#include "moc_calibration_file.cpp"

@@ -185,3 +185,5 @@ void MqttSource::show(bool open, const QString& problem)
 }
 
 }  // namespace boresight::orientation
+
+#include "moc_mqtt_source.cpp"

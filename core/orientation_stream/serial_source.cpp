@@ -235,3 +235,5 @@ void SerialSource::show(bool open, const QString& problem)
 }
 
 }  // namespace boresight::orientation
+
+#include "moc_serial_source.cpp"

@@ -181,3 +181,5 @@ void PowerLine::take(std::string_view line)
 }
 
 }  // namespace boresight::power
+
+#include "moc_power_line.cpp"

@@ -52,3 +52,5 @@ void ThreadedLine::take(const LineReport& report)
 }
 
 }  // namespace boresight::power
+
+#include "moc_threaded_line.cpp"

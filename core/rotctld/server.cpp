@@ -447,3 +447,5 @@ void Server::housekeep()
 }
 
 }  // namespace boresight::rotctld
+
+#include "moc_server.cpp"

@@ -47,3 +47,5 @@ void CanServer::sendDue()
 }
 
 }  // namespace boresight::sim
+
+#include "moc_can_server.cpp"

@@ -100,3 +100,5 @@ void PtyServer::answerDue()
 }
 
 }  // namespace boresight::sim
+
+#include "moc_pty_server.cpp"

@@ -134,3 +134,5 @@ void SimulatedLink::schedule()
 }
 
 }  // namespace boresight
+
+#include "moc_simulated_link.cpp"

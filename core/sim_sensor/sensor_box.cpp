@@ -53,3 +53,5 @@ std::optional<SensorMessage> readOn(SimulatedPair& pair, SteadyTime epoch, const
 }
 
 }  // namespace boresight::sim
+
+#include "moc_sensor_box.cpp"

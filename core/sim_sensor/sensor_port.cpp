@@ -29,3 +29,5 @@ void SensorPort::write(const SensorMessage& message) const
 }
 
 }  // namespace boresight::sim
+
+#include "moc_sensor_port.cpp"

@@ -35,3 +35,5 @@ bool SensorPublisher::send(const QString& name, const SensorMessage& message, To
 }
 
 }  // namespace boresight::sim
+
+#include "moc_sensor_publisher.cpp"

@@ -48,3 +48,5 @@ void SimulatedSource::setOpen(bool open)
 }
 
 }  // namespace boresight
+
+#include "moc_simulated_source.cpp"

@@ -22,3 +22,5 @@ MountMaker simpleRotator(std::shared_ptr<SimpleBox> box, const SimpleMount::Axes
 }
 
 }  // namespace boresight
+
+#include "moc_simple_connection.cpp"

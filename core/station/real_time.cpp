@@ -139,3 +139,5 @@ QString RealTime::text() const
 }
 
 }  // namespace boresight
+
+#include "moc_real_time.cpp"

@@ -457,3 +457,5 @@ std::vector<ClientStatus> Station::clients() const
 }
 
 }  // namespace boresight
+
+#include "moc_station.cpp"

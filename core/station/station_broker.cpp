@@ -176,3 +176,5 @@ BrokerStatus StationBroker::status() const
 }
 
 }  // namespace boresight
+
+#include "moc_station_broker.cpp"

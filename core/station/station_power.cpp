@@ -60,3 +60,5 @@ power::LineStatus StationPower::tick()
 }
 
 }  // namespace boresight
+
+#include "moc_station_power.cpp"

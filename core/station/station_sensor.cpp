@@ -143,3 +143,5 @@ void StationSensor::takeModel()
 }
 
 }  // namespace boresight
+
+#include "moc_station_sensor.cpp"

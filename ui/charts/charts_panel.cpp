@@ -45,3 +45,5 @@ void ChartsPanel::takeBack()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_charts_panel.cpp"

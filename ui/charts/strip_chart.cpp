@@ -236,3 +236,5 @@ void StripChart::leaveEvent(QEvent*)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_strip_chart.cpp"

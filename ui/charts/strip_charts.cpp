@@ -339,3 +339,5 @@ void StripCharts::paintEvent(QPaintEvent*)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_strip_charts.cpp"

@@ -98,3 +98,5 @@ void TimeAxis::paintEvent(QPaintEvent*)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_time_axis.cpp"

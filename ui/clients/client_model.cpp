@@ -103,3 +103,5 @@ QVariant ClientModel::data(const QModelIndex& index, int role) const
 }
 
 }  // namespace boresight::ui
+
+#include "moc_client_model.cpp"

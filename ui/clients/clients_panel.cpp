@@ -316,3 +316,5 @@ void ClientsPanel::copySettings() const
 }
 
 }  // namespace boresight::ui
+
+#include "moc_clients_panel.cpp"

@@ -74,3 +74,5 @@ void LeadPrompt::showStatus(const StationStatus& status)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_lead_prompt.cpp"

@@ -278,3 +278,5 @@ void DrivesPanel::prove()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_drives_panel.cpp"

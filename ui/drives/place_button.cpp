@@ -44,3 +44,5 @@ void PlaceButton::paintEvent(QPaintEvent*)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_place_button.cpp"

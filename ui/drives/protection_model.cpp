@@ -315,3 +315,5 @@ QVariant ProtectionModel::data(const QModelIndex& index, int role) const
 }
 
 }  // namespace boresight::ui
+
+#include "moc_protection_model.cpp"

@@ -142,3 +142,5 @@ void ProtectionPanel::switchOff()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_protection_panel.cpp"

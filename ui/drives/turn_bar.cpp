@@ -98,3 +98,5 @@ void TurnBar::paintEvent(QPaintEvent*)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_turn_bar.cpp"

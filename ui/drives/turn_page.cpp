@@ -224,3 +224,5 @@ void TurnPage::answer()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_turn_page.cpp"

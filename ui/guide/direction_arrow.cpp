@@ -99,3 +99,5 @@ void DirectionArrow::paintEvent(QPaintEvent* /*event*/)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_direction_arrow.cpp"

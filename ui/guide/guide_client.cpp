@@ -75,3 +75,5 @@ void GuideClient::copy()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_guide_client.cpp"

@@ -253,3 +253,5 @@ void GuideConnect::use()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_guide_connect.cpp"

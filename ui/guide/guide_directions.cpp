@@ -165,3 +165,5 @@ void GuideDirections::reverse(Axis axis)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_guide_directions.cpp"

@@ -234,3 +234,5 @@ void GuideNorth::showEffect()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_guide_north.cpp"

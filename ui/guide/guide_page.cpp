@@ -297,3 +297,5 @@ void GuidePage::showHint()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_guide_page.cpp"

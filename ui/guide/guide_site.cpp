@@ -248,3 +248,5 @@ void GuideSite::showButton()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_guide_site.cpp"

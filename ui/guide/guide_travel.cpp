@@ -154,3 +154,5 @@ ProfileChange::Edit GuideTravel::edit() const
 }
 
 }  // namespace boresight::ui
+
+#include "moc_guide_travel.cpp"

@@ -142,3 +142,5 @@ void GuideZero::set()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_guide_zero.cpp"

@@ -77,3 +77,5 @@ void StepButton::paintEvent(QPaintEvent* /*event*/)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_step_button.cpp"

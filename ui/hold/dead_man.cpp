@@ -91,3 +91,5 @@ void DeadMan::repeat()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_dead_man.cpp"

@@ -77,3 +77,5 @@ void HoldButtons::letGoAll()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_hold_buttons.cpp"

@@ -141,3 +141,5 @@ void JogButton::keyReleaseEvent(QKeyEvent* event)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_jog_button.cpp"

@@ -370,3 +370,5 @@ void JogPad::paintEvent(QPaintEvent*)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_jog_pad.cpp"

@@ -44,3 +44,5 @@ void UnwindButtons::setAxis(Axis axis)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_unwind_buttons.cpp"

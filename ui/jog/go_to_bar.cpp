@@ -154,3 +154,5 @@ void GoToBar::fillIn(int recent)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_go_to_bar.cpp"

@@ -114,3 +114,5 @@ void JogChoices::showRate()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_jog_choices.cpp"

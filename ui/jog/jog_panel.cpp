@@ -167,3 +167,5 @@ void JogPanel::showGamepad(const QString& name)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_jog_panel.cpp"

@@ -160,3 +160,5 @@ void PresetBar::remove()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_preset_bar.cpp"

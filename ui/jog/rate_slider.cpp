@@ -124,3 +124,5 @@ void RateSlider::paintEvent(QPaintEvent*)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_rate_slider.cpp"

@@ -124,3 +124,5 @@ void AskingPanel::hideEvent(QHideEvent* event)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_asking_panel.cpp"

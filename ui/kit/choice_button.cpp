@@ -34,3 +34,5 @@ void ChoiceButton::paintEvent(QPaintEvent* event)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_choice_button.cpp"

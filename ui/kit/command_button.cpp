@@ -82,3 +82,5 @@ QSize CommandButton::sizeHint() const
 }
 
 }  // namespace boresight::ui
+
+#include "moc_command_button.cpp"

@@ -29,3 +29,5 @@ double DecimalBox::valueFromText(const QString& text) const
 }
 
 }  // namespace boresight::ui
+
+#include "moc_decimal_box.cpp"

@@ -14,3 +14,5 @@ FileWorker::~FileWorker()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_file_worker.cpp"

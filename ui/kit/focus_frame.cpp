@@ -63,3 +63,5 @@ void FocusFrame::follow(QWidget* focused)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_focus_frame.cpp"

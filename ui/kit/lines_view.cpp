@@ -195,3 +195,5 @@ void LinesView::save(const QString& path)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_lines_view.cpp"

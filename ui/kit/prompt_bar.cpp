@@ -49,3 +49,5 @@ void PromptBar::setText(const QString& text)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_prompt_bar.cpp"

@@ -38,3 +38,5 @@ void RequestDesk::answer(std::map<std::uint64_t, Waiting>::iterator waiting, con
 }
 
 }  // namespace boresight::ui
+
+#include "moc_request_desk.cpp"

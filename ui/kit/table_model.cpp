@@ -29,3 +29,5 @@ void TableModel::changeCells()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_table_model.cpp"

@@ -34,3 +34,5 @@ void TouchCombo::setLines(const QStringList& lines)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_touch_combo.cpp"

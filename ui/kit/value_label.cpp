@@ -195,3 +195,5 @@ bool ValueLabel::event(QEvent* event)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_value_label.cpp"

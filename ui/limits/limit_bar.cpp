@@ -81,3 +81,5 @@ void LimitBar::paintEvent(QPaintEvent*)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_limit_bar.cpp"

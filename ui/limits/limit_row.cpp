@@ -104,3 +104,5 @@ void LimitRow::showField(QDoubleSpinBox& field, Angle value, Angle TravelRange::
 }
 
 }  // namespace boresight::ui
+
+#include "moc_limit_row.cpp"

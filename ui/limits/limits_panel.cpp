@@ -231,3 +231,5 @@ void LimitsPanel::say(const QString& reason)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_limits_panel.cpp"

@@ -120,3 +120,5 @@ std::string KeepOutModel::key(int row) const
 }
 
 }  // namespace boresight::ui
+
+#include "moc_region_models.cpp"

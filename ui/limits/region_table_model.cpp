@@ -66,3 +66,5 @@ bool RegionTableModel::setData(const QModelIndex& index, const QVariant& value, 
 }
 
 }  // namespace boresight::ui
+
+#include "moc_region_table_model.cpp"

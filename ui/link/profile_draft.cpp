@@ -315,3 +315,5 @@ void ProfileDraft::send(const profile::Profile& profile, Profiles historyThen, Q
 }
 
 }  // namespace boresight::ui
+
+#include "moc_profile_draft.cpp"

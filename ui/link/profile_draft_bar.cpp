@@ -115,3 +115,5 @@ void ProfileDraftBar::showLine()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_profile_draft_bar.cpp"

@@ -189,3 +189,5 @@ bool AlarmOrder::lessThan(const QModelIndex& left, const QModelIndex& right) con
 }
 
 }  // namespace boresight::ui
+
+#include "moc_alarm_model.cpp"

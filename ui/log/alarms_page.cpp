@@ -102,3 +102,5 @@ void AlarmsPage::acknowledgeSelected()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_alarms_page.cpp"

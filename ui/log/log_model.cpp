@@ -120,3 +120,5 @@ QString logLine(const LogEntry& entry)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_log_model.cpp"

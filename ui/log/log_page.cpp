@@ -66,3 +66,5 @@ void LogPage::addText()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_log_page.cpp"

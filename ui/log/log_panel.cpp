@@ -90,3 +90,5 @@ void LogPanel::append(const std::vector<LogEntry>& entries)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_log_panel.cpp"

@@ -154,3 +154,5 @@ void BodyBox::followOrHold()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_body_box.cpp"

@@ -179,3 +179,5 @@ void BodyPage::beat()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_body_page.cpp"

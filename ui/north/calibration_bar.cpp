@@ -81,3 +81,5 @@ void CalibrationBar::showChange(const std::optional<CalibrationProposal>& propos
 }
 
 }  // namespace boresight::ui
+
+#include "moc_calibration_bar.cpp"

@@ -66,3 +66,5 @@ void CalibrationPanel::beat()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_calibration_panel.cpp"

@@ -91,3 +91,5 @@ void CompassDial::paintEvent(QPaintEvent*)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_compass_dial.cpp"

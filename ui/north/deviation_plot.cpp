@@ -197,3 +197,5 @@ void DeviationPlot::paintEvent(QPaintEvent*)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_deviation_plot.cpp"

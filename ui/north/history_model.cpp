@@ -49,3 +49,5 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
 }
 
 }  // namespace boresight::ui
+
+#include "moc_history_model.cpp"

@@ -115,3 +115,5 @@ void HistoryPage::showEntry()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_history_page.cpp"

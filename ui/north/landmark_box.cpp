@@ -95,3 +95,5 @@ void LandmarkBox::take()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_landmark_box.cpp"

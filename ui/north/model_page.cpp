@@ -211,3 +211,5 @@ void ModelPage::drop()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_model_page.cpp"

@@ -92,3 +92,5 @@ QVariant PointModel::data(const QModelIndex& index, int role) const
 }
 
 }  // namespace boresight::ui
+
+#include "moc_point_model.cpp"

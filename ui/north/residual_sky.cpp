@@ -144,3 +144,5 @@ void ResidualSky::paintEvent(QPaintEvent*)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_residual_sky.cpp"

@@ -55,3 +55,5 @@ void RunLine::showProgress(const CalibrationProgress& progress, const QString& o
 }
 
 }  // namespace boresight::ui
+
+#include "moc_run_line.cpp"

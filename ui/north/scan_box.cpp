@@ -193,3 +193,5 @@ void ScanBox::give()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_scan_box.cpp"

@@ -107,3 +107,5 @@ void ScanPlot::paintEvent(QPaintEvent*)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_scan_plot.cpp"

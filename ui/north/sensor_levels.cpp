@@ -103,3 +103,5 @@ void LevelBar::paintEvent(QPaintEvent*)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_sensor_levels.cpp"

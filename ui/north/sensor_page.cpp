@@ -188,3 +188,5 @@ void SensorPage::press()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_sensor_page.cpp"

@@ -144,3 +144,5 @@ void SwingPage::startOrEnd()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_swing_page.cpp"

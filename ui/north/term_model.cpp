@@ -114,3 +114,5 @@ QVariant TermModel::data(const QModelIndex& index, int role) const
 }
 
 }  // namespace boresight::ui
+
+#include "moc_term_model.cpp"

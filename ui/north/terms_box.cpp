@@ -187,3 +187,5 @@ void TermsBox::complain(const QString& reason)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_terms_box.cpp"

@@ -192,3 +192,5 @@ void ProfilePage::warn(const QString& reason)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_profile_page.cpp"

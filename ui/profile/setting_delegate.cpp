@@ -113,3 +113,5 @@ void SettingDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionVi
 }
 
 }  // namespace boresight::ui
+
+#include "moc_setting_delegate.cpp"

@@ -39,3 +39,5 @@ bool SettingFilter::filterAcceptsRow(int row, const QModelIndex& parent) const
 }
 
 }  // namespace boresight::ui
+
+#include "moc_setting_filter.cpp"

@@ -321,3 +321,5 @@ bool SettingTree::setData(const QModelIndex& index, const QVariant& value, int r
 }
 
 }  // namespace boresight::ui
+
+#include "moc_setting_tree.cpp"

@@ -184,3 +184,5 @@ bool SettingsView::eventFilter(QObject* watched, QEvent* event)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_settings_view.cpp"

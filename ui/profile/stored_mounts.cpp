@@ -328,3 +328,5 @@ void StoredMounts::askTakeBack(const profile::StoredProfile& mount, const profil
 }
 
 }  // namespace boresight::ui
+
+#include "moc_stored_mounts.cpp"

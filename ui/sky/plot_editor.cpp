@@ -246,3 +246,5 @@ void PlotEditor::showReadout()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_plot_editor.cpp"

@@ -92,3 +92,5 @@ void PlotTools::save(const QString& path)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_plot_tools.cpp"

@@ -330,3 +330,5 @@ QPointF PolarPlot::qwtPixel(const SkyPointing& direction) const
 }
 
 }  // namespace boresight::ui
+
+#include "moc_polar_plot.cpp"

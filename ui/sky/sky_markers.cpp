@@ -282,3 +282,5 @@ void SkyMarkers::mousePressEvent(QMouseEvent* event)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_sky_markers.cpp"

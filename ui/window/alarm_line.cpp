@@ -150,3 +150,5 @@ void AlarmLine::acknowledge()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_alarm_line.cpp"

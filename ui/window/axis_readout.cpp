@@ -204,3 +204,5 @@ bool AxisReadout::event(QEvent* event)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_axis_readout.cpp"

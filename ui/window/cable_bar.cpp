@@ -111,3 +111,5 @@ void CableBar::paintEvent(QPaintEvent*)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_cable_bar.cpp"

@@ -139,3 +139,5 @@ bool CalibrationBars::event(QEvent* event)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_calibration_bars.cpp"

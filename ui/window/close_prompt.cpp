@@ -46,3 +46,5 @@ void ClosePrompt::withdraw()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_close_prompt.cpp"

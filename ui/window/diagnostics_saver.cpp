@@ -38,3 +38,5 @@ void DiagnosticsSaver::save(const QString& path, const diagnostics::Snapshot& sn
 }
 
 }  // namespace boresight::ui
+
+#include "moc_diagnostics_saver.cpp"

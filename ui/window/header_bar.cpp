@@ -307,3 +307,5 @@ void HeaderBar::setStopRefused()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_header_bar.cpp"

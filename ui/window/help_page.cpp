@@ -133,3 +133,5 @@ QLayout* HelpPage::languageRow(const QString& chosen)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_help_page.cpp"

@@ -457,3 +457,5 @@ void MainWindow::acknowledge()
 }
 
 }  // namespace boresight::ui
+
+#include "moc_main_window.cpp"

@@ -210,3 +210,5 @@ void PanelTabs::showQuestion(const StationStatus& status)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_panel_tabs.cpp"

@@ -85,3 +85,5 @@ void SensorReadout::showStatus(const SensorStatus& sensor)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_sensor_readout.cpp"

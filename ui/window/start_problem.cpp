@@ -11,3 +11,5 @@ StartProblem::StartProblem(const QString& reason, QWidget* parent)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_start_problem.cpp"

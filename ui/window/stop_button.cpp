@@ -84,3 +84,5 @@ void StopButton::paintEvent(QPaintEvent*)
 }
 
 }  // namespace boresight::ui
+
+#include "moc_stop_button.cpp"

@@ -59,3 +59,5 @@ bool StopKeys::isStop(QObject* watched, int key) const
 }
 
 }  // namespace boresight::ui
+
+#include "moc_stop_keys.cpp"
