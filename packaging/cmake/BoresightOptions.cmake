@@ -24,6 +24,11 @@ if(BORESIGHT_SANITIZE)
   target_compile_options(boresight_options INTERFACE
     -fsanitize=${BORESIGHT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
     -fno-sanitize=null,object-size,vptr,pointer-overflow)
+  if(BORESIGHT_SANITIZE MATCHES "address" AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    # To find a use of a local after its function has returned costs a third of the time of all tests. The compiler warns
+    # of most.
+    target_compile_options(boresight_options INTERFACE -fsanitize-address-use-after-return=never)
+  endif()
   target_compile_definitions(boresight_options INTERFACE BORESIGHT_SANITIZED)
   target_link_options(boresight_options INTERFACE -fsanitize=${BORESIGHT_SANITIZE})
   if(BORESIGHT_SANITIZE MATCHES "thread")

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Unit tests find more under the sanitizers and need no second run (README.md, Tests).
-option(BORESIGHT_UNIT_TESTS "Build the tests of single classes, not only those of whole programs and of the window" ON)
+option(BORESIGHT_UNIT_TESTS "Build the tests that the presets with sanitizers run (labels unit and ui), too" ON)
 
 set(BORESIGHT_TEST_RESULTS "${CMAKE_BINARY_DIR}/test-results")  # one XML file of GoogleTest for each test of ctest
 
-# boresight_add_test(NAME LABEL unit|ui|system SOURCES … [LIBRARIES …])
+# boresight_add_test(NAME LABEL unit|ui|system|long SOURCES … [LIBRARIES …])
 # A GoogleTest program, which is one test of ctest: it runs from its first to its last case. LIBRARIES is what is tested,
-# boresight_core if it is not said.
+# boresight_core if it is not said. The label says where it runs, so that nothing runs twice without need:
+#   unit, ui    with the sanitizers: of single classes, and of the window
+#   system      with the sanitizers and in the release build: of whole programs, and of the window before a real station
+#   long        in the release build: its cases take the paths of others again, for hours of simulated time, with other
+#               fonts or in other themes
 #   QT_MAIN     its main() has a QCoreApplication; OWN_MAIN: it brings a main() of its own
 #   SERIAL      it measures real time: nothing else runs beside it
 #   ONE_THREAD  ThreadSanitizer has nothing to find in it, or nothing that another test does not show: left out there
@@ -19,7 +22,8 @@ set(BORESIGHT_TEST_RESULTS "${CMAKE_BINARY_DIR}/test-results")  # one XML file o
 function(boresight_add_test name)
   cmake_parse_arguments(T "QT_MAIN;OWN_MAIN;SERIAL;ONE_THREAD;OPTIMISED;FOLDERS_TOGETHER" "LABEL;TIMEOUT;SHARDS"
     "SOURCES;LIBRARIES;HEADERS" ${ARGN})
-  if((T_ONE_THREAD AND BORESIGHT_SANITIZE MATCHES "thread") OR (T_LABEL STREQUAL "unit" AND NOT BORESIGHT_UNIT_TESTS))
+  if((T_ONE_THREAD AND BORESIGHT_SANITIZE MATCHES "thread") OR (T_LABEL STREQUAL "long" AND BORESIGHT_SANITIZE)
+      OR (T_LABEL MATCHES "unit|ui" AND NOT BORESIGHT_UNIT_TESTS))
     return()
   endif()
   if(NOT T_LIBRARIES)

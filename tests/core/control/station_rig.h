@@ -7,7 +7,7 @@
 #include "tests/fakes/ideal_drive.h"
 #include "tests/fakes/manual_clock.h"
 
-// StationControl with two ideal drives and a hand-turned clock: one tick is 20 ms.
+// StationControl with two ideal drives and a hand-turned clock.
 namespace boresight {
 
 inline const Source kOperator{.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
@@ -16,13 +16,14 @@ inline const Source kOtherClient{.kind = SourceKind::Client, .clientId = 2, .nam
 
 struct StationRig
 {
-    static constexpr Seconds kTick{0.02};
+    static constexpr Seconds kTick{0.02};  // of the default profile
 
     // With drives that were surveyed and found fit, and that stand where they say.
     explicit StationRig(const profile::Profile& settings = {},
                         const TurnKeeper::Start& start = {.trustFirstContact = true},
                         const MakeSources& sources = motionSources)
         : profile(settings),
+          step(1.0 / settings.control.tickHz),
           mount(inForce, clock, log, alarms, start),
           control(inForce, clock, log, alarms, mount, sources)
     {
@@ -55,7 +56,7 @@ struct StationRig
 
     void tick()
     {
-        clock.advance(kTick);
+        clock.advance(step);
         const SteadyTime now = clock.now();
         for (const Axis axis : kAxes) {
             if (mount.needsOrigin(axis)) {
@@ -81,7 +82,7 @@ struct StationRig
 
     void run(Seconds time)
     {
-        for (int i = 0; i < static_cast<int>(time / kTick); ++i) {
+        for (int i = 0; i < static_cast<int>(time / step); ++i) {
             tick();
         }
     }
@@ -91,7 +92,7 @@ struct StationRig
     {
         run(Seconds(0.2));
         constexpr int kBetween = 5;  // a whole status is asked for, which costs as much as a tick
-        for (Seconds left = time; left > Seconds(0.0) && moving(); left -= kBetween * kTick) {
+        for (Seconds left = time; left > Seconds(0.0) && moving(); left -= kBetween * step) {
             for (int i = 0; i < kBetween; ++i) {
                 tick();
             }
@@ -150,6 +151,7 @@ struct StationRig
     }
 
     profile::Profile profile;  // as applied last
+    const Seconds step;        // of the clock in one tick
     profile::InForce inForce{profile};
     fakes::ManualClock clock;
     EventLog log{clock};

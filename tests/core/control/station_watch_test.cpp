@@ -101,8 +101,7 @@ TEST(StationWatch, ABlockedDriveDropsWhatItsIntegratorHasWoundUpUntilItMovesAgai
     EXPECT_TRUE(frames.front().fields.contains(Register::RecapturePositionVelocity));
     EXPECT_FALSE(frames.back().fields.contains(Register::RecapturePositionVelocity)) << "it would creep";
     const auto integral = [](const auto& frame) {
-        const auto found = frame.fields.find(Register::CommandIntegralLimitScale);
-        return found == frame.fields.end() ? 1.0 : found->second;
+        return frame.fields.find(Register::CommandIntegralLimitScale).value_or(1.0);
     };
     EXPECT_TRUE(std::ranges::all_of(frames, [&](const auto& frame) { return integral(frame) == 0.0; }));
     EXPECT_TRUE(std::ranges::all_of(frames, [](const auto& frame) {

@@ -46,6 +46,7 @@ inline profile::Profile calibratedProfile()
     profile.sensor.source = profile::SensorSource::Simulated;
     profile.sensor.latency = Seconds(0.5);
     profile.sensor.averaging = Seconds(0.2);
+    profile.control.tickHz = 20;  // runs last for minutes
     return profile;
 }
 
@@ -84,7 +85,7 @@ public:
     }
     void run(Seconds time)
     {
-        for (int i = 0; i < static_cast<int>(time / kTick); ++i) {
+        for (int i = 0; i < static_cast<int>(time / step); ++i) {
             tick();
         }
     }
@@ -93,7 +94,7 @@ public:
     {
         tick();
         for (Seconds left = longest; left > Seconds(0.0) && desk.status()->progress.run != CalibrationRun::None;
-             left -= kTick) {
+             left -= step) {
             tick();
         }
     }
