@@ -63,7 +63,7 @@ TEST_F(CableEndTest, IsToldAheadThenTheMountTurnsBackAndFollowsOn)
     EXPECT_EQ(end->end, 450_deg);
     EXPECT_NEAR(end->in.count(), 450.0 - 435.0, 5.0);
     ASSERT_TRUE(end->turningBack.has_value());
-    EXPECT_TRUE(rig.logSays(QStringLiteral("turns back by 360°")));
+    EXPECT_TRUE(rig.logSays(QStringLiteral("unwinds 360°")));
 
     stream(rig, 435.0, 90);
     EXPECT_LE(farthest, 450.2) << "the mechanical end is never reached";

@@ -179,7 +179,7 @@ TEST_F(FaultTest, AfterALossOfPowerNothingIsPointedUntilThePositionIsKnown)
     rig.run(Seconds(1.0));
     expectNothingMovesFor(Seconds(4.0), "RPRT -9\n");
     EXPECT_THAT(rig.ask(request::PointAxes{{.azimuth = 230_deg, .elevation = 40_deg}}),
-                ::testing::HasSubstr("not known on which turn"));
+                ::testing::HasSubstr("The cable wrap of the azimuth drive is unknown"));
 
     // A hand on the jog keys moves it, although the drive woke up outside its own position bounds.
     const AxisPosition here = rig.truth();

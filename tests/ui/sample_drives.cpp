@@ -187,7 +187,7 @@ StationStatus proving()
     StationStatus status = idle();
     status.state = StationState::Calibrate;
     status.stateReason = QStringLiteral("crash-stop proof");
-    status.permissions = inMotion(withoutMoves(QStringLiteral("the crash-stop proof moves the mount: end it first")));
+    status.permissions = inMotion(withoutMoves(QStringLiteral("The crash-stop proof moves the mount. End it first.")));
     place(status, {31.4_deg, 20_deg}, {31.45_deg, 20_deg}, {34_deg, 20_deg});
     status.azimuth.state = AxisState::Moving;
     dropTarget(status);

@@ -124,7 +124,7 @@ StationStatus idle()
     status.permissions = permitted();
     status.permissions.refuse(Action::FixDrives, QStringLiteral("every setting is right"));
     status.permissions.refuse(Action::Unwind,
-                              QStringLiteral("in this direction the azimuth cable can not be wound less than it is"));
+                              QStringLiteral("In this direction the azimuth cable is already wound least."));
     status.profile = sampleProfile();
     status.state = StationState::Parked;
     status.stateReason = QStringLiteral("park position reached");
@@ -173,7 +173,7 @@ StationStatus stopped()
     status.state = StationState::Stopped;
     status.stopLatched = true;
     status.stateReason = QStringLiteral("STOP pressed by operator");
-    status.permissions = withoutMotion(QStringLiteral("STOP is latched: reset STOP first"));
+    status.permissions = withoutMotion(QStringLiteral("STOP is latched. Reset STOP first."));
     status.azimuth.state = AxisState::Stopped;
     status.elevation.state = AxisState::Stopped;
     dropTarget(status);
@@ -185,7 +185,7 @@ StationStatus faulted()
     StationStatus status = tracking(240.0);
     status.state = StationState::Fault;
     status.stateReason = QStringLiteral("azimuth drive: over temperature");
-    status.permissions = withoutMotion(QStringLiteral("azimuth drive: over temperature: re-arm first"));
+    status.permissions = withoutMotion(QStringLiteral("azimuth drive: over temperature. Re-arm first."));
     status.azimuth.state = AxisState::Fault;
     status.azimuth.stateText = QStringLiteral("over temperature (38)");
     status.drives->azimuth.registers = QStringLiteral("moteus mode 1, fault 38");
@@ -310,7 +310,7 @@ StationStatus freshMount()
     fresh.mount.directions = profile::Directions::Unconfirmed;
     status.profile = std::make_shared<const profile::Profile>(fresh);
     status.permissions = withoutPointing(
-        QStringLiteral("it is not confirmed yet which way the axes turn: jog each a little and confirm it first"));
+        QStringLiteral("The directions of the axes are not confirmed. Jog each axis a little and confirm them first."));
     status.permissions.fastestJog = profile::kFastestUnconfirmed;
     status.state = StationState::Hold;
     place(status, {10_deg, 20_deg}, {10_deg, 20_deg}, {10_deg, 20_deg});

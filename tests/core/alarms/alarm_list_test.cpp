@@ -74,7 +74,7 @@ TEST(AlarmList, WhatIsDoneAboutItMayChangeWithoutANewAlarm)
     const AlarmEntry& entry = alarmEntry("target.outside");
     EXPECT_TRUE(alarms.raise(entry, Severity::Advisory, {QStringLiteral("elevation -5.0°")}, {}));
     EXPECT_FALSE(alarms.raise(entry, Severity::Advisory, {QStringLiteral("elevation -6.0°")}, {}));
-    EXPECT_TRUE(alarms.list().front().action.endsWith(QStringLiteral("-6.0°.")));
+    EXPECT_TRUE(alarms.list().front().action.endsWith(QStringLiteral("-6.0°).")));
 }
 
 TEST(AlarmList, AlarmsOfOnePlaceTakeEachOthers)

@@ -134,7 +134,7 @@ TEST_F(MemoryFileTest, ASecondProgramIsKeptOutAndToldByWhom)
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::Busy);
     EXPECT_THAT(refused.error().text,
-                StartsWith("memory_test (process " + std::to_string(getpid()) + ") controls this mount already"));
+                StartsWith("memory_file_test (process " + std::to_string(getpid()) + ") controls this mount already"));
     EXPECT_TRUE(MemoryFile(m_dir.path(), QStringLiteral("other")).claim()) << "another mount";
 }
 

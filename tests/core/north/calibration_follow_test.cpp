@@ -60,7 +60,7 @@ TEST(CalibrationFollow, TermsTypedMeanwhileAreRefused)
     typed.pointing.azimuthOffset = 50_deg;
     const auto refused = rig.ask(request::ApplyProfile{typed});
     ASSERT_FALSE(refused);
-    EXPECT_NE(std::string::npos, refused.error().text.find("hold"));
+    EXPECT_NE(std::string::npos, refused.error().text.find("Press Hold"));
     profile::Profile other = rig.profile;
     other.park.elevation = 45_deg;
     EXPECT_TRUE(rig.ask(request::ApplyProfile{other}));  // has nothing to do with north

@@ -34,7 +34,7 @@ void silentSensor(CalibrationRig& rig)
 {
     standing(rig);
     rig.speaks = false;
-    rig.run(Seconds(30.0));
+    rig.run(Seconds(30.5));  // whole seconds are told
 }
 
 void stopped(CalibrationRig& rig)

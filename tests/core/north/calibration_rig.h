@@ -47,6 +47,7 @@ inline profile::Profile calibratedProfile()
     profile.sensor.latency = Seconds(0.5);
     profile.sensor.averaging = Seconds(0.2);
     profile.control.tickHz = 20;  // runs last for minutes
+    profile.control.watchdog = Seconds(0.2);
     return profile;
 }
 

@@ -157,7 +157,7 @@ TEST(CalibrationScan, OneThatIsCutShortLeavesNoBeamBesideTheSun)
     startScan(rig);
     givePowers(rig, 2);
     rig.azimuth.mute = rig.elevation.mute = true;
-    rig.run(Seconds(0.16));
+    rig.run(Seconds(0.1));
     rig.azimuth.mute = rig.elevation.mute = false;
     rig.run(Seconds(3.0));
     if (scans(rig)) {

@@ -80,7 +80,7 @@ TEST(CalibrationSwing, OutlastsAStallOfThisComputer)
     CalibrationRig rig;
     swingHalfWay(rig);
     rig.azimuth.mute = rig.elevation.mute = true;
-    rig.run(Seconds(0.16));
+    rig.run(Seconds(0.1));
     rig.azimuth.mute = rig.elevation.mute = false;
     rig.runOut();
     EXPECT_FALSE(rig.status().progress.failed) << rig.status().progress.outcome.toStdString();

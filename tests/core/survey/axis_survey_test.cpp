@@ -125,7 +125,8 @@ TEST_F(AxisSurveyTest, NothingIsStoredIfOneSettingDoesNotReadBack)
     survey.fix();
     runUntilIdle();
     EXPECT_THAT(drive.heard, Not(Contains("conf write")));
-    EXPECT_THAT(survey.fixTrouble().toStdString(), HasSubstr("servopos.position_max 1.258333 and reads back 0 turns"));
+    EXPECT_THAT(survey.fixTrouble().toStdString(),
+                HasSubstr("servopos.position_max was set to 1.258333 and reads back 0 turns"));
     EXPECT_TRUE(survey.isComplete());
     EXPECT_EQ(line("servopos.position_max").verdict, Verdict::Dangerous) << "as it is now, not as it was told";
     EXPECT_TRUE(survey.isFixable());

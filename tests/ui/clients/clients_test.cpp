@@ -196,7 +196,7 @@ TEST_F(ClientsPanelTest, ARefusedRuleSaysWhyAndLeavesNoEdit)
 
 TEST_F(ClientsPanelTest, WhoIsLockedOutCanNotBeGivenControl)
 {
-    give(with(profile::Lead::Locked, "10.0.0.77", "the mount is locked to 10.0.0.77: unlock it first"));
+    give(with(profile::Lead::Locked, "10.0.0.77", "The mount is locked to 10.0.0.77. Unlock it first."));
     select(1);
     EXPECT_TRUE(named<QPushButton>("Give control")
                     ->toolTip()

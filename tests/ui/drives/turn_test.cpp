@@ -249,7 +249,7 @@ TEST_F(TurnTest, UnwindingEndsWithThePermissionAndWithARefusal)
     auto* const forth = named<QPushButton>("Turn clockwise at 2.0°/s while held");
     QTest::mousePress(forth, Qt::LeftButton);
     StationStatus stopped = fewPlaces();
-    stopped.permissions = samples::withoutMotion(QStringLiteral("STOP is latched: reset STOP first"));
+    stopped.permissions = samples::withoutMotion(QStringLiteral("STOP is latched. Reset STOP first."));
     give(samples::update(stopped));
     EXPECT_EQ(asked<request::Jog>().back().rates, AxisRates{});
     EXPECT_FALSE(forth->isEnabled());

@@ -95,7 +95,9 @@ TEST_F(JogDeskTest, BeforeTheDirectionsAreConfirmedOnlyJoggingIsOfferedAndNotFas
     give(samples::update(status));
     for (const char* const name : {"Go", "Horizon", "Home", "Park", "Go to"}) {
         EXPECT_FALSE(named<CommandButton>(name)->isEnabled()) << name;
-        EXPECT_TRUE(named<CommandButton>(name)->toolTip().contains(QStringLiteral("which way the axes turn"))) << name;
+        EXPECT_TRUE(
+            named<CommandButton>(name)->toolTip().contains(QStringLiteral("directions of the axes are not confirmed")))
+            << name;
     }
     slider().setFocus();
     QTest::keyClick(&slider(), Qt::Key_End);
@@ -154,7 +156,7 @@ TEST_F(JogDeskTest, AWoundCableIsUnwoundByOneClick)
     give(samples::update(status));
     click("Unwind");
     EXPECT_EQ(asked<request::Unwind>().size(), 1u);
-    status.permissions = samples::withoutMotion(QStringLiteral("STOP is latched: reset STOP first"));
+    status.permissions = samples::withoutMotion(QStringLiteral("STOP is latched. Reset STOP first."));
     give(samples::acceptance(status, requests.back().id));
     EXPECT_FALSE(named<CommandButton>("Unwind")->isEnabled());
 }

@@ -107,7 +107,7 @@ TEST_F(ProfileDraftTest, WhatTheLiveCheckFindsIsNotSent)
     apply();
     EXPECT_TRUE(requests.empty());
     ASSERT_EQ(answers.size(), 1u);
-    EXPECT_NE(answers[0]->text.find("elevation.id"), std::string::npos);
+    EXPECT_NE(answers[0]->text.find("id (Elevation axis)"), std::string::npos);
     draft.edit([](Profile& p) { p.elevation.id = p.azimuth.id + 1; });
     EXPECT_TRUE(draft.problems().empty());
     EXPECT_FALSE(draft.hasEdits());
@@ -327,7 +327,7 @@ TEST_F(ProfileDraftTest, AnInvalidEditIsNotTakenToTheRealMount)
         p.bus = "socketcan:can0";
         p.sensor.source = profile::SensorSource::Simulated;
     });
-    EXPECT_TRUE(draft.whyNoApply().startsWith(QStringLiteral("sensor.source")));
+    EXPECT_TRUE(draft.whyNoApply().startsWith(QStringLiteral("source (Orientation sensor): ")));
 }
 
 // REQ-PROFILE-17b: A real mount's profile that is imported, taken back or undone while the simulated one runs is tried

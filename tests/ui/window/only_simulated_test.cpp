@@ -79,7 +79,7 @@ TEST_F(OnlySimulatedTest, TheTagSaysHowLongAndTheGuideOffersNoAdapter)
     }
     const auto* const use = named<CommandButton>("Use this");
     EXPECT_FALSE(use->isEnabled());
-    EXPECT_TRUE(use->toolTip().contains(QStringLiteral("start it with --bus socketcan:can0")))
+    EXPECT_TRUE(use->toolTip().contains(QStringLiteral("start Boresight with --bus socketcan:can0")))
         << use->toolTip().toStdString();
 }
 
