@@ -7,7 +7,7 @@ set(BORESIGHT_TEST_RESULTS "${CMAKE_BINARY_DIR}/test-results")  # one XML file o
 # boresight_add_test(NAME LABEL unit|ui|system|long SOURCES … [LIBRARIES …])
 # A GoogleTest program, which is one test of ctest: it runs from its first to its last case. LIBRARIES is what is tested,
 # boresight_core if it is not said. The label says where it runs, so that nothing runs twice without need:
-#   unit, ui    with the sanitizers: of single classes, and of the window
+#   unit, ui    with the sanitizers: of classes, of a station in one process, and of the window
 #   system      with the sanitizers and in the release build: of whole programs, and of the window before a real station
 #   long        in the release build: its cases take the paths of others again, for hours of simulated time, with other
 #               fonts or in other themes
