@@ -5,6 +5,8 @@
 #include "core/north/calibration_gates.h"
 #include "core/pointing/pointing_model.h"
 
+#include <memory>
+
 namespace boresight::samples {
 
 Permissions permitted()
@@ -48,7 +50,13 @@ Permissions inMotion(Permissions may)
 
 StationStatus judged(StationStatus status)
 {
+    // A station without a calibration desk permits what one that knows nothing permits.
+    const auto known = status.calibration;
+    if (!known) {
+        status.calibration = std::make_shared<const CalibrationStatus>();
+    }
     judgeCalibration(status);
+    status.calibration = known;
     addBeam(status, pointing::PointingModel(status.profile->pointing));
     return status;
 }
