@@ -180,7 +180,7 @@ void MoteusConnection::describe(StationStatus& status) const
     m_care.judge(status.permissions);
 }
 
-MountMaker twoMoteus(std::unique_ptr<CanLink> link, const MoteusConnection::Start& start)
+MountMaker moteusRotator(std::unique_ptr<CanLink> link, const MoteusConnection::Start& start)
 {
     // A std::function is copied, a link is not.
     return [link = std::make_shared<std::unique_ptr<CanLink>>(std::move(link)), start](

@@ -67,7 +67,7 @@ private:
     bool m_closed = false;  // for good
 };
 
-// Two moteus behind `link`.
-[[nodiscard]] MountMaker twoMoteus(std::unique_ptr<CanLink> link, const MoteusConnection::Start& start);
+// The moteus of these axes behind `link`.
+[[nodiscard]] MountMaker moteusRotator(std::unique_ptr<CanLink> link, const MoteusConnection::Start& start);
 
 }  // namespace boresight

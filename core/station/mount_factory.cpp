@@ -28,7 +28,7 @@ MountMaker MountFactory::make(const profile::Profile& profile, const MoteusConne
         return simpleRotator(m_box, {.azimuth = profile.azimuth.driver != profile::AxisDriver::None,
                                      .elevation = profile.elevation.driver != profile::AxisDriver::None});
     }
-    return twoMoteus(linkTo(profile, start.simulation), start);
+    return moteusRotator(linkTo(profile, start.simulation), start);
 }
 
 // The bus of a real mount is not opened with a profile that is not fit for one: what it says of the axes is not so.
