@@ -154,6 +154,8 @@ void MoteusMount::describe(DrivesStatus& status) const
     status.switchedOn = std::ranges::any_of(axes(), [this](Axis axis) { return isSwitchedOn(m_drives.drive(axis)); });
     status.proofRunning = m_proof.running();
     status.proofText = m_proof.text();
+    status.azimuth.present = has(Axis::Azimuth);
+    status.elevation.present = has(Axis::Elevation);
     for (const Axis axis : axes()) {
         DriveStatus& drive = axis == Axis::Azimuth ? status.azimuth : status.elevation;
         drive.id = m_profile->axis(axis).id;
