@@ -52,7 +52,9 @@ QStringList linesOfDrives(const StationStatus& status)
     QStringList lines;
     if (status.drives) {
         for (const Axis axis : kAxes) {
-            lines << line(status, axis);
+            if (driveOf(status, axis).present) {
+                lines << line(status, axis);
+            }
         }
         for (const Stranger& one : status.drives->strangers) {
             lines << GuideConnect::tr("id %1: not in the profile").arg(one.id);
