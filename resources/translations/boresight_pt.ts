@@ -7256,6 +7256,10 @@ trocar os motores</translation>
         <source>move the %1 a little first, and look at it</source>
         <translation>mova primeiro um pouco o eixo de %1, e observe-o</translation>
     </message>
+    <message>
+        <source>only one axis has a motor that can be exchanged</source>
+        <translation>só um eixo tem um motor que se pode trocar</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::GuideNorth</name>
