@@ -39,6 +39,9 @@ QString orUnknown(const QString& text)
 
 QString driveVersion(const char* axis, const DriveStatus& drive)
 {
+    if (!drive.present) {
+        return QStringLiteral("%1 drive: none").arg(QLatin1String(axis));
+    }
     return QStringLiteral("%1 drive: id %2, firmware %3, register map %4, UUID %5")
         .arg(QLatin1String(axis))
         .arg(drive.id)
@@ -64,6 +67,9 @@ QString verdictText(Verdict verdict)
 
 QStringList driveLines(const char* axis, const DriveStatus& drive, bool turnKnown)
 {
+    if (!drive.present) {
+        return {driveVersion(axis, drive), QString()};
+    }
     QStringList lines{driveVersion(axis, drive),
                       turnKnown ? QStringLiteral("turn: known") : QStringLiteral("turn: not known")};
     lines << (drive.crashStop ? QStringLiteral("crash stop proven %1: from %2°/s stood after %3° and %4 ms (drive %5)")

@@ -26,7 +26,8 @@ enum class SurveyState
 
 struct DriveStatus
 {
-    int id = 0;  // on the bus; 0 until somebody answered
+    bool present = true;  // this axis has such a drive; else nothing more is told
+    int id = 0;           // on the bus; 0 until somebody answered
     DriveIdentity identity;
     QString registers;  // what it says of itself, in its own words: mode and fault; may be empty
     std::vector<ProtectionLine> protections;

@@ -39,11 +39,11 @@ QString nameOf(Axis axis)
 }  // namespace
 
 Result<CrashStopProof> CrashStopProof::prepare(AngularRate rate, const AxisPosition& from, const TravelRange& azimuth,
-                                               const TravelRange& elevation)
+                                               const TravelRange& elevation, AxisSet axes)
 {
     const AngularRate azimuthRate = direction(rate, from.azimuth, azimuth);
     const AngularRate elevationRate = direction(rate, from.elevation, elevation);
-    for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
+    for (const Axis axis : axes) {
         if ((axis == Axis::Azimuth ? azimuthRate : elevationRate) == AngularRate{}) {
             return boresight::failure(
                 ErrorCode::Refused,
@@ -52,11 +52,11 @@ Result<CrashStopProof> CrashStopProof::prepare(AngularRate rate, const AxisPosit
                     .arg(nameOf(axis), toQString(formatFixed(rate.degrees(), 1))));
         }
     }
-    return CrashStopProof(azimuthRate, elevationRate);
+    return CrashStopProof(azimuthRate, elevationRate, axes);
 }
 
-CrashStopProof::CrashStopProof(AngularRate azimuthRate, AngularRate elevationRate)
-    : m_azimuthRate(azimuthRate), m_elevationRate(elevationRate)
+CrashStopProof::CrashStopProof(AngularRate azimuthRate, AngularRate elevationRate, AxisSet axes)
+    : m_azimuthRate(azimuthRate), m_elevationRate(elevationRate), m_axes(axes)
 {}
 
 void CrashStopProof::enter(Phase phase, SteadyTime now)
@@ -124,7 +124,7 @@ CrashStopProof::Action CrashStopProof::watchStop(SteadyTime now)
     }
     if (now - *m_phaseSince > kPatience) {
         m_failure = Text::tr("The %1 did not stop within %2 s without commands. Check its time-out mode.")
-                        .arg(nameOf(m_axis))
+                        .arg(nameOf(axis()))
                         .arg(kPatience.count());
         enter(Phase::Recovering, now);
         return Action::Recover;
@@ -137,18 +137,18 @@ CrashStopProof::Action CrashStopProof::recover(SteadyTime now, const Measured& m
     if (!measured.settled) {
         return now - *m_phaseSince > kPatience ? fail(Text::tr("its drive did not come back")) : Action::Wait;
     }
-    if (!m_failure.isEmpty() || m_axis == Axis::Elevation) {
+    if (!m_failure.isEmpty() || m_axes.size() == 1) {
         m_phase = Phase::Over;
         return Action::Finish;
     }
-    m_axis = Axis::Elevation;
+    m_axes = m_axes.subspan(1);
     enter(Phase::RunningUp, now);
     return Action::Wait;
 }
 
 CrashStopProof::Action CrashStopProof::fail(const QString& why)
 {
-    m_failure = QStringLiteral("%1: %2").arg(nameOf(m_axis), why);
+    m_failure = QStringLiteral("%1: %2").arg(nameOf(axis()), why);
     m_phase = Phase::Over;
     return Action::Finish;
 }
@@ -160,14 +160,14 @@ std::optional<CrashStopProof::Stop> CrashStopProof::takeStop()
 
 QString CrashStopProof::progress() const
 {
-    const QString axis = nameOf(m_axis);
+    const QString name = nameOf(axis());
     switch (m_phase) {
         case Phase::RunningUp:
-            return Text::tr("moving the %1 up to speed").arg(axis);
+            return Text::tr("moving the %1 up to speed").arg(name);
         case Phase::Starving:
-            return Text::tr("the %1 gets no orders: watching it stop").arg(axis);
+            return Text::tr("the %1 gets no orders: watching it stop").arg(name);
         case Phase::Recovering:
-            return Text::tr("holding the %1 again").arg(axis);
+            return Text::tr("holding the %1 again").arg(name);
         case Phase::Over:
             break;
     }

@@ -11,9 +11,9 @@
 #include <optional>
 #include <vector>
 
-// The crash-stop proof: moves one axis after the other at a low speed, has its drive really not fed any more, and
-// measures where and when the axis stands. Decides nothing about drives itself: it gives its owner one action per tick.
-// Pure: time and what the drive reports are passed in. Mechanical angles.
+// The crash-stop proof: moves one axis of the mount after the other at a low speed, has its drive really not fed any
+// more, and measures where and when the axis stands. Decides nothing about drives itself: it gives its owner one action
+// per tick. Pure: time and what the drive reports are passed in. Mechanical angles.
 namespace boresight {
 
 class CrashStopProof
@@ -40,15 +40,15 @@ public:
         Finish,  // end(): see result()
     };
 
-    // Refused when an axis has not the room: the reason.
+    // Of `axes`. Refused when one of them has not the room: the reason.
     static Result<CrashStopProof> prepare(AngularRate rate, const AxisPosition& from, const TravelRange& azimuth,
-                                          const TravelRange& elevation);
+                                          const TravelRange& elevation, AxisSet axes = kAxes);
 
     [[nodiscard]] Action step(SteadyTime now, const Measured& measured);
 
-    [[nodiscard]] Axis axis() const { return m_axis; }
+    [[nodiscard]] Axis axis() const { return m_axes.front(); }
     [[nodiscard]] bool runningUp() const { return m_phase == Phase::RunningUp; }
-    [[nodiscard]] AngularRate rate() const { return m_axis == Axis::Azimuth ? m_azimuthRate : m_elevationRate; }
+    [[nodiscard]] AngularRate rate() const { return axis() == Axis::Azimuth ? m_azimuthRate : m_elevationRate; }
     // Given once, when an axis has been measured.
     [[nodiscard]] std::optional<Stop> takeStop();
     // Why the proof failed; empty while it goes well.
@@ -69,7 +69,7 @@ private:
         Angle angle;
     };
 
-    CrashStopProof(AngularRate azimuthRate, AngularRate elevationRate);
+    CrashStopProof(AngularRate azimuthRate, AngularRate elevationRate, AxisSet axes);
     [[nodiscard]] Action runUp(SteadyTime now, const Measured& measured);
     [[nodiscard]] Action watchStop(SteadyTime now);
     [[nodiscard]] Action recover(SteadyTime now, const Measured& measured);
@@ -79,7 +79,7 @@ private:
 
     AngularRate m_azimuthRate;
     AngularRate m_elevationRate;
-    Axis m_axis = Axis::Azimuth;
+    AxisSet m_axes;  // this one, and those that follow
     Phase m_phase = Phase::RunningUp;
     std::optional<SteadyTime> m_phaseSince;
     std::vector<Sample> m_samples;  // of the present phase

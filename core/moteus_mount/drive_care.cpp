@@ -68,7 +68,7 @@ const AlarmEntry* entryOf(survey::FindingKind kind)
 }  // namespace
 
 DriveCare::DriveCare(const profile::InForce& profile, MoteusMount& mount, AlarmBoard& alarms, EventLog& log)
-    : m_mount(mount), m_alarms(alarms), m_log(log), m_survey(profile, knownBoards(mount.memory()))
+    : m_mount(mount), m_alarms(alarms), m_log(log), m_survey(profile, knownBoards(mount.memory()), mount.axes())
 {}
 
 std::vector<CanFrame> DriveCare::tick(SteadyTime now)
@@ -89,7 +89,7 @@ void DriveCare::watchConnection(SteadyTime now)
 {
     bool came = false;
     bool went = false;
-    for (const Axis axis : kAxes) {
+    for (const Axis axis : m_mount.axes()) {
         const bool answers = !m_mount.busLeft() && m_mount.report(axis).answers;
         came |= answers && !m_answering[index(axis)];
         went |= !answers && m_answering[index(axis)];
@@ -121,7 +121,7 @@ void DriveCare::tellMount()
 {
     m_survey.setKnownBoards(knownBoards(m_mount.memory()));
     m_mount.setFitness(m_survey.fitToMove());
-    for (const Axis axis : kAxes) {
+    for (const Axis axis : m_mount.axes()) {
         if (m_survey.rebootsSeen(axis) != std::exchange(m_rebootsTold[index(axis)], m_survey.rebootsSeen(axis))) {
             m_mount.driveRestarted(axis);
         }
@@ -221,8 +221,9 @@ void DriveCare::fill(DrivesStatus& drives) const
     drives.surveyText = m_survey.progress();
     drives.fixable = m_survey.isFixable();
     drives.strangers = m_survey.strangers();
-    fill(Axis::Azimuth, drives.azimuth);
-    fill(Axis::Elevation, drives.elevation);
+    for (const Axis axis : m_mount.axes()) {
+        fill(axis, axis == Axis::Azimuth ? drives.azimuth : drives.elevation);
+    }
 }
 
 void DriveCare::fill(Axis axis, DriveStatus& drive) const

@@ -56,7 +56,7 @@ private:
     survey::DriveSurvey m_survey;
     std::array<int, 2> m_rebootsTold{};
     std::array<bool, 2> m_answering{};
-    std::optional<SteadyTime> m_silentSince;  // of both drives, on a bus that is ours
+    std::optional<SteadyTime> m_silentSince;  // of all drives, on a bus that is ours
     std::vector<AlarmKey> m_findingsTold;
 };
 

@@ -3,6 +3,8 @@
 
 #include "core/tracking/emergency_braking.h"
 
+#include <algorithm>
+
 namespace boresight {
 namespace {
 
@@ -22,8 +24,9 @@ DriveSettings driveSettings(Axis which, const profile::Profile& profile)
 
 }  // namespace
 
-DrivePair::DrivePair(const profile::InForce& profile)
+DrivePair::DrivePair(const profile::InForce& profile, AxisSet axes)
     : m_profile(profile),
+      m_axes(axes),
       m_azimuth(driveSettings(Axis::Azimuth, *profile), QT_TRANSLATE_NOOP("Text", "azimuth drive")),
       m_elevation(driveSettings(Axis::Elevation, *profile), QT_TRANSLATE_NOOP("Text", "elevation drive"))
 {}
@@ -35,33 +38,36 @@ const pointing::AxisGeometry& DrivePair::geometry(Axis axis) const
 
 void DrivePair::take(const CanFrame& frame)
 {
-    if (!m_azimuth.take(frame)) {
-        m_elevation.take(frame);
-    }
+    (void)std::ranges::any_of(m_axes, [&](Axis axis) { return drive(axis).take(frame); });
 }
 
 void DrivePair::judge(SteadyTime now)
 {
-    for (const Axis axis : kAxes) {
+    for (const Axis axis : m_axes) {
         drive(axis).setSettings(driveSettings(axis, *m_profile));
         drive(axis).judge(now);
     }
 }
 
-std::array<CanFrame, 2> DrivePair::frames() const
+std::vector<CanFrame> DrivePair::frames() const
 {
-    return {m_azimuth.frame(), m_elevation.frame()};
+    std::vector<CanFrame> frames;
+    for (const Axis axis : m_axes) {
+        frames.push_back(drive(axis).frame());
+    }
+    return frames;
 }
 
 void DrivePair::engage()
 {
-    m_azimuth.engage();
-    m_elevation.engage();
+    for (const Axis axis : m_axes) {
+        drive(axis).engage();
+    }
 }
 
 void DrivePair::leave(profile::OnExit how)
 {
-    for (const Axis axis : kAxes) {
+    for (const Axis axis : m_axes) {
         if (drive(axis).phase() == Drive::Phase::Listening) {
             continue;
         }
@@ -81,22 +87,23 @@ void DrivePair::leave(profile::OnExit how)
 
 bool DrivePair::engaged() const
 {
-    return m_azimuth.phase() == Drive::Phase::Engaged && m_elevation.phase() == Drive::Phase::Engaged;
+    return std::ranges::all_of(m_axes, [this](Axis axis) { return drive(axis).phase() == Drive::Phase::Engaged; });
 }
 
 void DrivePair::seize(SteadyTime now)
 {
-    for (Drive* const drive : {&m_azimuth, &m_elevation}) {
-        if (drive->answering(now)) {
-            drive->seize();
+    for (const Axis axis : m_axes) {
+        if (drive(axis).answering(now)) {
+            drive(axis).seize();
         }
     }
 }
 
 void DrivePair::excuse(Seconds stall, SteadyTime now)
 {
-    m_azimuth.excuse(stall, now);
-    m_elevation.excuse(stall, now);
+    for (const Axis axis : m_axes) {
+        drive(axis).excuse(stall, now);
+    }
 }
 
 bool DrivePair::changingHands(const Drive& drive)
@@ -114,8 +121,9 @@ void DrivePair::setSetpoint(Axis axis, Angle angle, AngularRate rate)
 
 void DrivePair::setHardBraking(bool hard)
 {
-    m_azimuth.setHardBraking(hard);
-    m_elevation.setHardBraking(hard);
+    for (const Axis axis : m_axes) {
+        drive(axis).setHardBraking(hard);
+    }
 }
 
 std::optional<Angle> DrivePair::measured(Axis axis) const
@@ -128,13 +136,6 @@ std::optional<AngularRate> DrivePair::measuredRate(Axis axis) const
 {
     const auto& report = drive(axis).report();
     return report && report->rate ? std::optional(geometry(axis).toAxis(*report->rate)) : std::nullopt;
-}
-
-std::optional<AxisPosition> DrivePair::measured() const
-{
-    const auto azimuth = measured(Axis::Azimuth);
-    const auto elevation = measured(Axis::Elevation);
-    return azimuth && elevation ? std::optional(AxisPosition{*azimuth, *elevation}) : std::nullopt;
 }
 
 }  // namespace boresight

@@ -5,30 +5,32 @@
 #include "core/profile/in_force.h"
 #include "core/units/sky.h"
 
-#include <array>
+#include <vector>
 
-// The two drives of the mount in the units of the axes: mechanical angles go in and come out, the geometry of the
-// profile lies between. Pure, like Drive.
+// The drives of the mount in the units of the axes: mechanical angles go in and come out, the geometry of the profile
+// lies between. One for each axis, or for one axis only: then the drive of the other one is never asked nor commanded,
+// and no frame counts as its reply. Pure, like Drive.
 namespace boresight {
 
 class DrivePair
 {
 public:
     // The profile outlives this.
-    explicit DrivePair(const profile::InForce& profile);
+    DrivePair(const profile::InForce& profile, AxisSet axes);
 
+    [[nodiscard]] AxisSet axes() const { return m_axes; }  // those that have a drive
     [[nodiscard]] Drive& drive(Axis axis) { return axis == Axis::Azimuth ? m_azimuth : m_elevation; }
     [[nodiscard]] const Drive& drive(Axis axis) const { return axis == Axis::Azimuth ? m_azimuth : m_elevation; }
 
     void take(const CanFrame& frame);
     // Once per tick; from here on torque and the guards of speed and acceleration are those of the profile in force.
     void judge(SteadyTime now);
-    [[nodiscard]] std::array<CanFrame, 2> frames() const;  // azimuth, elevation
+    [[nodiscard]] std::vector<CanFrame> frames() const;  // azimuth, elevation
 
     void engage();
     void seize(SteadyTime now);  // stop what a drive that answers does without our orders
     void excuse(Seconds stall, SteadyTime now);
-    [[nodiscard]] bool engaged() const;  // both take set-points
+    [[nodiscard]] bool engaged() const;  // all take set-points
     // It is being captured, recovered, switched off or given its position: left alone in the middle of that it would be
     // limp.
     [[nodiscard]] static bool changingHands(const Drive& drive);
@@ -40,12 +42,12 @@ public:
     [[nodiscard]] std::optional<Angle> measured(Axis axis) const;
     // As last reported, whatever its age.
     [[nodiscard]] std::optional<AngularRate> measuredRate(Axis axis) const;
-    [[nodiscard]] std::optional<AxisPosition> measured() const;
 
 private:
     [[nodiscard]] const pointing::AxisGeometry& geometry(Axis axis) const;
 
     const profile::InForce& m_profile;
+    AxisSet m_axes;
     Drive m_azimuth;
     Drive m_elevation;
 };

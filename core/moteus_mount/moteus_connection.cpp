@@ -52,7 +52,7 @@ MoteusConnection::MoteusConnection(std::unique_ptr<CanLink> link, const Start& s
       m_alarms(alarms),
       m_simulated(start.simulation != Simulation::Off),
       m_memoryFile(start.stateDir, QString::fromStdString(profile->mount.name), this),
-      m_mount(profile, clock, log, alarms, remembered(start)),
+      m_mount(profile, clock, log, alarms, remembered(start), start.axes),
       m_care(profile, m_mount, alarms, log),
       m_link(std::move(link))
 {
@@ -144,8 +144,7 @@ void MoteusConnection::showBus(const LinkStatus& status)
 
 void MoteusConnection::send()
 {
-    const auto motion = m_mount.frames();
-    std::vector<CanFrame> frames(motion.begin(), motion.end());
+    std::vector<CanFrame> frames = m_mount.frames();
     std::ranges::copy(m_care.tick(m_clock.now()), std::back_inserter(frames));
     if (const LinkState state = m_link->status().state; state == LinkState::Up || state == LinkState::Down) {
         // Also while the bus is down: an adapter notices only by a new frame that it works again. A frame that could
@@ -181,7 +180,7 @@ void MoteusConnection::describe(StationStatus& status) const
     m_care.judge(status.permissions);
 }
 
-MountMaker twoMoteus(std::unique_ptr<CanLink> link, const MoteusConnection::Start& start)
+MountMaker moteusRotator(std::unique_ptr<CanLink> link, const MoteusConnection::Start& start)
 {
     // A std::function is copied, a link is not.
     return [link = std::make_shared<std::unique_ptr<CanLink>>(std::move(link)), start](

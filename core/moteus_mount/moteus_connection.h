@@ -12,7 +12,7 @@
 #include <memory>
 #include <optional>
 
-// Two moteus with their CAN bus, their drive check and their position journal on disk. Station thread only.
+// Two moteus, or one, with their CAN bus, their drive check and their position journal on disk. Station thread only.
 namespace boresight {
 
 class MoteusConnection final : public MountConnection
@@ -26,6 +26,7 @@ public:
         Simulation simulation = Simulation::Off;
         // Where the mount stood when the operator looked, for drives that do not know it. Counts once, for ten minutes.
         std::optional<memory::EnteredPlace> standingAt{};
+        AxisSet axes = kAxes;  // that a moteus turns
     };
 
     MoteusConnection(std::unique_ptr<CanLink> link, const Start& start, const profile::InForce& profile,
@@ -66,7 +67,7 @@ private:
     bool m_closed = false;  // for good
 };
 
-// Two moteus behind `link`.
-[[nodiscard]] MountMaker twoMoteus(std::unique_ptr<CanLink> link, const MoteusConnection::Start& start);
+// The moteus of these axes behind `link`.
+[[nodiscard]] MountMaker moteusRotator(std::unique_ptr<CanLink> link, const MoteusConnection::Start& start);
 
 }  // namespace boresight

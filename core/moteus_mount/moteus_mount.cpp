@@ -31,12 +31,12 @@ QString registersText(const Drive& drive)
 }  // namespace
 
 MoteusMount::MoteusMount(const profile::InForce& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
-                         TurnKeeper::Start start)
+                         TurnKeeper::Start start, AxisSet axes)
     : m_profile(profile),
       m_clock(clock),
       m_log(log),
       m_alarms(alarms),
-      m_drives(profile),
+      m_drives(profile, axes),
       m_names{toQString(m_drives.drive(Axis::Azimuth).name()), toQString(m_drives.drive(Axis::Elevation).name())},
       m_watches{DriveWatch(Axis::Azimuth, profile, alarms), DriveWatch(Axis::Elevation, profile, alarms)},
       m_turns(profile, clock, log, std::move(start)),
@@ -69,12 +69,18 @@ void MoteusMount::driveRestarted(Axis axis)
 
 Capabilities MoteusMount::capabilities() const
 {
-    constexpr AxisCapabilities kDrive{.silence = Drive::kSilence, .watchdog = true};
-    return {.axes = {kDrive, kDrive}};
+    Capabilities can{.axes = {}};
+    for (const Axis axis : axes()) {
+        can.axes[index(axis)] = {.silence = Drive::kSilence, .watchdog = true};
+    }
+    return can;
 }
 
 std::optional<QString> MoteusMount::identity(Axis axis) const
 {
+    if (!has(axis)) {
+        return QString();
+    }
     const auto& facts = m_turnWatch.facts(axis);
     return facts ? std::optional(facts->uuid) : std::nullopt;
 }
@@ -82,7 +88,7 @@ std::optional<QString> MoteusMount::identity(Axis axis) const
 QString MoteusMount::lastIdentity(Axis axis) const
 {
     const auto& turn = memory().turns[index(axis)];
-    return turn ? turn->drive : QString();
+    return has(axis) && turn ? turn->drive : QString();
 }
 
 AxisHand MoteusMount::handOf(const Drive& drive, Axis axis) const
@@ -108,6 +114,9 @@ AxisHand MoteusMount::handOf(const Drive& drive, Axis axis) const
 
 AxisReport MoteusMount::report(Axis axis) const
 {
+    if (!has(axis)) {
+        return reportOfMissingAxis(m_drives.engaged(), m_now);
+    }
     const Drive& drive = m_drives.drive(axis);
     AxisReport report{.hand = handOf(drive, axis),
                       .answers = drive.answering(m_now),
@@ -142,10 +151,12 @@ Result<> MoteusMount::available() const
 void MoteusMount::describe(DrivesStatus& status) const
 {
     status.released = m_busLeft;
-    status.switchedOn = std::ranges::any_of(kAxes, [this](Axis axis) { return isSwitchedOn(m_drives.drive(axis)); });
+    status.switchedOn = std::ranges::any_of(axes(), [this](Axis axis) { return isSwitchedOn(m_drives.drive(axis)); });
     status.proofRunning = m_proof.running();
     status.proofText = m_proof.text();
-    for (const Axis axis : kAxes) {
+    status.azimuth.present = has(Axis::Azimuth);
+    status.elevation.present = has(Axis::Elevation);
+    for (const Axis axis : axes()) {
         DriveStatus& drive = axis == Axis::Azimuth ? status.azimuth : status.elevation;
         drive.id = m_profile->axis(axis).id;
         drive.registers = registersText(m_drives.drive(axis));
@@ -200,7 +211,7 @@ void MoteusMount::resumeAfterStall(const MountSituation& known, MountFindings& f
 
 void MoteusMount::watchDrives(const MountSituation& known, MountFindings& found)
 {
-    for (const Axis axis : kAxes) {
+    for (const Axis axis : axes()) {
         const DriveWatch::Context context{.now = m_now,
                                           .running = m_now - m_started,
                                           .turnKnown = m_turns.known(axis),
@@ -248,7 +259,7 @@ bool MoteusMount::isFarOutside(Axis axis) const
 // An axis that was pushed out beyond its drive's own bounds could not even be moved back: fault 39.
 void MoteusMount::letBackInside()
 {
-    for (const Axis axis : kAxes) {
+    for (const Axis axis : axes()) {
         const auto measured = m_drives.measured(axis);
         const bool outside =
             m_turns.known(axis) && measured && !m_profile->axis(axis).geometry.travel.contains(*measured);
@@ -291,7 +302,7 @@ void MoteusMount::command(Axis axis, const tracking::Setpoint& setpoint)
 
 void MoteusMount::recover()
 {
-    for (const Axis axis : kAxes) {
+    for (const Axis axis : axes()) {
         if (m_drives.drive(axis).latched()) {
             m_drives.drive(axis).recover();
         }
@@ -300,7 +311,7 @@ void MoteusMount::recover()
 
 void MoteusMount::rearmed()
 {
-    for (const Axis axis : kAxes) {
+    for (const Axis axis : axes()) {
         m_alarms.clear(alarmEntry("drive.fault").of(axis));
         m_watches[index(axis)].rearmed();
     }
@@ -309,7 +320,7 @@ void MoteusMount::rearmed()
 // Whatever is written while a drive is active ends in its fault 41, and the axis falls.
 Result<> MoteusMount::mayBeWritten() const
 {
-    for (const Axis axis : kAxes) {
+    for (const Axis axis : axes()) {
         if (isSwitchedOn(m_drives.drive(axis))) {
             return failure(ErrorCode::Refused,
                            Text::tr("The %1 is switched on. Support the elevation and switch the drives off first.")
@@ -321,7 +332,7 @@ Result<> MoteusMount::mayBeWritten() const
 
 void MoteusMount::switchOff()
 {
-    for (const Axis axis : kAxes) {
+    for (const Axis axis : axes()) {
         m_drives.drive(axis).release();
     }
 }
@@ -329,7 +340,7 @@ void MoteusMount::switchOff()
 void MoteusMount::leaveBus()
 {
     m_busLeft = true;
-    for (const Axis axis : kAxes) {
+    for (const Axis axis : axes()) {
         m_drives.drive(axis).listen();
         m_turns.forget(axis);
         learn(axis, std::nullopt);
@@ -348,6 +359,9 @@ Result<> MoteusMount::takeBus()
 
 Result<> MoteusMount::chooseWrap(Axis axis, Angle angle, const QString& source)
 {
+    if (!has(axis)) {
+        return failure(ErrorCode::NotAvailable, Text::tr("No moteus turns this axis."));
+    }
     return m_turns.choose(axis, angle, m_drives.drive(axis), source);
 }
 
@@ -358,7 +372,7 @@ Result<> MoteusMount::mayProve(AngularRate rate, const TravelRange& azimuths, co
                                                   .arg(toQString(formatFixed(kSlowestProof.degrees(), 1)),
                                                        toQString(formatFixed(kFastestProof.degrees(), 1))));
     }
-    return CrashStopProof::prepare(rate, *m_drives.measured(), azimuths, elevations)
+    return CrashStopProof::prepare(rate, *measured(), azimuths, elevations, axes())
         .map([this](const CrashStopProof& proof) { m_nextProof = proof; });
 }
 

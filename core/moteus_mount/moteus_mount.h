@@ -15,26 +15,31 @@
 #include "core/mount/mount_service.h"
 #include "core/profile/in_force.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
+#include <vector>
 
-// Two moteus on one CAN bus, behind the port of the mount: frames in, frames out. Watches both drives, keeps their
-// wraps and their journal, excuses them for stalls of this computer and runs the crash-stop proof. Whoever has the bus
-// hands over frames and sends those of frames(); DriveCare surveys the drives beside it. Station thread only.
-// More than 15 members: the parts of both drives, and what one step of a tick leaves to the next.
+// Two moteus on one CAN bus, or one, behind the port of the mount: frames in, frames out. Watches the drives, keeps
+// their wraps and their journal, excuses them for stalls of this computer and runs the crash-stop proof. Whoever has
+// the bus hands over frames and sends those of frames(); DriveCare surveys the drives beside it. Of an axis that no
+// moteus turns nothing is asked, commanded, watched or kept. Station thread only. More than 15 members: the parts of
+// both drives, and what one step of a tick leaves to the next.
 namespace boresight {
 
 class MoteusMount final : public MountDriver, public MountService
 {
 public:
-    // All but the beginning outlive this.
+    // All but the beginning outlive this. `axes`: those that a moteus turns, at least one.
     MoteusMount(const profile::InForce& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
-                TurnKeeper::Start start = {});
+                TurnKeeper::Start start = {}, AxisSet axes = kAxes);
+
+    [[nodiscard]] AxisSet axes() const { return m_drives.axes(); }
 
     // The bus.
     void take(const CanFrame& frame) { m_drives.take(frame); }
-    [[nodiscard]] std::array<CanFrame, 2> frames() const { return m_drives.frames(); }  // azimuth, elevation
+    [[nodiscard]] std::vector<CanFrame> frames() const { return m_drives.frames(); }  // azimuth, elevation
     // These frames were handed to the link, or there is no link now. A computer that is held up between the two sends
     // them late.
     void framesSent();
@@ -96,6 +101,7 @@ private:
     void stopFor(Axis axis, const DriveWatch::Trouble& trouble, MountFindings& found);
     void interruptProof();
     void letBackInside();
+    [[nodiscard]] bool has(Axis axis) const { return std::ranges::find(axes(), axis) != axes().end(); }
     [[nodiscard]] bool isFarOutside(Axis axis) const;
     [[nodiscard]] AxisPosition heldPlace() const;
     [[nodiscard]] AxisHand handOf(const Drive& drive, Axis axis) const;

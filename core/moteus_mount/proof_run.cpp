@@ -63,7 +63,7 @@ void ProofRun::keepStop(Axis axis, UtcTime utc)
 
 void ProofRun::end(const QString& how)
 {
-    for (const Axis axis : kAxes) {
+    for (const Axis axis : m_drives.axes()) {
         if (m_drives.drive(axis).phase() == Drive::Phase::Starving) {
             m_drives.drive(axis).engage();
         }

@@ -48,7 +48,7 @@ void StallGuard::excuseDrives(SteadyTime now)
     if (gap <= kStall) {
         return;
     }
-    for (const Axis axis : kAxes) {
+    for (const Axis axis : m_drives.axes()) {
         m_drives.drive(axis).expectAnotherPlace();
         m_watches[index(axis)].forgetMotion();
         if (gap > kLongStall) {
@@ -63,8 +63,8 @@ void StallGuard::excuseDrives(SteadyTime now)
 void StallGuard::resume(bool allowed, SteadyTime now)
 {
     const auto mayGoOn = [this](Axis axis) { return isHealthy(m_drives.drive(axis)); };
-    const bool resumes = allowed && m_stall.explainsTimeOut(now) && std::ranges::all_of(kAxes, mayGoOn);
-    for (const Axis axis : kAxes) {
+    const bool resumes = allowed && m_stall.explainsTimeOut(now) && std::ranges::all_of(m_drives.axes(), mayGoOn);
+    for (const Axis axis : m_drives.axes()) {
         Drive& drive = m_drives.drive(axis);
         if (resumes && drive.loss() == DriveLoss::TimedOut) {
             (void)drive.takeLoss();
@@ -86,8 +86,9 @@ std::optional<std::pair<Axis, DriveWatch::Trouble>> StallGuard::finish(bool faul
         const auto place = m_drives.measured(axis);
         return m_drives.drive(axis).phase() == Drive::Phase::Engaged && place && m_stall.isNear(axis, *place);
     };
-    const auto missing = std::ranges::find_if_not(kAxes, isBack);
-    if (missing == kAxes.end() || faultLatched) {
+    const AxisSet axes = m_drives.axes();
+    const auto missing = std::ranges::find_if_not(axes, isBack);
+    if (missing == axes.end() || faultLatched) {
         return std::nullopt;
     }
     const Drive& drive = m_drives.drive(*missing);

@@ -32,7 +32,7 @@ public:
 
     // Takes over the drives that timed out by a stall; `allowed`: nothing else stands in the way.
     void resume(bool allowed, SteadyTime now);
-    // Once both drives are taken over and report where they stand, or when it is too late: the first axis that is not
+    // Once all drives are taken over and report where they stand, or when it is too late: the first axis that is not
     // back.
     [[nodiscard]] std::optional<std::pair<Axis, DriveWatch::Trouble>> finish(bool faultLatched, SteadyTime now);
 

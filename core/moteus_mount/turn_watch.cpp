@@ -21,7 +21,7 @@ void TurnWatch::forget(Axis axis)
 
 bool TurnWatch::keep(const Tick& tick)
 {
-    for (const Axis axis : kAxes) {
+    for (const Axis axis : m_drives.axes()) {
         keep(axis, tick);
     }
     return std::exchange(m_wereKnown, allKnown()) && !allKnown();
@@ -47,7 +47,7 @@ void TurnWatch::keep(Axis axis, const Tick& tick)
 
 void TurnWatch::raiseAlarms(bool interrupted, bool readable)
 {
-    for (const Axis axis : kAxes) {
+    for (const Axis axis : m_drives.axes()) {
         const Drive& drive = m_drives.drive(axis);
         const AlarmKey unknown = alarmEntry("drive.wrap-unknown").of(axis);
         if (m_turns.known(axis)) {

@@ -8,10 +8,11 @@
 #include "core/moteus_mount/turn_keeper.h"
 #include "core/survey/drive_survey.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
-// Keeps the wraps of both axes up to date: gives what the drive check knows of each drive to the TurnKeeper, forgets
+// Keeps the wraps of the axes up to date: gives what the drive check knows of each drive to the TurnKeeper, forgets
 // the wrap of a drive that was silent, and raises the alarms while a wrap is unknown. Station thread only.
 namespace boresight {
 
@@ -34,13 +35,16 @@ public:
     {
         SteadyTime now;
         bool released = false;  // the bus is left to other tools
-        bool atRest = false;    // both set-points
+        bool atRest = false;    // all set-points
     };
     // Once in a tick, after the replies were judged. True once when a turn that was known is not known any more.
     [[nodiscard]] bool keep(const Tick& tick);
     // Call it after keep(). `interrupted`: a motion ended for it. `readable`: what the drives report can be relied on.
     void raiseAlarms(bool interrupted, bool readable);
-    [[nodiscard]] bool allKnown() const { return m_turns.known(Axis::Azimuth) && m_turns.known(Axis::Elevation); }
+    [[nodiscard]] bool allKnown() const
+    {
+        return std::ranges::all_of(m_drives.axes(), [this](Axis axis) { return m_turns.known(axis); });
+    }
 
 private:
     void keep(Axis axis, const Tick& tick);

@@ -2,6 +2,15 @@
 #include "core/mount/paired_mount.h"
 
 namespace boresight {
+namespace {
+
+template <class Service>
+Service* onlyOne(Service* one, Service* other)
+{
+    return one == nullptr ? other : other == nullptr ? one : nullptr;
+}
+
+}  // namespace
 
 Capabilities PairedMount::capabilities() const
 {
@@ -18,6 +27,16 @@ const Result<>& PairedMount::fitness() const
 {
     const Result<>& first = of(Axis::Azimuth).fitness();
     return first ? of(Axis::Elevation).fitness() : first;
+}
+
+MountService* PairedMount::service()
+{
+    return onlyOne(of(Axis::Azimuth).service(), of(Axis::Elevation).service());
+}
+
+const MountService* PairedMount::service() const
+{
+    return onlyOne(of(Axis::Azimuth).service(), of(Axis::Elevation).service());
 }
 
 void PairedMount::observe(SteadyTime now)

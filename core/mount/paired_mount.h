@@ -23,9 +23,9 @@ public:
     [[nodiscard]] AxisReport report(Axis axis) const override { return of(axis).report(axis); }
     [[nodiscard]] Result<> available() const override;
     [[nodiscard]] const Result<>& fitness() const override;
-    // What one driver offers is meant for both axes, so a pair offers nothing.
-    [[nodiscard]] MountService* service() override { return nullptr; }
-    [[nodiscard]] const MountService* service() const override { return nullptr; }
+    // Of the one driver that has one, for its axis. Of two each would be meant for both axes, so such a pair has none.
+    [[nodiscard]] MountService* service() override;
+    [[nodiscard]] const MountService* service() const override;
     void observe(SteadyTime now) override;
     [[nodiscard]] MountFindings supervise(const MountSituation& known) override;
     void engage() override;

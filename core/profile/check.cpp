@@ -38,19 +38,15 @@ void checkAxis(std::vector<Problem>& problems, const std::string& table, const A
     }
 }
 
+bool areBoth(AxisDriver driver, const Profile& profile)
+{
+    return profile.azimuth.driver == driver && profile.elevation.driver == driver;
+}
+
 void checkDrivers(std::vector<Problem>& problems, const Profile& profile)
 {
-    const AxisDriver azimuth = profile.azimuth.driver;
-    const AxisDriver elevation = profile.elevation.driver;
-    const auto find = [&](AxisDriver driver, const QString& text) {
-        if (azimuth == driver || elevation == driver) {
-            problems.push_back({azimuth == driver ? "azimuth.driver" : "elevation.driver", text.toStdString()});
-        }
-    };
-    if (azimuth == AxisDriver::None && elevation == AxisDriver::None) {
+    if (areBoth(AxisDriver::None, profile)) {
         problems.push_back({"elevation.driver", Text::tr("A mount needs at least one axis.").toStdString()});
-    } else if (azimuth != elevation) {
-        find(AxisDriver::Moteus, Text::tr("One moteus alone is not supported. Use \"moteus\" for both axes."));
     }
 }
 
@@ -105,7 +101,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     checkDrivers(problems, profile);
     checkAxis(problems, "azimuth", profile.azimuth, profile.park.azimuth);
     checkAxis(problems, "elevation", profile.elevation, profile.park.elevation);
-    if (profile.azimuth.id == profile.elevation.id) {
+    if (areBoth(AxisDriver::Moteus, profile) && profile.azimuth.id == profile.elevation.id) {
         problems.push_back(
             {"elevation.id", Text::tr("is the same as azimuth.id; each controller needs its own").toStdString()});
     }

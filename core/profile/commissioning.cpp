@@ -67,14 +67,31 @@ void leaveSimulatedSensor(Profile& profile)
     }
 }
 
+// As many as there are controllers, of which one is not ours, are taken for theirs. An axis without one keeps its id.
+bool takeIds(Profile& profile, std::span<const int> ids)
+{
+    std::vector<int*> mine;
+    for (AxisSettings* const axis : {&profile.azimuth, &profile.elevation}) {
+        if (axis->driver == AxisDriver::Moteus) {
+            mine.push_back(&axis->id);
+        }
+    }
+    const auto answers = [&ids](const int* id) { return std::ranges::find(ids, *id) != ids.end(); };
+    const bool twice = ids.size() == 2 && ids[0] == ids[1];
+    if (ids.size() != mine.size() || twice || std::ranges::all_of(mine, answers)) {
+        return false;
+    }
+    for (std::size_t i = 0; i < mine.size(); ++i) {
+        *mine[i] = ids[i];
+    }
+    return true;
+}
+
 }  // namespace
 
 void useBus(Profile& profile, const std::string& bus, std::span<const int> ids)
 {
-    const auto has = [&ids](int id) { return std::ranges::find(ids, id) != ids.end(); };
-    if (ids.size() == 2 && ids[0] != ids[1] && !(has(profile.azimuth.id) && has(profile.elevation.id))) {
-        profile.azimuth.id = ids[0];
-        profile.elevation.id = ids[1];
+    if (takeIds(profile, ids)) {
         profile.mount.directions = Directions::Unconfirmed;
     }
     if (bus != profile.bus) {

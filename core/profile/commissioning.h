@@ -13,8 +13,8 @@
 namespace boresight::profile {
 
 // The mount is reached by this bus, whose controllers answer under `ids`. Two ids that are not the profile's become
-// azimuth and elevation in this order; which is which is seen when they move. Another bus is another mount: its
-// directions are not confirmed. A real mount has no simulated sensor.
+// azimuth and elevation in this order; which is which is seen when they move. A mount with one controller takes one id.
+// Another bus is another mount: its directions are not confirmed. A real mount has no simulated sensor.
 void useBus(Profile& profile, const std::string& bus, std::span<const int> ids);
 
 // bus.name is "simulated", as in a profile without that key. There is no real mount to be reached, so the simulated one

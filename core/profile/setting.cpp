@@ -53,8 +53,8 @@ void addGeometry(std::vector<Setting>& list, const std::string& table, AxisSetti
     list.push_back(choice(
         table + ".driver", {"moteus", "simple", "none"}, kOnReconnect,
         QT_TRANSLATE_NOOP("Text",
-                          "What turns the axis. \"simple\" is simulated only: a rotator of whole degrees without a "
-                          "watchdog. With \"none\" the mount has no such axis."),
+                          "What turns the axis; the other axis may have another driver. \"simple\" is simulated only: "
+                          "a rotator of whole degrees without a watchdog. With \"none\" the mount has no such axis."),
         [axis](auto& p) -> auto& { return (p.*axis).driver; }));
     list.push_back(integer(
         table + ".id", "", {1, 126}, kOnReconnect,

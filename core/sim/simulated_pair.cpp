@@ -195,7 +195,7 @@ std::vector<SimulatedPair::Answer> SimulatedPair::ask(const CanFrame& frame)
 
 std::optional<CanFrame> SimulatedPair::askOne(Side& side, const CanFrame& frame)
 {
-    if (happens(FaultKind::LostCommand, side.axis)) {
+    if (!side.fitted || happens(FaultKind::LostCommand, side.axis)) {
         return std::nullopt;
     }
     std::optional<int> answerAs;

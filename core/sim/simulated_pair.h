@@ -69,6 +69,9 @@ public:
     // One frame on the bus at `now`, to which the time goes on. Replies in the order of arbitration.
     [[nodiscard]] std::vector<PairReply> exchange(const CanFrame& frame, Seconds now);
 
+    // A drive that is not fitted hears and says nothing. At first both are.
+    void setFitted(Axis axis, bool fitted) { m_sides[side(axis)].fitted = fitted; }
+
     [[nodiscard]] AxisTruth truth(Axis axis) const;
     [[nodiscard]] FaultSchedule& faults() { return m_faults; }
     [[nodiscard]] const FaultSchedule& faults() const { return m_faults; }
@@ -82,6 +85,7 @@ private:
         Axis axis;
         std::unique_ptr<SimulatedMoteus> drive;
         ReplySpoiler spoiler;
+        bool fitted = true;
         int injectedFault = 0;
         double injectedSlip = 0.0;          // degrees
         std::optional<double> handAngle{};  // degrees, while the power is off

@@ -12,6 +12,11 @@ namespace boresight {
 
 namespace {
 
+bool isMoteus(const profile::Profile& profile, Axis axis)
+{
+    return profile.axis(axis).driver == profile::AxisDriver::Moteus;
+}
+
 // As Fix would write them.
 void protect(sim::DriveConfig& drive, const profile::Profile& profile, Axis axis)
 {
@@ -48,7 +53,7 @@ sim::PairSettings protectedPair(const profile::Profile& profile)
     sim::PairSettings pair = sim::commissionedPair();
     for (sim::MoteusSettings* const drive : {&pair.azimuth, &pair.elevation}) {
         for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
-            if (drive->config.id == profile.axis(axis).id) {
+            if (isMoteus(profile, axis) && drive->config.id == profile.axis(axis).id) {
                 protect(drive->config, profile, axis);
             }
         }
@@ -69,7 +74,13 @@ LinkMaker::LinkMaker(const profile::Profile& profile, const Clock& clock)
 
 std::unique_ptr<CanLink> LinkMaker::make(const profile::Profile& profile, Simulation simulation) const
 {
-    return make(simulation == Simulation::Off ? profile.bus : toString(BusName{}));
+    if (simulation == Simulation::Off) {
+        return make(profile.bus);
+    }
+    for (const Axis axis : kAxes) {
+        m_simulated->pair.setFitted(axis, isMoteus(profile, axis));
+    }
+    return make(toString(BusName{}));
 }
 
 std::unique_ptr<CanLink> LinkMaker::make(const std::string& busName) const

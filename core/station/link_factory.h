@@ -31,7 +31,8 @@ public:
 
     // The link that it made before is gone by then. Of a name that means no bus one that says so when it is opened.
     [[nodiscard]] std::unique_ptr<CanLink> make(const std::string& busName) const;
-    // To the mount of this profile, or to the simulated one in its place.
+    // To the mount of this profile, or to the simulated one in its place, which has a drive for each axis that has one
+    // in the profile.
     [[nodiscard]] std::unique_ptr<CanLink> make(const profile::Profile& profile, Simulation simulation) const;
     // Also of the sensor on the simulated mount, while that one is connected.
     [[nodiscard]] SensorMaker sensors(bool simulated) const

@@ -40,13 +40,13 @@ bool hasKnownMap(const FoundController& board)
 
 }  // namespace
 
-DriveSurvey::DriveSurvey(const profile::InForce& profile, const KnownBoards& known)
-    : m_profile(profile),
-      m_known(known),
-      m_scan(moteus::kDiagnosticHostId, {moteus::versionQuery()}),
-      m_sides{Side{Axis::Azimuth, profile->azimuth.id, AxisSurvey(*profile, Axis::Azimuth)},
-              Side{Axis::Elevation, profile->elevation.id, AxisSurvey(*profile, Axis::Elevation)}}
-{}
+DriveSurvey::DriveSurvey(const profile::InForce& profile, const KnownBoards& known, AxisSet axes)
+    : m_profile(profile), m_known(known), m_axes(axes), m_scan(moteus::kDiagnosticHostId, {moteus::versionQuery()})
+{
+    for (const Axis axis : axes) {
+        m_sides.push_back({axis, profile->axis(axis).id, AxisSurvey(*profile, axis)});
+    }
+}
 
 void DriveSurvey::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
@@ -119,7 +119,7 @@ Result<> DriveSurvey::fix(SteadyTime)
 
 void DriveSurvey::readOrigin(Axis axis)
 {
-    AxisSurvey& drive = m_sides[axis == Axis::Azimuth ? 0 : 1].drive;
+    AxisSurvey& drive = side(axis).drive;
     if (m_state == SurveyState::Done && !drive.isBusy()) {
         drive.readOrigin();
     }
@@ -255,7 +255,7 @@ void DriveSurvey::collectFacts(Side& side)
 
 void DriveSurvey::collectFindings()
 {
-    m_findings = identityFindings(*m_profile, m_known, m_scan.controllers());
+    m_findings = identityFindings(*m_profile, m_known, m_scan.controllers(), m_axes);
     for (const Side& side : m_sides) {
         if (!side.drive.trouble().isEmpty()) {
             m_findings.push_back({.kind = FindingKind::Unread,
@@ -338,8 +338,10 @@ QString DriveSurvey::progress() const
 
 std::vector<Change> DriveSurvey::takeChanges()
 {
-    std::vector<Change> changes = m_sides[0].drive.takeChanges();
-    std::ranges::move(m_sides[1].drive.takeChanges(), std::back_inserter(changes));
+    std::vector<Change> changes;
+    for (Side& side : m_sides) {
+        std::ranges::move(side.drive.takeChanges(), std::back_inserter(changes));
+    }
     return changes;
 }
 

@@ -8,13 +8,13 @@
 #include "core/survey/findings.h"
 #include "core/survey/identity_findings.h"
 
-#include <array>
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
 
 // Who the drives are and whether their own protections are right, before anything moves: scans the bus, identifies,
-// reads the protections of both drives side by side over their consoles, writes what differs when told to, and then
+// reads the protections of the drives side by side over their consoles, writes what differs when told to, and then
 // listens to their heartbeats. Pure: its owner calls frames() every tick, sends them and brings every received frame.
 // Its source number is kDiagnosticHostId; nothing it sends moves an axis or feeds a watchdog. States: README.md.
 namespace boresight::survey {
@@ -34,8 +34,8 @@ struct DriveFacts
 class DriveSurvey
 {
 public:
-    // The profile outlives this.
-    DriveSurvey(const profile::InForce& profile, const KnownBoards& known);
+    // The profile outlives this. `axes`: those that have a drive, and the only ones that may be asked about.
+    DriveSurvey(const profile::InForce& profile, const KnownBoards& known, AxisSet axes = kAxes);
 
     // What was found is judged anew.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
@@ -45,7 +45,7 @@ public:
     void forget();
     // The drives are read, and something differs that can be written.
     [[nodiscard]] Result<> mayFix() const;
-    // Writes what differs and can be written. Both drives must be in mode 0: the caller sees to that.
+    // Writes what differs and can be written. All drives must be in mode 0: the caller sees to that.
     [[nodiscard]] Result<> fix(SteadyTime now);
     // Reads anew what the drive's position counts from, unless the drives are being read anyway.
     void readOrigin(Axis axis);
@@ -84,7 +84,8 @@ private:
         std::optional<DriveFacts> facts{};
     };
 
-    [[nodiscard]] const Side& side(Axis axis) const { return m_sides[axis == Axis::Azimuth ? 0 : 1]; }
+    [[nodiscard]] const Side& side(Axis axis) const { return *std::ranges::find(m_sides, axis, &Side::axis); }
+    [[nodiscard]] Side& side(Axis axis) { return *std::ranges::find(m_sides, axis, &Side::axis); }
     void start(SteadyTime now);
     [[nodiscard]] bool anyBusy() const;
     void endScan(SteadyTime now);
@@ -96,8 +97,9 @@ private:
 
     const profile::InForce& m_profile;
     KnownBoards m_known;
+    AxisSet m_axes;
     BusScan m_scan;
-    std::array<Side, 2> m_sides;
+    std::vector<Side> m_sides;
     SurveyState m_state = SurveyState::NotDone;
     std::optional<SteadyTime> m_retryAt;
     bool m_retrying = false;  // a survey has ended without all drives, and is repeated

@@ -18,11 +18,15 @@ struct IdentityJudge
     const profile::Profile& profile;
     const KnownBoards& known;
     std::span<const FoundController> found;
+    AxisSet axes;
     std::vector<Finding> findings{};
 
     [[nodiscard]] int idOf(Axis axis) const { return profile.axis(axis).id; }
     [[nodiscard]] const QString& knownBoard(Axis axis) const { return known[axis == Axis::Azimuth ? 0 : 1]; }
-    [[nodiscard]] bool isOurs(int id) const { return id == profile.azimuth.id || id == profile.elevation.id; }
+    [[nodiscard]] bool isOurs(int id) const
+    {
+        return std::ranges::any_of(axes, [&](Axis axis) { return id == idOf(axis); });
+    }
     [[nodiscard]] std::ptrdiff_t countOf(int id) const { return std::ranges::count(found, id, &FoundController::id); }
 
     void judgeShared();
@@ -82,7 +86,7 @@ void IdentityJudge::judgeStrangers()
 
 void IdentityJudge::judgeSwapped()
 {
-    for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
+    for (const Axis axis : axes) {
         const Axis other = otherThan(axis);
         const FoundController* board = onlyBoard(found, idOf(axis));
         if (board == nullptr || knownBoard(other).isEmpty() || uuidOf(*board) != knownBoard(other)) {
@@ -173,7 +177,7 @@ DriveIdentity identityOf(const FoundController& controller)
 }
 
 std::vector<Finding> identityFindings(const profile::Profile& profile, const KnownBoards& known,
-                                      std::span<const FoundController> found)
+                                      std::span<const FoundController> found, AxisSet axes)
 {
     if (found.empty()) {
         return {{.kind = FindingKind::NobodyAnswers,
@@ -181,11 +185,12 @@ std::vector<Finding> identityFindings(const profile::Profile& profile, const Kno
                  .what = Text::tr("no drive answers on the bus"),
                  .remedy = Text::tr("Check the power of the drives, the bus cable, and the 120 Ω at both ends.")}};
     }
-    IdentityJudge judge{profile, known, found};
+    IdentityJudge judge{profile, known, found, axes};
     judge.judgeShared();
     judge.judgeSwapped();
-    judge.judgeAxis(Axis::Azimuth);
-    judge.judgeAxis(Axis::Elevation);
+    for (const Axis axis : axes) {
+        judge.judgeAxis(axis);
+    }
     judge.judgeStrangers();
     return std::move(judge.findings);
 }

@@ -17,8 +17,9 @@ namespace boresight::survey {
 // The boards that the memory knows, by their UUID; empty where it knows none. Azimuth, elevation.
 using KnownBoards = std::array<QString, 2>;
 
+// `axes`: those that have a drive here. A board under the id of another one is as strange as any.
 [[nodiscard]] std::vector<Finding> identityFindings(const profile::Profile& profile, const KnownBoards& known,
-                                                    std::span<const FoundController> found);
+                                                    std::span<const FoundController> found, AxisSet axes = kAxes);
 
 // The one readable board under that id; null if there is none, or more than one.
 [[nodiscard]] const FoundController* onlyBoard(std::span<const FoundController> found, int id);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 // Where the beam points, and where the axes stand: two types, because 370° and 10° are one direction but two places
 // of the cable. MountModel is the only way from one to the other.
@@ -17,6 +18,14 @@ enum class Axis
 };
 
 inline constexpr std::array<Axis, 2> kAxes{Axis::Azimuth, Axis::Elevation};
+
+// Some of kAxes, in their order.
+using AxisSet = std::span<const Axis>;
+
+[[nodiscard]] constexpr AxisSet axesIf(bool azimuth, bool elevation)
+{
+    return AxisSet(kAxes).subspan(azimuth ? 0U : 1U, (azimuth ? 1U : 0U) + (elevation ? 1U : 0U));
+}
 
 // Of an axis in what is kept for both.
 [[nodiscard]] constexpr std::size_t index(Axis axis)

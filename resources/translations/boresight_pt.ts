@@ -4826,16 +4826,12 @@ do eixo</translation>
         <translation>Uma montagem precisa de pelo menos um eixo.</translation>
     </message>
     <message>
-        <source>One moteus alone is not supported. Use &quot;moteus&quot; for both axes.</source>
-        <translation>Um só moteus não é suportado. Use &quot;moteus&quot; nos dois eixos.</translation>
-    </message>
-    <message>
         <source>The simple rotator is only simulated. Start Boresight with --simulate.</source>
         <translation>O rotor simples é apenas simulado. Inicie o Boresight com --simulate.</translation>
     </message>
     <message>
-        <source>What turns the axis. &quot;simple&quot; is simulated only: a rotator of whole degrees without a watchdog. With &quot;none&quot; the mount has no such axis.</source>
-        <translation>O que move o eixo. &quot;simple&quot; é apenas simulado: um rotor de graus inteiros sem watchdog. Com &quot;none&quot; a montagem não tem este eixo.</translation>
+        <source>What turns the axis; the other axis may have another driver. &quot;simple&quot; is simulated only: a rotator of whole degrees without a watchdog. With &quot;none&quot; the mount has no such axis.</source>
+        <translation>O que move o eixo; o outro eixo pode ter outro controlador. &quot;simple&quot; é apenas simulado: um rotor de graus inteiros sem watchdog. Com &quot;none&quot; a montagem não tem este eixo.</translation>
     </message>
     <message>
         <source>%1 (magnetic model)</source>
@@ -5688,6 +5684,10 @@ do eixo</translation>
     <message>
         <source>the bus is not released to other tools</source>
         <translation>o barramento não está libertado para outras ferramentas</translation>
+    </message>
+    <message>
+        <source>No moteus turns this axis.</source>
+        <translation>Nenhum moteus move este eixo.</translation>
     </message>
     <message>
         <source>The directions of the axes are not confirmed. Jog at 5°/s or slower, or confirm them.</source>
@@ -6844,6 +6844,10 @@ velocidade %1</translation>
         <translation>Ensaiar (2 eixos) …</translation>
     </message>
     <message>
+        <source>Run …</source>
+        <translation>Ensaiar …</translation>
+    </message>
+    <message>
         <source>ID</source>
         <translation>ID</translation>
     </message>
@@ -7251,6 +7255,10 @@ trocar os motores</translation>
     <message>
         <source>move the %1 a little first, and look at it</source>
         <translation>mova primeiro um pouco o eixo de %1, e observe-o</translation>
+    </message>
+    <message>
+        <source>only one axis has a motor that can be exchanged</source>
+        <translation>só um eixo tem um motor que se pode trocar</translation>
     </message>
 </context>
 <context>

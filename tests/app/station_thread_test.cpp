@@ -47,8 +47,9 @@ protected:
 
     std::unique_ptr<Station> station(const profile::Profile& profile)
     {
-        return std::make_unique<Station>(
-            profile, twoMoteus(links.make(profile.bus), {folder.path(), Simulation::Reference}), folder.path(), clock);
+        return std::make_unique<Station>(profile,
+                                         moteusRotator(links.make(profile.bus), {folder.path(), Simulation::Reference}),
+                                         folder.path(), clock);
     }
     std::unique_ptr<Station> build(const profile::Profile& profile)
     {

@@ -116,7 +116,8 @@ private:
               sim::Injection{.kind = FaultKind::PowerLoss, .at = Seconds(22.0), .duration = Seconds(0.5)}}) {
             link->pair().faults().add(fault);
         }
-        return std::make_unique<Station>(profile, twoMoteus(std::move(link), {m_folder.path(), Simulation::Reference}),
+        return std::make_unique<Station>(profile,
+                                         moteusRotator(std::move(link), {m_folder.path(), Simulation::Reference}),
                                          m_folder.path(), m_clock);
     }
 

@@ -35,7 +35,7 @@ SimulatedStation::SimulatedStation(const profile::Profile& profile, const sim::P
     auto owned = std::make_unique<SimulatedLink>(clock, pair);
     link = owned.get();
     station = std::make_unique<Station>(
-        profile, twoMoteus(std::move(owned), {m_stateDir.path(), simulationOf(Simulation::Off, profile)}),
+        profile, moteusRotator(std::move(owned), {m_stateDir.path(), simulationOf(Simulation::Off, profile)}),
         m_stateDir.path(), clock);
     QObject::connect(station.get(), &Station::started,
                      [this](const QString& listening) { m_port = listening.section(QLatin1Char(':'), -1).toUShort(); });

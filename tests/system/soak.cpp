@@ -111,7 +111,7 @@ Soak::~Soak() = default;
 void Soak::start(const std::optional<memory::EnteredPlace>& standingAt)
 {
     m_station = std::make_unique<Station>(
-        m_profile, twoMoteus(std::make_unique<LentLink>(*this), {m_stateDir.path(), Simulation::Off, standingAt}),
+        m_profile, moteusRotator(std::make_unique<LentLink>(*this), {m_stateDir.path(), Simulation::Off, standingAt}),
         m_stateDir.path(), m_clock);
     QObject::connect(m_station.get(), &Station::started,
                      [this](const QString& listening) { m_port = listening.section(QLatin1Char(':'), -1).toUShort(); });

@@ -69,6 +69,9 @@ QString strangersText(const std::vector<Stranger>& strangers)
 
 Sentence crashStopSentence(const DriveStatus& drive)
 {
+    if (!drive.present) {
+        return {known({})};
+    }
     if (!drive.crashStop) {
         return {DrivesPanel::tr("not proved yet")};
     }
@@ -219,22 +222,30 @@ void DrivesPanel::showDrive(Axis axis)
     row.uuid->setToolTip(drive.identity.uuid);
     row.firmware->setValue(known(drive.identity.firmware));
     row.registerMap->setValue(number(drive.identity.registerMap));
-    const bool turnKnown = isTurnKnown(m_status, axis);
-    row.turn->setValue(turnKnown ? tr("known") : tr("unknown"), turnKnown ? Tone::Normal : Tone::Warning,
-                       turnKnown ? Symbol::None : Symbol::Warning);
+    if (drive.present) {
+        const bool turnKnown = isTurnKnown(m_status, axis);
+        row.turn->setValue(turnKnown ? tr("known") : tr("unknown"), turnKnown ? Tone::Normal : Tone::Warning,
+                           turnKnown ? Symbol::None : Symbol::Warning);
+    } else {
+        row.turn->setValue(known({}));
+    }
     const Sentence stop = crashStopSentence(drive);
     m_crashStops[axisIndex(axis)]->setValue(stop.text, stop.tone, stop.symbol);
 }
 
 void DrivesPanel::showProof()
 {
-    const bool running = drivesOf(m_status).proofRunning;
-    m_run->setCommand(running ? tr("End proof") : tr("Run (both axes) …"),
+    const DrivesStatus& drives = drivesOf(m_status);
+    const bool running = drives.proofRunning;
+    const bool both = drives.azimuth.present && drives.elevation.present;
+    m_run->setCommand(running ? tr("End proof")
+                      : both  ? tr("Run (both axes) …")
+                              : tr("Run …"),
                       running ? tr("Feed the drives again and hold")
                               : tr("Move each axis, stop feeding its drive, measure; asks first"));
     m_run->setBlocked(running ? QString() : m_status.permissions.reason(Action::ProveCrashStop));
     m_rate->setEnabled(!running);
-    m_proof->setValue(drivesOf(m_status).proofText, running ? Tone::Advisory : Tone::Secondary,
+    m_proof->setValue(drives.proofText, running ? Tone::Advisory : Tone::Secondary,
                       running ? Symbol::Advisory : Symbol::None);
 }
 

@@ -52,7 +52,9 @@ QStringList linesOfDrives(const StationStatus& status)
     QStringList lines;
     if (status.drives) {
         for (const Axis axis : kAxes) {
-            lines << line(status, axis);
+            if (driveOf(status, axis).present) {
+                lines << line(status, axis);
+            }
         }
         for (const Stranger& one : status.drives->strangers) {
             lines << GuideConnect::tr("id %1: not in the profile").arg(one.id);
@@ -196,8 +198,9 @@ ProfileChange::Edit GuideConnect::useSelected() const
 std::vector<int> GuideConnect::idsFound() const
 {
     std::vector<int> ids;
-    const bool ownSilent = std::ranges::all_of(
-        kAxes, [this](Axis axis) { return freshness(axisOf(m_status, axis).age) == Freshness::NoData; });
+    const bool ownSilent = std::ranges::all_of(kAxes, [this](Axis axis) {
+        return !driveOf(m_status, axis).present || freshness(axisOf(m_status, axis).age) == Freshness::NoData;
+    });
     if (selectedBus() == busInUse() && ownSilent) {
         std::ranges::transform(drivesOf(m_status).strangers, std::back_inserter(ids), &Stranger::id);
     } else if (m_result && m_result->bus == selectedBus()) {

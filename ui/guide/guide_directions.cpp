@@ -141,7 +141,9 @@ void GuideDirections::follow(Axis axis)
 
 void GuideDirections::showButtons()
 {
-    m_swap->setBlocked(m_change.whyNot(m_status, &profile::swapMotors));
+    const bool both = std::ranges::all_of(kAxes, [this](Axis axis) { return driveOf(m_status, axis).present; });
+    m_swap->setBlocked(both ? m_change.whyNot(m_status, &profile::swapMotors)
+                            : tr("only one axis has a motor that can be exchanged"));
     for (const Axis axis : kAxes) {
         const auto turned = [axis](profile::Profile& profile) { profile::reverse(profile, axis, std::nullopt); };
         m_rows[axisIndex(axis)].reverse->setBlocked(m_change.whyNot(m_status, turned));

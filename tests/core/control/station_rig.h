@@ -7,7 +7,8 @@
 #include "tests/fakes/ideal_drive.h"
 #include "tests/fakes/manual_clock.h"
 
-// StationControl with two ideal drives and a hand-turned clock.
+// StationControl with two ideal drives, or with one if the profile has one, and a hand-turned clock. Both are on the
+// bus.
 namespace boresight {
 
 inline const Source kOperator{.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
@@ -24,11 +25,13 @@ struct StationRig
                         const MakeSources& sources = motionSources)
         : profile(settings),
           step(1.0 / settings.control.tickHz),
-          mount(inForce, clock, log, alarms, start),
+          mount(inForce, clock, log, alarms, start,
+                axesIf(settings.azimuth.driver == profile::AxisDriver::Moteus,
+                       settings.elevation.driver == profile::AxisDriver::Moteus)),
           control(inForce, clock, log, alarms, mount, sources)
     {
         mount.setFitness({});
-        for (const Axis axis : kAxes) {
+        for (const Axis axis : mount.axes()) {
             learn(axis, factsOf(axis));
         }
     }
@@ -58,7 +61,7 @@ struct StationRig
     {
         clock.advance(step);
         const SteadyTime now = clock.now();
-        for (const Axis axis : kAxes) {
+        for (const Axis axis : mount.axes()) {
             if (mount.needsOrigin(axis)) {
                 learn(axis, facts[index(axis)]);
             }

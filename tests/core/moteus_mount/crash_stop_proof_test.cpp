@@ -100,6 +100,22 @@ TEST(CrashStopProof, MeasuresWhereAndWhenBothAxesStand)
     }
 }
 
+TEST(CrashStopProof, IsOfTheAxesThatTheMountHas)
+{
+    const TravelRange none{0_deg, 0_deg};
+    for (const Axis axis : kAxes) {
+        const bool azimuth = axis == Axis::Azimuth;
+        const auto proof = CrashStopProof::prepare(2_deg_s, {100_deg, 45_deg}, azimuth ? kAzimuthTravel : none,
+                                                   azimuth ? none : kElevationTravel, axesIf(azimuth, !azimuth));
+        ASSERT_TRUE(proof) << "the axis that is missing needs no room";
+        EXPECT_EQ(proof->axis(), axis);
+        Mount mount;
+        EXPECT_EQ(mount.run(*proof).size(), 1U);
+        EXPECT_TRUE(mount.over);
+        EXPECT_TRUE(mount.failure.isEmpty()) << mount.failure.toStdString();
+    }
+}
+
 TEST(CrashStopProof, ADriveThatRunsOnIsAFailureAndIsTakenBack)
 {
     Mount mount(1000.0);

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -22,10 +23,14 @@ namespace {
 
 constexpr Seconds kOneTick{0.02};
 
+using profile::AxisDriver;
+
 // Slow enough for every rotator here.
-profile::Profile slowProfile()
+profile::Profile slowProfile(AxisDriver azimuth = AxisDriver::Moteus, AxisDriver elevation = AxisDriver::Moteus)
 {
     profile::Profile profile;
+    profile.azimuth.driver = azimuth;
+    profile.elevation.driver = elevation;
     for (const Axis axis : kAxes) {
         profile::AxisSettings& settings = axis == Axis::Azimuth ? profile.azimuth : profile.elevation;
         settings.limits.speed = AngularRate::fromDegrees(5.0);
@@ -55,8 +60,15 @@ public:
     // The last that there is.
     [[nodiscard]] Axis someAxis() { return has(Axis::Elevation) ? Axis::Elevation : Axis::Azimuth; }
     [[nodiscard]] Seconds silence() { return can().axes[index(someAxis())]->silence; }  // within this it is reported
-    // Of the simulation, at least.
-    [[nodiscard]] Angle resolution() { return std::max(can().axes[index(someAxis())]->step, Angle::fromDegrees(0.01)); }
+    // Of the coarsest axis; of the simulation, at least.
+    [[nodiscard]] Angle resolution()
+    {
+        Angle resolution = Angle::fromDegrees(0.01);
+        for (const auto& axis : can().axes) {
+            resolution = axis ? std::max(resolution, axis->step) : resolution;
+        }
+        return resolution;
+    }
     // A missing axis has not moved at all.
     void expectAt(const AxisPosition& place, const AxisPosition& before, Angle tolerance)
     {
@@ -94,7 +106,9 @@ public:
 class MoteusBench final : public Bench
 {
 public:
+    explicit MoteusBench(const profile::Profile& profile = slowProfile()) : m_rig(profile) {}
     StationControl& control() override { return m_rig.control; }
+    [[nodiscard]] StationRig& rig() { return m_rig; }
     void tick() override { m_rig.tick(); }
     AxisPosition truth() override
     {
@@ -105,7 +119,7 @@ public:
     void setLine(bool connected) override { m_rig.azimuth.silent = m_rig.elevation.silent = !connected; }
 
 private:
-    StationRig m_rig{slowProfile()};
+    StationRig m_rig;
 };
 
 const AxisPosition kBetweenDegrees{.azimuth = Angle::fromDegrees(10.4), .elevation = Angle::fromDegrees(20.6)};
@@ -177,6 +191,90 @@ private:
     SimpleMount m_azimuth{m_azimuthBox, {.azimuth = true, .elevation = false}};
     SimpleMount m_elevation{m_elevationBox, {.azimuth = false, .elevation = true}};
     PairedMount m_mount{m_azimuth, m_elevation};
+    StationControl m_control{m_profile, m_clock, m_log, m_alarms, m_mount, motionSources};
+};
+
+// A moteus and a simple rotator, an axis each.
+class MixedBench final : public Bench
+{
+public:
+    explicit MixedBench(Axis moteus) : m_axis(moteus)
+    {
+        m_moteus.setFitness({});
+        learn();
+    }
+    StationControl& control() override { return m_control; }
+    void tick() override
+    {
+        m_clock.advance(kOneTick);
+        if (m_moteus.needsOrigin(m_axis)) {
+            learn();
+        }
+        m_control.tick();
+        for (const CanFrame& frame : m_moteus.frames()) {
+            for (fakes::IdealDrive& drive : m_onBus) {
+                if (const auto reply = drive.answer(frame, m_clock.now())) {
+                    m_moteus.take(*reply);
+                }
+            }
+        }
+        m_moteus.framesSent();
+        m_simple.send();
+    }
+    AxisPosition truth() override
+    {
+        const Angle turned = m_profile->axis(m_axis).geometry.toAxis(MotorTurns::fromTurns(drive().position));
+        const AxisPosition box = m_box.truth();
+        return m_axis == Axis::Azimuth ? AxisPosition{turned, box.elevation} : AxisPosition{box.azimuth, turned};
+    }
+    bool ordered() override { return m_box.orders() > 0 || !m_onBus[0].seen.empty() || !m_onBus[1].seen.empty(); }
+    void setLine(bool connected) override
+    {
+        drive().silent = !connected;
+        m_box.setPower(connected, m_clock.now());
+    }
+    void setBoxLine(bool connected) { m_box.setPower(connected, m_clock.now()); }
+    // What one of them has turned, or was ordered to, of the axis that is the other's.
+    [[nodiscard]] bool turnedForeignAxes() const
+    {
+        const AxisPosition box = m_box.truth();
+        return !m_onBus[1 - index(m_axis)].seen.empty() ||
+               (m_axis == Axis::Azimuth ? box.azimuth != kBetweenDegrees.azimuth
+                                        : box.elevation != kBetweenDegrees.elevation);
+    }
+
+private:
+    [[nodiscard]] fakes::IdealDrive& drive() { return m_onBus[index(m_axis)]; }
+    // As the survey tells it.
+    void learn()
+    {
+        m_moteus.learn(m_axis, survey::DriveFacts{
+                                   .uuid = QStringLiteral("a0000000-0000-0000-0000-000000000001"),
+                                   .bootedAt = m_clock.now() - std::chrono::hours(1),
+                                   .outputEncoder = false,
+                                   .rotorToOutputRatio = 0.01,
+                                   .holdsWhenNotFed = true,
+                                   .origin = {.origin = moteus::CountOrigin{.beginning = 1, .offset = drive().origin()},
+                                              .asked = m_clock.now()}});
+    }
+
+    const Axis m_axis;  // of the moteus
+    const profile::InForce m_profile{slowProfile(m_axis == Axis::Azimuth ? AxisDriver::Moteus : AxisDriver::Simple,
+                                                 m_axis == Axis::Azimuth ? AxisDriver::Simple : AxisDriver::Moteus)};
+    fakes::ManualClock m_clock;
+    EventLog m_log{m_clock};
+    AlarmBoard m_alarms{m_log, m_clock};
+    std::array<fakes::IdealDrive, 2> m_onBus{fakes::IdealDrive{1, 0.0}, fakes::IdealDrive{2, -0.25}};
+    SimpleBox m_box{kBetweenDegrees};
+    MoteusMount m_moteus{m_profile,
+                         m_clock,
+                         m_log,
+                         m_alarms,
+                         {.trustFirstContact = true},
+                         axesIf(m_axis == Axis::Azimuth, m_axis == Axis::Elevation)};
+    SimpleMount m_simple{m_box, {.azimuth = m_axis != Axis::Azimuth, .elevation = m_axis != Axis::Elevation}};
+    PairedMount m_mount{m_axis == Axis::Azimuth ? static_cast<MountDriver&>(m_moteus) : m_simple,
+                        m_axis == Axis::Azimuth ? static_cast<MountDriver&>(m_simple) : m_moteus};
     StationControl m_control{m_profile, m_clock, m_log, m_alarms, m_mount, motionSources};
 };
 
@@ -324,7 +422,8 @@ TEST_P(MountPromises, TheEndOfTheProgramLeavesItStanding)
 TEST_P(MountPromises, AMissingWatchdogIsShownOnceAndCanBeAcknowledged)
 {
     bench->run(Seconds(1.0));
-    const bool watchdog = bench->can().axes[index(bench->someAxis())]->watchdog;
+    const bool watchdog =
+        std::ranges::all_of(bench->can().axes, [](const auto& axis) { return !axis || axis->watchdog; });
     EXPECT_EQ(bench->warns("mount.no-watchdog"), !watchdog);
     ASSERT_TRUE(bench->ask(request::AcknowledgeAlarms{}));
     bench->run(Seconds(5.0));
@@ -338,13 +437,23 @@ std::unique_ptr<Bench> simpleBench(bool azimuth, bool elevation)
     return std::make_unique<SimpleBench>(SimpleMount::Axes{.azimuth = azimuth, .elevation = elevation});
 }
 
-INSTANTIATE_TEST_SUITE_P(Drivers, MountPromises,
-                         testing::Values(Kind{"TwoMoteus", [] { return std::make_unique<MoteusBench>(); }},
-                                         Kind{"Simple", [] { return simpleBench(true, true); }},
-                                         Kind{"SimpleAzimuthOnly", [] { return simpleBench(true, false); }},
-                                         Kind{"SimpleElevationOnly", [] { return simpleBench(false, true); }},
-                                         Kind{"Pair", [] { return std::make_unique<PairBench>(); }}),
-                         [](const auto& info) { return std::string(info.param.name); });
+std::unique_ptr<Bench> moteusBench(AxisDriver azimuth, AxisDriver elevation)
+{
+    return std::make_unique<MoteusBench>(slowProfile(azimuth, elevation));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Drivers, MountPromises,
+    testing::Values(Kind{"TwoMoteus", [] { return std::make_unique<MoteusBench>(); }},
+                    Kind{"MoteusAzimuthOnly", [] { return moteusBench(AxisDriver::Moteus, AxisDriver::None); }},
+                    Kind{"MoteusElevationOnly", [] { return moteusBench(AxisDriver::None, AxisDriver::Moteus); }},
+                    Kind{"MoteusAndSimple", [] { return std::make_unique<MixedBench>(Axis::Azimuth); }},
+                    Kind{"SimpleAndMoteus", [] { return std::make_unique<MixedBench>(Axis::Elevation); }},
+                    Kind{"Simple", [] { return simpleBench(true, true); }},
+                    Kind{"SimpleAzimuthOnly", [] { return simpleBench(true, false); }},
+                    Kind{"SimpleElevationOnly", [] { return simpleBench(false, true); }},
+                    Kind{"Pair", [] { return std::make_unique<PairBench>(); }}),
+    [](const auto& info) { return std::string(info.param.name); });
 
 // REQ-MOUNT-07: Two axes on two drivers are one mount. A trouble of one driver stops both axes, and neither driver
 // turns the axis of the other.
@@ -368,6 +477,47 @@ TEST(MountPort, ATroubleOfOneOfTwoDriversStopsBothAxes)
     bench.run(Seconds(25.0));
     EXPECT_EQ(bench.control().state(), StationState::Hold);
     EXPECT_FALSE(bench.turnedForeignAxes());
+}
+
+// REQ-MOUNT-07
+TEST(MountPort, ATroubleOfAnotherKindOfDriverStopsBothAxes)
+{
+    for (const Axis moteus : kAxes) {
+        MixedBench bench(moteus);
+        bench.run(Seconds(1.0));
+        ASSERT_TRUE(bench.goTo(90.0, 60.0));
+        bench.run(Seconds(3.0));
+        bench.setBoxLine(false);
+        bench.run(Seconds(4.0));
+        EXPECT_TRUE(bench.control().faultLatched());
+        EXPECT_TRUE(bench.stands(Seconds(3.0)));
+        bench.setBoxLine(true);
+        bench.run(Seconds(2.0));
+        EXPECT_TRUE(bench.stands(Seconds(3.0)));
+        ASSERT_TRUE(bench.ask(request::Rearm{}));
+        bench.run(Seconds(1.0));
+        EXPECT_TRUE(bench.stands(Seconds(3.0)));
+        ASSERT_TRUE(bench.goTo(90.0, 60.0));
+        bench.run(Seconds(25.0));
+        EXPECT_EQ(bench.control().state(), StationState::Hold);
+        EXPECT_FALSE(bench.turnedForeignAxes());
+    }
+}
+
+// REQ-MOUNT-09: What one of two drivers offers besides moving can be had, for its axis. What two offer can not.
+TEST(MountPort, APairOffersWhatOneOfItsDriversOffers)
+{
+    MixedBench bench(Axis::Elevation);
+    ASSERT_NE(bench.control().mount().service(), nullptr);
+    PairBench simple;
+    EXPECT_EQ(simple.control().mount().service(), nullptr);
+    bench.run(Seconds(1.0));
+    const auto refused = bench.ask(request::ChooseTurn{Axis::Azimuth, 10_deg});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().text.find("No moteus turns this axis"), std::string::npos) << refused.error().text;
+    const DrivesStatus drives = *bench.control().status().drives;
+    EXPECT_FALSE(drives.azimuth.present);
+    EXPECT_TRUE(drives.elevation.present);
 }
 
 // REQ-MOUNT-02: The set-points are never faster than the rotator, whatever the profile permits.
@@ -427,6 +577,60 @@ TEST(OneAxis, WhatIsAskedOfTheMissingAxisIsIgnored)
         EXPECT_NEAR(missing == Axis::Azimuth ? direction.elevation.degrees() : direction.azimuth.degrees(),
                     missing == Axis::Azimuth ? 40.0 : 120.0, 1e-6);
     }
+}
+
+// REQ-MOUNT-10: Of an axis that no moteus turns nothing is asked, commanded, kept or believed, whoever answers under
+// its id. The crash-stop proof is of the other one.
+TEST(OneAxis, NothingOfADriveUnderTheIdOfTheMissingAxisCounts)
+{
+    StationRig foreign;  // has drives for both axes
+    foreign.run(Seconds(0.1));
+    for (const Axis missing : kAxes) {
+        const bool azimuth = missing != Axis::Azimuth;
+        const Axis there = azimuth ? Axis::Azimuth : Axis::Elevation;
+        MoteusBench bench(slowProfile(azimuth ? AxisDriver::Moteus : AxisDriver::None,
+                                      azimuth ? AxisDriver::None : AxisDriver::Moteus));
+        StationRig& rig = bench.rig();
+        const AxisPosition before = bench.truth();
+        bench.run(Seconds(1.0));
+        ASSERT_TRUE(bench.goTo(120.0, 40.0));
+        for (int i = 0; i < 1500; ++i) {
+            bench.tick();
+            const auto frames = rig.mount.frames();
+            ASSERT_EQ(frames.size(), 1U);
+            ASSERT_EQ(moteus::fromCanId(frames.front().id).destination, rig.profile.axis(there).id);
+            const CanFrame question = foreign.mount.frames()[index(missing)];
+            rig.mount.take(foreign.drive(missing).answer(question, rig.clock.now()).value());
+        }
+        EXPECT_TRUE(rig.drive(missing).seen.empty());
+        bench.expectAt({120_deg, 40_deg}, before, bench.resolution());
+        EXPECT_EQ(rig.mount.report(missing).place, 0_deg);
+        EXPECT_FALSE(rig.mount.memory().turns[index(missing)]);
+        EXPECT_TRUE(rig.mount.memory().turns[index(there)]);
+        EXPECT_FALSE(rig.mount.chooseWrap(missing, 0_deg, QStringLiteral("operator")));
+        const DrivesStatus drives = *rig.control.status().drives;
+        EXPECT_EQ(drives.azimuth.present, azimuth);
+        EXPECT_EQ(drives.elevation.present, !azimuth);
+    }
+}
+
+// REQ-MOUNT-10
+TEST(OneAxis, TheCrashStopOfItIsProvenAlone)
+{
+    MoteusBench bench(slowProfile(AxisDriver::None, AxisDriver::Moteus));
+    StationRig& rig = bench.rig();
+    bench.run(Seconds(1.0));
+    ASSERT_TRUE(bench.goTo(0.0, 45.0));
+    bench.run(Seconds(15.0));
+    const Result<> proving = bench.ask(request::ProveCrashStop{AngularRate::fromDegrees(2.0)});
+    ASSERT_TRUE(proving) << proving.error().text;
+    bench.run(Seconds(10.0));
+    EXPECT_FALSE(rig.mount.proofRunning());
+    const DrivesStatus drives = *rig.control.status().drives;
+    EXPECT_EQ(drives.proofText, QStringLiteral("done"));
+    EXPECT_FALSE(drives.azimuth.crashStop);
+    EXPECT_TRUE(drives.elevation.crashStop);
+    EXPECT_TRUE(rig.drive(Axis::Azimuth).seen.empty());
 }
 
 // REQ-MOUNT-03

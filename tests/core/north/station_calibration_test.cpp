@@ -36,7 +36,7 @@ public:
         auto owned = std::make_unique<SimulatedLink>(clock, m_mount);
         m_link = owned.get();
         station = std::make_unique<Station>(
-            profile, twoMoteus(std::move(owned), {folder.path(), simulationOf(Simulation::Off, profile)}),
+            profile, moteusRotator(std::move(owned), {folder.path(), simulationOf(Simulation::Off, profile)}),
             folder.path(), clock);
         station->setSensorMaker([this](const profile::Profile& wanted, mqtt::Connection& broker) {
             auto made = sensorMaker(clock, m_mount)(wanted, broker);

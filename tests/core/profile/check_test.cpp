@@ -42,8 +42,8 @@ TEST(CrossCheck, FindsEveryClashAtOnce)
                                         "jog.normal_deg_s"}));
 }
 
-// REQ-MOUNT-06: A profile has at least one axis. What turns it is known to Boresight, and the simple rotator, which is
-// only simulated, is refused on a bus.
+// REQ-MOUNT-06: A profile has at least one axis. What turns it is known to Boresight, and the two axes may be turned by
+// different kinds. The simple rotator, which is only simulated, is refused on a bus.
 TEST(CrossCheck, TheDriversOfTheAxesMakeSense)
 {
     const auto found = [](AxisDriver azimuth, AxisDriver elevation, const char* bus) {
@@ -60,11 +60,26 @@ TEST(CrossCheck, TheDriversOfTheAxesMakeSense)
     EXPECT_EQ(found(AxisDriver::None, AxisDriver::Simple, "simulated"), nothing);
     EXPECT_EQ(found(AxisDriver::Simple, AxisDriver::Simple, "simulated"), nothing);
     EXPECT_EQ(found(AxisDriver::None, AxisDriver::None, "simulated"), only("elevation.driver"));
-    EXPECT_EQ(found(AxisDriver::Moteus, AxisDriver::None, "socketcan:can0"), only("azimuth.driver"));
+    EXPECT_EQ(found(AxisDriver::Moteus, AxisDriver::None, "socketcan:can0"), nothing);
+    EXPECT_EQ(found(AxisDriver::None, AxisDriver::Moteus, "socketcan:can0"), nothing);
+    EXPECT_EQ(found(AxisDriver::Moteus, AxisDriver::Simple, "simulated"), nothing);
+    EXPECT_EQ(found(AxisDriver::Simple, AxisDriver::Moteus, "simulated"), nothing);
     Profile simple;
     simple.azimuth.driver = AxisDriver::None;
     simple.elevation.driver = AxisDriver::Simple;
     EXPECT_EQ(keysOf(problemsOfReal(simple)), only("elevation.driver"));
+    simple.azimuth.driver = AxisDriver::Moteus;
+    EXPECT_EQ(keysOf(problemsOfReal(simple)), only("elevation.driver")) << "not even beside a real drive";
+}
+
+// REQ-PROFILE-04
+TEST(CrossCheck, AnIdThatNoControllerHasClashesWithNone)
+{
+    Profile profile;
+    profile.elevation.id = profile.azimuth.id;
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"elevation.id"});
+    profile.elevation.driver = AxisDriver::None;
+    EXPECT_TRUE(crossCheck(profile).empty());
 }
 
 // REQ-PROFILE-04

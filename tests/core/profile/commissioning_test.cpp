@@ -110,6 +110,24 @@ TEST(Commissioning, OneIdOrThreeTellNothing)
     EXPECT_EQ(profile.elevation.id, 2);
 }
 
+// The id of the axis that no controller turns means nothing.
+TEST(Commissioning, AMountWithOneControllerTakesTheOneIdThatAnswers)
+{
+    Profile profile;
+    profile.elevation.driver = AxisDriver::None;
+    useBus(profile, "socketcan:can0", std::array{3, 5});
+    EXPECT_EQ(profile.azimuth.id, 1) << "nobody knows which one it is";
+    useBus(profile, "socketcan:can0", std::array{5});
+    EXPECT_EQ(profile.azimuth.id, 5);
+    EXPECT_EQ(profile.elevation.id, 2);
+    profile.mount.directions = Directions::Confirmed;
+    useBus(profile, "socketcan:can0", std::array{3, 5});
+    useBus(profile, "socketcan:can0", std::array{5});
+    EXPECT_EQ(profile.azimuth.id, 5) << "it answers";
+    EXPECT_EQ(profile.mount.directions, Directions::Confirmed);
+    expectMakesSense(profile);
+}
+
 TEST(Commissioning, SwappedMotorsAreToBeConfirmedAnew)
 {
     Profile profile;

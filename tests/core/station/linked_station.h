@@ -29,8 +29,8 @@ struct LinkedStation
     {
         auto owned = std::make_unique<fakes::FakeCanLink>();
         link = owned.get();
-        station =
-            std::make_unique<Station>(profile, twoMoteus(std::move(owned), {stateDir.path()}), stateDir.path(), clock);
+        station = std::make_unique<Station>(profile, moteusRotator(std::move(owned), {stateDir.path()}),
+                                            stateDir.path(), clock);
         QObject::connect(station.get(), &Station::updated,
                          [this](const StationUpdate& update) { updates.push_back(update); });
     }

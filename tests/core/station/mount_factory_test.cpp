@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/mount_factory.h"
 
+#include "core/mount/mount_service.h"
 #include "core/mqtt/broker_client.h"
+#include "core/sim_bus/simulated_link.h"
 #include "tests/fakes/manual_clock.h"
 
 #include <QTemporaryDir>
 
 #include <gtest/gtest.h>
+
+#include <memory>
 
 namespace boresight {
 namespace {
@@ -43,9 +47,114 @@ TEST(MountFactory, TheSimulatedSensorIsOnTheTwoMoteusOnly)
     EXPECT_TRUE(mounts.sensors(profile, Simulation::Reference)(profile, broker));
     EXPECT_FALSE(mounts.sensors(profile, Simulation::Simple)(profile, broker));
     EXPECT_FALSE(mounts.sensors(profile, Simulation::Off)(profile, broker));
+    profile.elevation.driver = profile::AxisDriver::None;
+    EXPECT_FALSE(mounts.sensors(profile, Simulation::Reference)(profile, broker));
+    profile.elevation.driver = profile::AxisDriver::Simple;
+    EXPECT_FALSE(mounts.sensors(profile, Simulation::Reference)(profile, broker));
     profile.azimuth.driver = profile::AxisDriver::Simple;
     profile.elevation.driver = profile::AxisDriver::None;
     EXPECT_FALSE(mounts.sensors(profile, Simulation::Reference)(profile, broker));
+}
+
+// A simulated mount of these drivers, with its line.
+class Made
+{
+public:
+    Made(profile::AxisDriver azimuth, profile::AxisDriver elevation, Simulation simulation = Simulation::Reference)
+    {
+        m_profile.azimuth.driver = azimuth;
+        m_profile.elevation.driver = elevation;
+        m_inForce = std::make_unique<profile::InForce>(m_profile);
+        m_mount = MountFactory(m_profile, m_clock)
+                      .make(m_profile, {m_stateDir.path(), simulation})(*m_inForce, m_clock, m_log, m_alarms);
+    }
+
+    [[nodiscard]] MountDriver& driver() { return m_mount->driver(); }
+    [[nodiscard]] Capabilities can() { return driver().capabilities(); }
+    // As the station serves it.
+    void run(Seconds time)
+    {
+        constexpr Seconds kTick{0.02};
+        m_mount->open();
+        for (Seconds left = time; left > Seconds(0.0); left -= kTick) {
+            m_clock.advance(kTick);
+            if (auto* const link = m_mount->findChild<SimulatedLink*>()) {
+                link->deliver();
+            }
+            driver().observe(m_clock.now());
+            (void)driver().supervise({});
+            m_mount->send();
+        }
+    }
+    [[nodiscard]] DrivesStatus drives()
+    {
+        StationStatus status;
+        status.drives.emplace();
+        driver().service()->describe(*status.drives);
+        m_mount->describe(status);
+        return *status.drives;
+    }
+    [[nodiscard]] MountLine line() const
+    {
+        StationStatus status;
+        m_mount->describe(status);
+        return status.line;
+    }
+
+private:
+    profile::Profile m_profile;
+    const QTemporaryDir m_stateDir;
+    fakes::ManualClock m_clock;
+    EventLog m_log{m_clock};
+    AlarmBoard m_alarms{m_log, m_clock};
+    std::unique_ptr<profile::InForce> m_inForce;
+    std::unique_ptr<MountConnection> m_mount;
+};
+
+using profile::AxisDriver;
+
+// REQ-STATION-50: The mount has the axes of the profile, each with its own driver. In a simulation a drive is on the
+// bus for each axis that has one, so that none is a stranger.
+TEST(MountFactory, OneDriveIsAMountWithOneAxis)
+{
+    for (const Axis axis : kAxes) {
+        const bool azimuth = axis == Axis::Azimuth;
+        Made made(azimuth ? AxisDriver::Moteus : AxisDriver::None, azimuth ? AxisDriver::None : AxisDriver::Moteus);
+        EXPECT_EQ(made.can().has(Axis::Azimuth), azimuth);
+        EXPECT_EQ(made.can().has(Axis::Elevation), !azimuth);
+        made.run(Seconds(8.0));
+        EXPECT_TRUE(made.driver().answers());
+        EXPECT_TRUE(made.driver().fitness()) << made.driver().fitness().error().text;
+        EXPECT_EQ(made.drives().survey, SurveyState::Done);
+        EXPECT_TRUE(made.drives().strangers.empty());
+    }
+}
+
+// REQ-STATION-50
+TEST(MountFactory, TwoKindsOfDriversAreOneMount)
+{
+    for (const Axis axis : kAxes) {
+        const bool azimuth = axis == Axis::Azimuth;
+        Made made(azimuth ? AxisDriver::Moteus : AxisDriver::Simple, azimuth ? AxisDriver::Simple : AxisDriver::Moteus);
+        const Capabilities can = made.can();
+        ASSERT_TRUE(can.has(Axis::Azimuth) && can.has(Axis::Elevation));
+        EXPECT_EQ(can.axes[0]->watchdog, azimuth);
+        EXPECT_EQ(can.axes[1]->watchdog, !azimuth);
+        EXPECT_EQ(made.line().kind, QStringLiteral("CAN")) << "the other one has none";
+        made.run(Seconds(8.0));
+        EXPECT_TRUE(made.driver().answers());
+        EXPECT_TRUE(made.driver().fitness()) << made.driver().fitness().error().text;
+        EXPECT_TRUE(made.drives().strangers.empty());
+    }
+}
+
+// REQ-STATION-50
+TEST(MountFactory, TheSimpleSimulationHasTheAxesOfTheProfile)
+{
+    Made made(AxisDriver::Moteus, AxisDriver::None, Simulation::Simple);
+    ASSERT_TRUE(made.can().has(Axis::Azimuth));
+    EXPECT_FALSE(made.can().axes[0]->watchdog);
+    EXPECT_FALSE(made.can().has(Axis::Elevation));
 }
 
 }  // namespace

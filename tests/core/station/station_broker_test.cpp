@@ -43,7 +43,7 @@ protected:
     void build(const profile::Profile& profile)
     {
         station = std::make_unique<Station>(
-            profile, twoMoteus(std::make_unique<SimulatedLink>(clock), {stateDir.path(), Simulation::Reference}),
+            profile, moteusRotator(std::make_unique<SimulatedLink>(clock), {stateDir.path(), Simulation::Reference}),
             stateDir.path(), clock);
         link = station->findChild<SimulatedLink*>();
         QObject::connect(station.get(), &Station::updated, station.get(), [this](const StationUpdate& update) {

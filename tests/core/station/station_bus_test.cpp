@@ -68,7 +68,8 @@ TEST(Station, AMountThatAnotherProgramControlsIsLeftAlone)
     first.run(5);
     auto owned = std::make_unique<fakes::FakeCanLink>();
     fakes::FakeCanLink* const link = owned.get();
-    Station second(profile, twoMoteus(std::move(owned), {first.stateDir.path()}), first.stateDir.path(), first.clock);
+    Station second(profile, moteusRotator(std::move(owned), {first.stateDir.path()}), first.stateDir.path(),
+                   first.clock);
     QSignalSpy started(&second, &Station::started);
     second.openAll();
     ASSERT_EQ(started.size(), 1);

@@ -27,8 +27,9 @@ struct SurveyedRig
     {
         auto owned = std::make_unique<SimulatedLink>(clock);
         link = owned.get();
-        station = std::make_unique<Station>(
-            anyPort(), twoMoteus(std::move(owned), {stateDir.path(), Simulation::Reference}), stateDir.path(), clock);
+        station = std::make_unique<Station>(anyPort(),
+                                            moteusRotator(std::move(owned), {stateDir.path(), Simulation::Reference}),
+                                            stateDir.path(), clock);
         QObject::connect(station.get(), &Station::updated,
                          [this](const StationUpdate& update) { updates.push_back(update); });
     }

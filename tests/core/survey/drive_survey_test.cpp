@@ -145,6 +145,27 @@ TEST(DriveSurvey, NoticesAMissingAndAnUnknownBoard)
 }
 
 // REQ-SURVEY-04
+TEST(DriveSurvey, ReadsNoBoardOfAnAxisWithoutDrive)
+{
+    for (const Axis axis : kAxes) {
+        SurveyRig rig(sim::commissionedPair(), {}, {}, axesIf(axis == Axis::Azimuth, axis == Axis::Elevation));
+        rig.survey();
+        EXPECT_EQ(rig.drives.state(), SurveyState::Done);
+        EXPECT_TRUE(rig.drives.facts(axis));
+        ASSERT_EQ(rig.drives.strangers().size(), 1U);
+        const int strange = axis == Axis::Azimuth ? 2 : 1;
+        EXPECT_EQ(rig.drives.strangers().front().id, strange);
+        EXPECT_TRUE(rig.drives.fitToMove()) << obstacle(rig.drives);
+        rig.sent.clear();
+        rig.run(Seconds(5.0));
+        EXPECT_FALSE(rig.sent.empty());
+        for (const CanFrame& frame : rig.sent) {
+            EXPECT_NE(moteus::fromCanId(frame.id).destination, strange) << "after the scan, which asks all";
+        }
+    }
+}
+
+// REQ-SURVEY-04
 // REQ-SURVEY-06
 TEST(DriveSurvey, NoticesASilentBus)
 {

@@ -58,6 +58,20 @@ TEST(Identity, AThirdBoardIsAWarning)
     EXPECT_TRUE(findings[0].what.contains(uuid(13)));
 }
 
+// Its id in the profile means nothing then.
+TEST(Identity, ABoardOfAnAxisWithoutDriveIsAsStrangeAsAny)
+{
+    const std::vector both{board(1, 11), board(2, 12)};
+    const auto findings = identityFindings({}, {uuid(11), uuid(12)}, both, axesIf(true, false));
+    ASSERT_EQ(findings.size(), 1u);
+    EXPECT_EQ(nameOf(findings[0]), "drives.foreign-board.2");
+    EXPECT_EQ(findings[0].weight, FindingWeight::Warning);
+    EXPECT_THAT(identityFindings({}, {}, std::vector{board(2, 12)}, axesIf(false, true)), IsEmpty());
+    const auto swapped = identityFindings({}, {uuid(11), uuid(12)}, std::vector{board(1, 12)}, axesIf(true, false));
+    ASSERT_EQ(swapped.size(), 1u);
+    EXPECT_EQ(nameOf(swapped[0]), "drives.swapped") << "it turned the other axis when there was one";
+}
+
 TEST(Identity, TwoBoardsUnderOneIdBlockOnlyIfTheIdIsOurs)
 {
     EXPECT_THAT(causesOf({board(1, 11), board(1, 13), board(2, 12)}), ElementsAre("drives.shared-id.1"));

@@ -8,8 +8,9 @@
 
 namespace boresight::survey {
 
-SurveyRig::SurveyRig(const sim::PairSettings& settings, const profile::Profile& wanted, const KnownBoards& known)
-    : pair(settings), profile(wanted), drives(inForce, known)
+SurveyRig::SurveyRig(const sim::PairSettings& settings, const profile::Profile& wanted, const KnownBoards& known,
+                     AxisSet axes)
+    : pair(settings), profile(wanted), drives(inForce, known, axes)
 {}
 
 SteadyTime SurveyRig::now() const

@@ -16,7 +16,7 @@ class SurveyRig
 {
 public:
     explicit SurveyRig(const sim::PairSettings& settings = sim::commissionedPair(),
-                       const profile::Profile& profile = {}, const KnownBoards& known = {});
+                       const profile::Profile& profile = {}, const KnownBoards& known = {}, AxisSet axes = kAxes);
 
     void tick();
     void run(Seconds time);

@@ -36,7 +36,7 @@ struct SensedRig
         auto owned = std::make_unique<SimulatedLink>(clock, mount);
         link = owned.get();
         station = std::make_unique<Station>(
-            profile, twoMoteus(std::move(owned), {stateDir.path(), Simulation::Reference}), stateDir.path(), clock);
+            profile, moteusRotator(std::move(owned), {stateDir.path(), Simulation::Reference}), stateDir.path(), clock);
         station->setSensorMaker(
             [this](const profile::Profile& wanted, mqtt::Connection& broker) { return make(wanted, broker); });
         station->openAll();

@@ -76,6 +76,19 @@ TEST_F(DrivesTest, ShowsWhoTheDrivesAre)
     EXPECT_EQ(named<ValueLabel>("Turn of the azimuth drive")->symbol(), Symbol::Warning);
 }
 
+// The mount has only the other axis, or another kind of rotator turns this one.
+TEST_F(DrivesTest, AnAxisWithoutSuchADriveShowsNothingOfOne)
+{
+    StationStatus one = samples::idle();
+    one.drives->elevation = {.present = false};
+    give(samples::update(one));
+    for (const char* const what : {"Id of the elevation drive", "UUID of the elevation drive",
+                                   "Turn of the elevation drive", "Crash stop of the elevation"}) {
+        EXPECT_EQ(text(what), QStringLiteral("---")) << what;
+    }
+    EXPECT_EQ(text("Turn of the azimuth drive"), QStringLiteral("known"));
+}
+
 TEST_F(DrivesTest, ABoardThatTheProfileDoesNotKnowIsListed)
 {
     EXPECT_EQ(text("Unknown boards on the bus"), QString());

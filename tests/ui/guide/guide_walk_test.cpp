@@ -62,8 +62,8 @@ protected:
         auto made = links.make(profile.bus);
         link = dynamic_cast<SimulatedLink*>(made.get());
         station = std::make_unique<Station>(
-            profile, twoMoteus(std::move(made), {folder.path(), simulationOf(Simulation::Off, profile)}), folder.path(),
-            clock);
+            profile, moteusRotator(std::move(made), {folder.path(), simulationOf(Simulation::Off, profile)}),
+            folder.path(), clock);
         QObject::connect(station.get(), &Station::updated, &window, &MainWindow::showUpdate);
         QObject::connect(station.get(), &Station::reconnectWanted, &window,
                          [this](const profile::Profile& wanted) { next = wanted; });
