@@ -11,7 +11,7 @@ const Source kTheOperator{.kind = SourceKind::Operator};
 
 void judge(Permissions& may, Action action, const Result<>& answer)
 {
-    may.refuse(action, answer ? QString() : toQString(answer.error().text));
+    may.refuse(action, answer ? QString() : answer.error().text);
 }
 
 struct Way

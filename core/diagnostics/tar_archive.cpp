@@ -68,7 +68,7 @@ Result<> writeArchive(const QString& path, const std::vector<ArchiveFile>& files
     return packed(files, when).and_then([&](const QByteArray& bytes) -> Result<> {
         QSaveFile file(path);
         if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
-            return failure(ErrorCode::Io, path.toStdString() + ": " + file.errorString().toStdString());
+            return failure(ErrorCode::Io, QStringLiteral("%1: %2").arg(path, file.errorString()));
         }
         return {};
     });

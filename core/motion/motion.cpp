@@ -207,7 +207,7 @@ void Motion::planTo(const AxisPosition& end, SteadyTime now)
     if (auto legs = route(place(), end)) {
         m_way.legs = std::move(*legs);
     } else {
-        m_way.obstacle = toQString(legs.error().text);
+        m_way.obstacle = legs.error().text;
     }
 }
 

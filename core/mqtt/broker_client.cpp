@@ -86,7 +86,7 @@ void BrokerClient::attempt()
     if (const auto tls = prepareTls()) {
         lookUp();
     } else {
-        giveUp({.kind = EndKind::Local, .detail = toQString(tls.error().text)});
+        giveUp({.kind = EndKind::Local, .detail = tls.error().text});
     }
 }
 

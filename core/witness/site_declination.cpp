@@ -21,7 +21,7 @@ QString SiteDeclination::doubt(const profile::SensorSettings& settings) const
 {
     const bool modelCounts = !settings.declinationFile.empty();
     if (modelCounts && byModel && !*byModel) {
-        return toQString(byModel->error().text);
+        return byModel->error().text;
     }
     if (modelCounts && !expiry.isEmpty()) {
         return expiry;

@@ -101,16 +101,15 @@ Result<SettingValue> numberOf(const Setting& setting, const std::string& typed)
         if (const auto whole = parseInteger(typed)) {
             return SettingValue(*whole);
         }
-        return failure(
-            ErrorCode::InvalidInput,
-            SettingWords::tr("\"%1\" is not a whole number").arg(QString::fromStdString(typed)).toStdString());
+        return failure(ErrorCode::InvalidInput,
+                       SettingWords::tr("\"%1\" is not a whole number").arg(QString::fromStdString(typed)));
     }
     if (const auto real = parseFinite(typed)) {
         return SettingValue(*real);
     }
-    return failure(ErrorCode::InvalidInput, SettingWords::tr("\"%1\" is not a number (decimal point, e.g. 113.5)")
-                                                .arg(QString::fromStdString(typed))
-                                                .toStdString());
+    return failure(
+        ErrorCode::InvalidInput,
+        SettingWords::tr("\"%1\" is not a number (decimal point, e.g. 113.5)").arg(QString::fromStdString(typed)));
 }
 
 Result<SettingValue> valueOf(const Setting& setting, const QString& typed)
@@ -192,7 +191,7 @@ Result<> putTyped(const Setting& setting, const QString& typed, profile::Profile
     return valueOf(setting, typed)
         .and_then([&](const SettingValue& value) { return setting.set(profile, value); })
         .map_error([&](const Error& error) {
-            return Error{error.code, setting.key + ": " + error.text};
+            return Error{error.code, QStringLiteral("%1: %2").arg(QString::fromStdString(setting.key), error.text)};
         });
 }
 
