@@ -2,6 +2,7 @@
 #include "app/boresightctl/injection_option.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/moteus/faults.h"
 #include "core/sim/reply_spoiler.h"
 

@@ -158,7 +158,7 @@ std::optional<InterfaceReport> KernelCanInterface::report() const
     }
     const auto report = readInterfaceAnswer(std::span(answer).first(static_cast<std::size_t>(size)));
     if (!report) {
-        qCDebug(lcInterface) << m_name << report.error().text;
+        qCDebug(lcInterface) << m_name << qUtf8Printable(report.error().text);
         return std::nullopt;
     }
     return *report;

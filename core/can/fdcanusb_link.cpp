@@ -366,7 +366,7 @@ void FdcanusbLink::restartController()
     appendLine(lines, fdcanusb::kBusOffLine, Command::Restart);
     appendLine(lines, fdcanusb::kBusOnLine, Command::Restart);
     if (const auto written = writeLines(lines); !written) {
-        qCWarning(lcFdcanusb) << written.error().text;
+        qCWarning(lcFdcanusb) << qUtf8Printable(written.error().text);
     }
 }
 

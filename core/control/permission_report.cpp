@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/control/permission_report.h"
 
-#include "core/base/text.h"
 #include "core/control/gates.h"
 
 namespace boresight {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/motion/motion.h"
 
-#include "core/base/text.h"
 #include "core/pointing/nearest_permitted.h"
 #include "core/pointing/route.h"
 #include "core/tracking/emergency_braking.h"

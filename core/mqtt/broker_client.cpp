@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mqtt/broker_client.h"
 
-#include "core/base/text.h"
 #include "core/mqtt/broker_session.h"
 
 #include <utility>

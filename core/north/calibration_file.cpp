@@ -89,7 +89,7 @@ void CalibrationFile::load()
     if (!history || !points) {
         m_unreadable = true;
         m_problem = Text::tr("the calibrations of before cannot be read, and new ones are kept in memory only: %1")
-                        .arg(((history ? points : history).error().text));
+                        .arg((history ? points : history).error().text);
     }
 }
 

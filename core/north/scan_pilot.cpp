@@ -136,7 +136,7 @@ RunEnd ScanPilot::finish(const AxisPosition& middle)
     const auto scanned = m_run->outcome(middle);
     const auto truth = m_follower.direction(body);
     if (!scanned || !truth) {
-        return failedRun((scanned ? truth.error().text : scanned.error().text));
+        return failedRun(scanned ? truth.error().text : scanned.error().text);
     }
     m_scanned = *scanned;
     return {.outcome = Text::tr("done: the peak is a point now"),

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/witness/site_declination.h"
 
-#include "core/base/text.h"
-
 namespace boresight {
 
 geomagnetism::Declination SiteDeclination::of(const profile::SensorSettings& settings) const
