@@ -23,15 +23,12 @@ ScannedDrive described(const survey::FoundController& found)
 
 ScanResult resultOf(const QString& bus, const std::vector<survey::FoundController>& found)
 {
-    ScanResult result{.bus = bus, .drives = {}, .problems = {}};
+    ScanResult result{.bus = bus, .drives = {}, .problems = problems(found)};
     for (const survey::FoundController& one : found) {
         result.drives.push_back(described(one));
     }
-    for (const std::string& problem : problems(found)) {
-        result.problems << QString::fromStdString(problem);
-    }
     if (found.empty()) {
-        result.problems << QString::fromStdString(silenceText(bus.toStdString()));
+        result.problems << silenceText(bus);
     }
     return result;
 }
@@ -66,12 +63,12 @@ struct HostSearch::Scan
         const auto fail = [&](const QString& why) { done({.bus = bus, .drives = {}, .problems = {why}}); };
         auto made = makeLink(bus.toStdString(), clock);
         if (!made) {
-            return fail(QString::fromStdString(made.error().text));
+            return fail(made.error().text);
         }
         link = std::move(*made);
         const Result<> opened = mayBeScanned(bus).and_then([this] { return link->open(); });
         if (!opened) {
-            return fail(QString::fromStdString(opened.error().text));
+            return fail(opened.error().text);
         }
         if (link->status().state != LinkState::Up) {
             return fail(link->status().text);

@@ -39,7 +39,7 @@ void LinkScan::step()
         return;
     }
     if (const Result<> sent = m_link.send(frames); !sent) {
-        end(QString::fromStdString(sent.error().text));
+        end(sent.error().text);
     }
 }
 

@@ -2,7 +2,6 @@
 #include "app/log_output.h"
 
 #include <QByteArray>
-#include <QString>
 #include <QtGlobal>
 
 #include <poll.h>
@@ -10,6 +9,7 @@
 
 #include <csignal>
 #include <cstddef>
+#include <cstdio>
 #include <cstdlib>
 
 namespace boresight::app {
@@ -38,6 +38,11 @@ void logToStandardError()
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     qInstallMessageHandler(writeLine);
+}
+
+void printError(const QString& line)
+{
+    std::fputs((line.toUtf8() + '\n').constData(), stderr);
 }
 
 }  // namespace boresight::app

@@ -72,8 +72,9 @@ Result<QStringList> takeSimulatedKind(Options& options, const QStringList& argum
         }
         const QString kind = argument.sliced(prefix.size());
         if (kind != QLatin1String("simple")) {
-            return failure(ErrorCode::InvalidInput, "--simulate=" + kind.toStdString() +
-                                                        ": give --simulate for two moteus, or --simulate=simple");
+            return failure(
+                ErrorCode::InvalidInput,
+                QStringLiteral("--simulate=%1: give --simulate for two moteus, or --simulate=simple").arg(kind));
         }
         options.simulation = Simulation::Simple;
         left << QStringLiteral("--simulate");
@@ -131,8 +132,9 @@ Result<> applyBus(Options& options, const QCommandLineParser& parser)
     }
     const std::string bus = parser.isSet(kBus) ? parser.value(kBus).toStdString() : kSimulated;
     if (parser.isSet(kSimulate) && bus != kSimulated) {
-        return failure(ErrorCode::InvalidInput,
-                       "--simulate and --bus " + bus + " exclude each other: give one of them");
+        return failure(
+            ErrorCode::InvalidInput,
+            QStringLiteral("--simulate and --bus %1 exclude each other: give one of them").arg(toQString(bus)));
     }
     return parseBusName(bus).map([&](const BusName& name) {
         if (name.kind != BusKind::Simulated) {
@@ -149,7 +151,7 @@ Result<> fitsItsMount(const Options& options)
         return {};
     }
     return profile::fitsRealMount(options.profile).map_error([&](Error error) {
-        return Error{error.code, options.profilePath.toStdString() + ": " + error.text};
+        return Error{error.code, QStringLiteral("%1: %2").arg(options.profilePath, error.text)};
     });
 }
 
@@ -164,7 +166,7 @@ Result<> applyListen(Options& options, const QCommandLineParser& parser)
             options.overridden = {"rotctld.listen"};
         })
         .map_error([](Error error) {
-            return Error{error.code, "--listen: " + error.text};
+            return Error{error.code, QStringLiteral("--listen: ") + error.text};
         });
 }
 
@@ -179,16 +181,16 @@ Result<> applyStandingAt(Options& options, const QCommandLineParser& parser)
     const auto azimuth = parseFinite(angles.value(0).toStdString());
     const auto elevation = parseFinite(angles.value(1).toStdString());
     if (angles.size() != 2 || !azimuth || !elevation) {
-        return failure(ErrorCode::InvalidInput, "--standing-at: two angles and a time like 405,50@" +
-                                                    timeOfNow().toStdString() + " are expected, not \"" +
-                                                    text.toStdString() + "\"");
+        return failure(ErrorCode::InvalidInput,
+                       QStringLiteral("--standing-at: two angles and a time like 405,50@%1 are expected, not \"%2\"")
+                           .arg(timeOfNow(), text));
     }
     const QDateTime looked = QDateTime::fromString(text.section(QLatin1Char('@'), 1), Qt::ISODate);
     if (!looked.isValid() || looked.timeSpec() != Qt::UTC) {
         return failure(ErrorCode::InvalidInput,
-                       "--standing-at: the UTC time at which you looked is missing. If that "
-                       "was just now, write --standing-at " +
-                           (place + QLatin1Char('@') + timeOfNow()).toStdString());
+                       QStringLiteral("--standing-at: the UTC time at which you looked is missing. If that was just "
+                                      "now, write --standing-at %1@%2")
+                           .arg(place, timeOfNow()));
     }
     options.standingAt = memory::EnteredPlace{
         .place = {.azimuth = Angle::fromDegrees(*azimuth), .elevation = Angle::fromDegrees(*elevation)},
@@ -208,7 +210,7 @@ Result<QString> makeStateDir(const QCommandLineParser& parser)
     }
     if (!QDir().mkpath(path)) {
         return failure(ErrorCode::Io,
-                       "cannot make the state folder " + path.toStdString() + ": choose another with --state-dir");
+                       QStringLiteral("cannot make the state folder %1: choose another with --state-dir").arg(path));
     }
     return QDir(path).absolutePath();
 }
@@ -238,8 +240,8 @@ Result<Options> readOptions(const QStringList& arguments, const QString& descrip
     }
     parser.process(*plain);
     if (!parser.positionalArguments().isEmpty()) {
-        return failure(ErrorCode::InvalidInput, "what is \"" + parser.positionalArguments().constFirst().toStdString() +
-                                                    "\"? Options begin with --; see --help");
+        return failure(ErrorCode::InvalidInput, QStringLiteral("what is \"%1\"? Options begin with --; see --help")
+                                                    .arg(parser.positionalArguments().constFirst()));
     }
     return readProfile(options, parser)
         .and_then([&](const profile::Profile& profile) -> Result<> {

@@ -106,7 +106,7 @@ bool ProfileSaver::simulates(const profile::Profile& of) const
 void ProfileSaver::report(const Result<>& done)
 {
     if (!done) {
-        Q_EMIT failed(toQString(done.error().text));
+        Q_EMIT failed(done.error().text);
     }
 }
 

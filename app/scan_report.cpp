@@ -2,6 +2,7 @@
 #include "app/scan_report.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/moteus/describe.h"
 #include "core/moteus/faults.h"
 
@@ -87,32 +88,34 @@ std::string aligned(const std::vector<Row>& rows)
     return text;
 }
 
-const std::string kOneIdEach =
+const QString kOneIdEach = QStringLiteral(
     "Leave only one of them connected, give it another id (the maker's tool: conf set id.id N, conf write), then "
-    "connect the other again.";
+    "connect the other again.");
 
-void addOwnProblems(const FoundController& controller, std::vector<std::string>& found)
+void addOwnProblems(const FoundController& controller, QStringList& found)
 {
-    const std::string who = "id " + std::to_string(controller.id) + ": ";
     const moteus::Reply& known = controller.known;
     const std::optional<double> map = known.value(Register::RegisterMapVersion);
     if (map && *map != moteus::kRegisterMapVersion) {
-        found.push_back(who + "register map version " + formatFixed(*map, 0) + " is not known here (" +
-                        std::to_string(moteus::kRegisterMapVersion) +
-                        " is): the values above may be wrong and Boresight will not move this controller. Install "
-                        "firmware with a register map of version " +
-                        std::to_string(moteus::kRegisterMapVersion) + '.');
+        found << QStringLiteral(
+                     "id %1: register map version %2 is not known here (%3 is): the values above may be "
+                     "wrong and Boresight will not move this controller. Install firmware with a register "
+                     "map of version %3.")
+                     .arg(QString::number(controller.id), toQString(formatFixed(*map, 0)),
+                          QString::number(moteus::kRegisterMapVersion));
     }
     if (known.mode() == moteus::Mode::Fault) {
         const int code = known.fault().value_or(0);
         const moteus::FaultText text = moteus::faultText(code);
-        found.push_back(who + "fault " + std::to_string(code) + ", " + std::string(text.name) + ": " +
-                        std::string(text.meaning) + ". " + std::string(text.remedy) + '.');
+        found << QStringLiteral("id %1: fault %2, %3: %4. %5.")
+                     .arg(QString::number(controller.id), QString::number(code), toQString(text.name),
+                          toQString(text.meaning), toQString(text.remedy));
     }
     if (!map || !known.mode()) {
-        found.push_back(who +
-                        "it did not answer every question, each was put five times. Look at the plugs, the "
-                        "termination and the bit rates of the bus.");
+        found << QStringLiteral(
+                     "id %1: it did not answer every question, each was put five times. Look at the plugs, "
+                     "the termination and the bit rates of the bus.")
+                     .arg(controller.id);
     }
 }
 
@@ -127,26 +130,26 @@ std::string table(std::span<const FoundController> controllers)
     return aligned(rows);
 }
 
-std::vector<std::string> problems(std::span<const FoundController> controllers)
+QStringList problems(std::span<const FoundController> controllers)
 {
     std::map<int, int> boards;
     for (const FoundController& controller : controllers) {
         ++boards[controller.id];
     }
-    std::vector<std::string> found;
+    QStringList found;
     for (const auto& [id, count] : boards) {
         if (count > 1) {
-            found.push_back("id " + std::to_string(id) + ": " + std::to_string(count) + " controllers have this id. " +
-                            kOneIdEach);
+            found << QStringLiteral("id %1: %2 controllers have this id. %3")
+                         .arg(QString::number(id), QString::number(count), kOneIdEach);
         }
     }
     for (const FoundController& controller : controllers) {
         if (controller.isUnreadable()) {
-            found.push_back("id " + std::to_string(controller.id) +
-                            ": something is there, but its answer to the question for the UUID never arrives whole. "
-                            "Probably two controllers have this id, as all have fresh from the box, and their answers "
-                            "destroy each other. " +
-                            kOneIdEach);
+            found << QStringLiteral(
+                         "id %1: something is there, but its answer to the question for the UUID never "
+                         "arrives whole. Probably two controllers have this id, as all have fresh from the "
+                         "box, and their answers destroy each other. %2")
+                         .arg(QString::number(controller.id), kOneIdEach);
         } else {
             addOwnProblems(controller, found);
         }
@@ -154,14 +157,15 @@ std::vector<std::string> problems(std::span<const FoundController> controllers)
     return found;
 }
 
-std::string silenceText(const std::string& bus)
+QString silenceText(const QString& bus)
 {
-    return "no controller answered on " + bus +
-           ". Check\n"
-           "  - that the controllers have power (10 to 44 V; their light is on),\n"
-           "  - that CAN H and CAN L are not swapped and that both ends of the bus have 120 Ω,\n"
-           "  - that the bus runs at 1 Mbit/s with 5 Mbit/s for the data,\n"
-           "  - with one controller at a time: two with the same id can destroy each other's answers.";
+    return QStringLiteral(
+               "no controller answered on %1. Check\n"
+               "  - that the controllers have power (10 to 44 V; their light is on),\n"
+               "  - that CAN H and CAN L are not swapped and that both ends of the bus have 120 Ω,\n"
+               "  - that the bus runs at 1 Mbit/s with 5 Mbit/s for the data,\n"
+               "  - with one controller at a time: two with the same id can destroy each other's answers.")
+        .arg(bus);
 }
 
 }  // namespace boresight::app

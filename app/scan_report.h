@@ -3,9 +3,10 @@
 
 #include "core/survey/bus_scan.h"
 
+#include <QStringList>
+
 #include <span>
 #include <string>
-#include <vector>
 
 // What a scan of a bus found, in words. Pure.
 namespace boresight::app {
@@ -16,9 +17,9 @@ using survey::FoundController;
 [[nodiscard]] std::string table(std::span<const FoundController> controllers);
 
 // What is wrong and what to do about it, one paragraph each without its LF; empty if all is in order.
-[[nodiscard]] std::vector<std::string> problems(std::span<const FoundController> controllers);
+[[nodiscard]] QStringList problems(std::span<const FoundController> controllers);
 
 // Nobody answered: what to look at.
-[[nodiscard]] std::string silenceText(const std::string& bus);
+[[nodiscard]] QString silenceText(const QString& bus);
 
 }  // namespace boresight::app

@@ -37,9 +37,9 @@ const QString kChartAxisKey = QStringLiteral("chart_axis");
 const QString kChartQuantityKey = QStringLiteral("chart_quantity");
 const QString kGuideKey = QStringLiteral("guide");
 
-int complain(const std::string& text)
+int complain(const QString& text)
 {
-    std::fprintf(stderr, "boresight: %s\n", text.c_str());
+    app::printError(QStringLiteral("boresight: ") + text);
     return 2;
 }
 
@@ -200,15 +200,15 @@ Result<app::Options> readOptionsAlone(int argc, char** argv)
 }
 
 // Whoever starts it from a menu sees no terminal. The end of the session closes the window as its button does.
-int complainInWindow(int argc, char** argv, const std::string& text)
+int complainInWindow(int argc, char** argv, const QString& text)
 {
     const QApplication application(argc, argv);
     const ui::Translation translation({});
-    ui::StartProblem problem(QString::fromStdString(text));
+    ui::StartProblem problem(text);
     const app::UnixSignals signals;
     QObject::connect(&signals, &app::UnixSignals::endRequested, &problem, &QWidget::close);
     problem.show();
-    const int status = complain("the window says: " + text);
+    const int status = complain(QStringLiteral("the window says: ") + text);
     QApplication::exec();
     return status;
 }
@@ -234,7 +234,8 @@ int main(int argc, char** argv)
     options->profile = options->startingProfile();
     if (!hasDisplay()) {
         return complain(
-            "there is no display (DISPLAY and WAYLAND_DISPLAY are empty); boresightd is the same without one");
+            QStringLiteral("there is no display (DISPLAY and WAYLAND_DISPLAY are empty); boresightd is the same "
+                           "without one"));
     }
     QApplication::setStyle(QStringLiteral("Fusion"));
     QApplication application(argc, argv);

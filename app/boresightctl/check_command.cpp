@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/boresightctl/subcommand.h"
+#include "app/log_output.h"
+#include "core/base/text.h"
 #include "core/profile/advice.h"
 #include "core/profile/commissioning.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/setting.h"
-
-#include <cstdio>
 
 namespace boresight::ctl {
 namespace {
@@ -13,19 +13,19 @@ namespace {
 ExitStatus run(Arguments arguments)
 {
     if (arguments.size() != 1) {
-        return usageError(kCheckCommand, "give one profile");
+        return usageError(kCheckCommand, QStringLiteral("give one profile"));
     }
     const std::string& path = arguments.front();
-    const Result<profile::Profile> profile = profile::loadProfile(QString::fromStdString(path));
+    const Result<profile::Profile> profile = profile::loadProfile(toQString(path));
     if (!profile) {
-        std::fputs((profile.error().text + '\n').c_str(), stderr);
+        app::printError(profile.error().text);
         return kFoundWrong;
     }
-    if (const QString warning = profile::exposedSecret(*profile, QString::fromStdString(path)); !warning.isEmpty()) {
-        std::fputs(("warning: " + warning.toStdString() + '\n').c_str(), stderr);
+    if (const QString warning = profile::exposedSecret(*profile, toQString(path)); !warning.isEmpty()) {
+        app::printError(QStringLiteral("warning: ") + warning);
     }
     if (const auto fits = profile::fitsRealMount(*profile); !profile::namesNoBus(*profile) && !fits) {
-        std::fputs((path + ": " + fits.error().text + '\n').c_str(), stderr);
+        app::printError(QStringLiteral("%1: %2").arg(toQString(path), fits.error().text));
         return kFoundWrong;
     }
     print(path + ": in order: \"" + profile->mount.name + "\", bus " + profile->bus + ", azimuth id " +

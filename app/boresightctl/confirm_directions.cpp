@@ -40,7 +40,7 @@ bool isConfirmedByHand(const profile::Profile& profile)
 ExitStatus run(Arguments arguments)
 {
     if (arguments.size() != 1) {
-        return usageError(kConfirmDirectionsCommand, "give one profile");
+        return usageError(kConfirmDirectionsCommand, QStringLiteral("give one profile"));
     }
     const QString path = QString::fromStdString(arguments.front());
     const auto toml = profile::readFile(path);
@@ -57,7 +57,7 @@ ExitStatus run(Arguments arguments)
         return kDone;
     }
     if (!isConfirmedByHand(*profile)) {
-        return fail({ErrorCode::Refused, "Nothing was confirmed. The file is unchanged."});
+        return fail({ErrorCode::Refused, QStringLiteral("Nothing was confirmed. The file is unchanged.")});
     }
     const auto written = profile::writeFile(path, QByteArray::fromStdString(*confirmed), profile::readersOf(path));
     if (!written) {

@@ -3,6 +3,7 @@
 #include "core/base/hex.h"
 #include "core/base/numbers.h"
 #include "core/base/result.h"
+#include "core/base/text.h"
 #include "core/can/bus_frame.h"
 #include "core/moteus/describe.h"
 
@@ -17,11 +18,13 @@ Result<std::uint32_t> readId(std::string_view text)
     const std::optional<std::int64_t> id = parseInteger(prefixed ? text.substr(2) : text, 16);
     if (!id) {
         return failure(ErrorCode::InvalidInput,
-                       '"' + std::string(text) + "\" is no CAN identifier: expected hexadecimal like 8001 or 0x8001");
+                       QStringLiteral("\"%1\" is no CAN identifier: expected hexadecimal like 8001 or 0x8001")
+                           .arg(toQString(text)));
     }
     if (*id < 0 || *id > kMaxExtendedId) {
-        return failure(ErrorCode::OutOfRange,
-                       "identifier " + std::string(text) + " is outside 0…1fffffff: a CAN identifier has 29 bits");
+        return failure(
+            ErrorCode::OutOfRange,
+            QStringLiteral("identifier %1 is outside 0…1fffffff: a CAN identifier has 29 bits").arg(toQString(text)));
     }
     return static_cast<std::uint32_t>(*id);
 }
@@ -30,17 +33,17 @@ Result<std::vector<std::uint8_t>> readBytes(const std::string& digits)
 {
     const auto* const isDigit = "0123456789abcdefABCDEF";
     if (const std::size_t bad = digits.find_first_not_of(isDigit); bad != std::string::npos) {
-        return failure(ErrorCode::InvalidInput, "'" + digits.substr(bad, 1) + "' at place " + std::to_string(bad + 1) +
-                                                    " of the data is no hexadecimal digit");
+        return failure(ErrorCode::InvalidInput, QStringLiteral("'%1' at place %2 of the data is no hexadecimal digit")
+                                                    .arg(toQString(digits.substr(bad, 1)), QString::number(bad + 1)));
     }
     const auto bytes = parseHex(digits);
     if (!bytes) {
         return failure(ErrorCode::InvalidInput,
-                       "the data has " + std::to_string(digits.size()) + " digits, an odd number: a byte has two");
+                       QStringLiteral("the data has %1 digits, an odd number: a byte has two").arg(digits.size()));
     }
     if (bytes->size() > kMaxCanPayload) {
         return failure(ErrorCode::OutOfRange,
-                       "the data has " + std::to_string(bytes->size()) + " bytes: a CAN-FD frame carries 64 at most");
+                       QStringLiteral("the data has %1 bytes: a CAN-FD frame carries 64 at most").arg(bytes->size()));
     }
     return *bytes;
 }
@@ -65,7 +68,7 @@ Result<CanFrame> readFrame(Arguments arguments)
 ExitStatus run(Arguments arguments)
 {
     if (arguments.empty()) {
-        return usageError(kDecodeCommand, "which frame? Give its identifier and its data");
+        return usageError(kDecodeCommand, QStringLiteral("which frame? Give its identifier and its data"));
     }
     const Result<CanFrame> frame = readFrame(arguments);
     if (!frame) {

@@ -2,6 +2,7 @@
 #include "app/boresightctl/injection_option.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/moteus/faults.h"
 #include "core/sim/reply_spoiler.h"
 
@@ -249,53 +250,55 @@ Parts split(std::string_view text)
 }
 
 // What is wrong with the parts; each check leaves its result in the injection. Empty: nothing.
-std::string takeAxis(const InjectionOption& option, const Parts& parts, Injection& injection)
+QString takeAxis(const InjectionOption& option, const Parts& parts, Injection& injection)
 {
     injection.axis = parts.axis;
-    return parts.axis && !option.takesAxis ? "concerns both axes, none can be named" : "";
+    return parts.axis && !option.takesAxis ? QStringLiteral("concerns both axes, none can be named") : QString();
 }
 
-std::string takeValue(const InjectionOption& option, const Parts& parts, Injection& injection)
+QString takeValue(const InjectionOption& option, const Parts& parts, Injection& injection)
 {
     std::string text(parts.value);
     if (option.need == kOptional && !parts.axis && text.starts_with(':')) {
         text.erase(0, 1);  // "[AXIS][:VALUE]" without an axis
     }
     if (text.empty()) {
-        return option.need == kNeeded ? "the value is missing" : "";
+        return option.need == kNeeded ? QStringLiteral("the value is missing") : QString();
     }
     if (option.need == NeedOfValue::None) {
-        return '"' + text + "\" is no axis (az or el), and there is no value to give";
+        return QStringLiteral("\"%1\" is no axis (az or el), and there is no value to give").arg(toQString(text));
     }
     injection.value = readNumber(option, text);
     if (!injection.value) {
-        return '"' + text + "\" is no " + std::string(option.unit == "s" ? "time" : "number");
+        return (option.unit == "s" ? QStringLiteral("\"%1\" is no time") : QStringLiteral("\"%1\" is no number"))
+            .arg(toQString(text));
     }
     if (*injection.value < option.min || *injection.value > option.max ||
         (option.whole && std::trunc(*injection.value) != *injection.value)) {
-        return text + " is outside " + numberText(option.min) + "…" + numberText(option.max) +
-               (option.whole ? " or no whole number" : "");
+        return (option.whole ? QStringLiteral("%1 is outside %2…%3 or no whole number")
+                             : QStringLiteral("%1 is outside %2…%3"))
+            .arg(toQString(text), toQString(numberText(option.min)), toQString(numberText(option.max)));
     }
-    return "";
+    return {};
 }
 
-std::string takeTimes(const Parts& parts, Injection& injection)
+QString takeTimes(const Parts& parts, Injection& injection)
 {
     if (parts.start) {
         const std::optional<double> start = readTime(*parts.start);
         if (!start) {
-            return "the start \"" + std::string(*parts.start) + "\" is no time";
+            return QStringLiteral("the start \"%1\" is no time").arg(toQString(*parts.start));
         }
         injection.at = Seconds(*start);
     }
     if (parts.duration) {
         const std::optional<double> duration = readTime(*parts.duration);
         if (!duration || *duration == 0.0) {
-            return "the duration \"" + std::string(*parts.duration) + "\" is no time above 0";
+            return QStringLiteral("the duration \"%1\" is no time above 0").arg(toQString(*parts.duration));
         }
         injection.duration = Seconds(*duration);
     }
-    return "";
+    return {};
 }
 
 // As it stands behind a number.
@@ -340,16 +343,17 @@ Result<Injection> parseInjection(const InjectionOption& option, std::string_view
 {
     const Parts parts = split(text);
     Injection injection{.kind = option.kind};
-    std::string problem = takeAxis(option, parts, injection);
-    if (problem.empty()) {
+    QString problem = takeAxis(option, parts, injection);
+    if (problem.isEmpty()) {
         problem = takeValue(option, parts, injection);
     }
-    if (problem.empty()) {
+    if (problem.isEmpty()) {
         problem = takeTimes(parts, injection);
     }
-    if (!problem.empty()) {
-        return failure(ErrorCode::InvalidInput, "--" + std::string(option.name) + ' ' + std::string(text) + ": " +
-                                                    problem + "; expected " + arguments(option));
+    if (!problem.isEmpty()) {
+        return failure(ErrorCode::InvalidInput,
+                       QStringLiteral("--%1 %2: %3; expected %4")
+                           .arg(toQString(option.name), toQString(text), problem, toQString(arguments(option))));
     }
     if (option.kind == FaultKind::DuplicateId && !injection.axis) {
         injection.axis = Axis::Elevation;  // both with the other's id would be two different ids again

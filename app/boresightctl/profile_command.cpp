@@ -8,7 +8,7 @@ namespace {
 ExitStatus run(Arguments arguments)
 {
     if (arguments.size() != 1 || arguments.front() != "--default") {
-        return usageError(kProfileCommand, "which profile? --default is the only one there is");
+        return usageError(kProfileCommand, QStringLiteral("which profile? --default is the only one there is"));
     }
     print(profile::toToml({}));
     return kDone;

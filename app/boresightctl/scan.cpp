@@ -13,7 +13,7 @@ namespace {
 
 using survey::FoundController;
 
-ExitStatus fail(const std::string& text)
+ExitStatus fail(const QString& text)
 {
     complain(kScanCommand, text);
     return kFoundWrong;
@@ -22,17 +22,17 @@ ExitStatus fail(const std::string& text)
 ExitStatus report(const std::vector<FoundController>& controllers, const CanLink& link)
 {
     if (const QString trouble = link.status().text; !trouble.isEmpty()) {
-        complain(kScanCommand, trouble.toStdString());
+        complain(kScanCommand, trouble);
     }
     if (controllers.empty()) {
-        return fail(app::silenceText(link.name().toStdString()));
+        return fail(app::silenceText(link.name()));
     }
     print(app::table(controllers));
-    const std::vector<std::string> wrong = app::problems(controllers);
-    for (const std::string& text : wrong) {
+    const QStringList wrong = app::problems(controllers);
+    for (const QString& text : wrong) {
         complain(kScanCommand, text);
     }
-    return wrong.empty() ? kDone : kFoundWrong;
+    return wrong.isEmpty() ? kDone : kFoundWrong;
 }
 
 ExitStatus scan(CanLink& link)
@@ -42,13 +42,13 @@ ExitStatus scan(CanLink& link)
         return fail(opened.error().text);
     }
     if (link.status().state != LinkState::Up) {
-        return fail(link.status().text.toStdString());
+        return fail(link.status().text);
     }
     app::LinkScan scan(link);
     app::UnixSignals signals;
     ExitStatus status = kFoundWrong;
     QObject::connect(&scan, &app::LinkScan::finished, &scan, [&](const QString& problem) {
-        status = problem.isEmpty() ? report(scan.controllers(), link) : fail(problem.toStdString());
+        status = problem.isEmpty() ? report(scan.controllers(), link) : fail(problem);
         QCoreApplication::quit();
     });
     QObject::connect(&signals, &app::UnixSignals::endRequested, qApp, &QCoreApplication::quit);
@@ -60,7 +60,7 @@ ExitStatus scan(CanLink& link)
 ExitStatus run(Arguments arguments)
 {
     if (arguments.size() != 1) {
-        return usageError(kScanCommand, "give one bus");
+        return usageError(kScanCommand, QStringLiteral("give one bus"));
     }
     const SystemClock clock;
     const Result<std::unique_ptr<CanLink>> link = makeLink(arguments.front(), clock);

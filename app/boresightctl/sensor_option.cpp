@@ -2,6 +2,7 @@
 #include "app/boresightctl/sensor_option.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <array>
@@ -130,9 +131,10 @@ Result<> takeSensorOption(const SensorOption& option, std::string_view text, Sen
 {
     const std::vector<double> numbers = readNumbers(option, text);
     if (std::ssize(numbers) != expected(option)) {
-        return failure(ErrorCode::InvalidInput, "--" + std::string(option.name) + " \"" + std::string(text) +
-                                                    "\": expected " + std::string(option.values) + ", each " +
-                                                    formatFixed(option.min, 0) + "…" + formatFixed(option.max, 0));
+        return failure(ErrorCode::InvalidInput,
+                       QStringLiteral("--%1 \"%2\": expected %3, each %4…%5")
+                           .arg(toQString(option.name), toQString(text), toQString(option.values),
+                                QString::number(option.min, 'f', 0), QString::number(option.max, 'f', 0)));
     }
     option.set(truth, numbers.data());
     return {};

@@ -4,14 +4,15 @@
 #include "app/boresightctl/injection_option.h"
 #include "app/boresightctl/sensor_option.h"
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/profile/setting.h"
 
 namespace boresight::ctl {
 namespace {
 
-tl::unexpected<Error> refuse(std::string text)
+tl::unexpected<Error> refuse(const QString& text)
 {
-    return failure(ErrorCode::InvalidInput, std::move(text));
+    return failure(ErrorCode::InvalidInput, text);
 }
 
 // Options and their values one after the other: "--name value", "--name=value", "--name".
@@ -29,7 +30,7 @@ public:
         m_arguments = m_arguments.subspan(1);
         m_joined.reset();
         if (!argument.starts_with("--")) {
-            return refuse("what is \"" + argument + "\"? Options begin with --");
+            return refuse(QStringLiteral("what is \"%1\"? Options begin with --").arg(toQString(argument)));
         }
         const std::size_t equals = argument.find('=');
         if (equals != std::string::npos) {
@@ -62,7 +63,7 @@ private:
 Result<> takeText(const std::string& name, OptionReader& reader, std::string& text)
 {
     text = reader.takeValue().value_or("");
-    return text.empty() ? refuse("--" + name + " needs a value") : Result<>();
+    return text.empty() ? refuse(QStringLiteral("--%1 needs a value").arg(toQString(name))) : Result<>();
 }
 
 Result<> takeId(const std::string& name, OptionReader& reader, std::optional<int>& id)
@@ -70,7 +71,7 @@ Result<> takeId(const std::string& name, OptionReader& reader, std::optional<int
     const std::string text = reader.takeValue().value_or("");
     const std::optional<std::int64_t> number = parseInteger(text);
     if (!number || *number < 1 || *number > 126) {
-        return refuse("--" + name + " \"" + text + "\": expected an id, 1…126");
+        return refuse(QStringLiteral("--%1 \"%2\": expected an id, 1…126").arg(toQString(name), toQString(text)));
     }
     id = static_cast<int>(*number);
     return {};
@@ -88,7 +89,7 @@ Result<> takeBroker(OptionReader& reader, SimulateOptions& options)
     const bool namesPort = text.rfind(':') != std::string::npos && !text.ends_with(']');
     const auto address = profile::parseListenAddress(namesPort ? text : text + ":1883");
     if (!address || address->port == 0) {
-        return refuse("--sensor-mqtt \"" + text + "\": expected HOST[:PORT]");
+        return refuse(QStringLiteral("--sensor-mqtt \"%1\": expected HOST[:PORT]").arg(toQString(text)));
     }
     // Its own name, not the firmware's: a real sensor at the same broker must not be thrown out.
     options.sensorBroker = mqtt::Broker{.host = QString::fromStdString(address->host), .port = address->port};
@@ -101,14 +102,15 @@ Result<> takeTopics(OptionReader& reader, SimulateOptions& options)
     return takeText("sensor-topics", reader, options.sensorTopics).and_then([&]() -> Result<> {
         return options.sensorTopics.find_first_of("+#") == std::string::npos
                    ? Result<>()
-                   : refuse("--sensor-topics \"" + options.sensorTopics + "\": + and # cannot be written to");
+                   : refuse(QStringLiteral("--sensor-topics \"%1\": + and # cannot be written to")
+                                .arg(toQString(options.sensorTopics)));
     });
 }
 
 Result<> takeSwitch(const std::string& name, OptionReader& reader, bool& state)
 {
     state = true;
-    return reader.hasUnusedValue() ? refuse("--" + name + " takes no value") : Result<>();
+    return reader.hasUnusedValue() ? refuse(QStringLiteral("--%1 takes no value").arg(toQString(name))) : Result<>();
 }
 
 // Nothing if no option of the sensor has that name.
@@ -158,29 +160,30 @@ Result<> takeOption(const std::string& name, OptionReader& reader, SimulateOptio
     if (const InjectionOption* const option = findInjectionOption(name)) {
         return takeInjection(*option, reader, options);
     }
-    return refuse("there is no option --" + name);
+    return refuse(QStringLiteral("there is no option --%1").arg(toQString(name)));
 }
 
 Result<> check(const SimulateOptions& options)
 {
     if (options.pty.empty() == options.can.empty()) {
-        return refuse("give either --pty PATH or --can IFACE");
+        return refuse(QStringLiteral("give either --pty PATH or --can IFACE"));
     }
     if (!options.sensor.empty() && options.sensor == options.pty) {
-        return refuse("--sensor and --pty name the same file");
+        return refuse(QStringLiteral("--sensor and --pty name the same file"));
     }
     if (!options.ofSensor.empty() && !options.hasSensor()) {
-        return refuse("--" + options.ofSensor + " needs --sensor or --sensor-mqtt");
+        return refuse(QStringLiteral("--%1 needs --sensor or --sensor-mqtt").arg(toQString(options.ofSensor)));
     }
     const sim::PairSettings pair = options.pairSettings();
     if (!options.factory && pair.azimuth.config.id == pair.elevation.config.id) {
-        return refuse("both drives would have id " + std::to_string(pair.azimuth.config.id) +
-                      ": give --az-id or --el-id, or ask for it with --duplicate-id");
+        return refuse(QStringLiteral("both drives would have id %1: give --az-id or --el-id, or ask for it with "
+                                     "--duplicate-id")
+                          .arg(pair.azimuth.config.id));
     }
     for (const sim::Injection& injection : options.injections) {
         if (isOfAdapter(injection.kind) && options.pty.empty()) {
-            return refuse("faults of the adapter need --pty: a CAN interface has no adapter (" + describe(injection) +
-                          ')');
+            return refuse(QStringLiteral("faults of the adapter need --pty: a CAN interface has no adapter (%1)")
+                              .arg(toQString(describe(injection))));
         }
     }
     return {};

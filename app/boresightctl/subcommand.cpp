@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/boresightctl/subcommand.h"
 
+#include "app/log_output.h"
+#include "core/base/text.h"
+
 #include <cstdio>
 
 namespace boresight::ctl {
@@ -11,19 +14,16 @@ void print(const std::string& text)
     std::fflush(stdout);
 }
 
-void complain(const Subcommand& subcommand, const std::string& text)
+void complain(const Subcommand& subcommand, const QString& text)
 {
-    std::fputs(("boresightctl " + std::string(subcommand.name) + ": " + text + '\n').c_str(), stderr);
+    app::printError(QStringLiteral("boresightctl %1: %2").arg(toQString(subcommand.name), text));
 }
 
-ExitStatus usageError(const Subcommand& subcommand, const std::string& text)
+ExitStatus usageError(const Subcommand& subcommand, const QString& text)
 {
-    const std::string name(subcommand.name);
     complain(subcommand, text);
-    std::fputs(("usage: boresightctl " + name + ' ' + std::string(subcommand.arguments) + "\n\"boresightctl help " +
-                name + "\" tells more\n")
-                   .c_str(),
-               stderr);
+    app::printError(QStringLiteral("usage: boresightctl %1 %2\n\"boresightctl help %1\" tells more")
+                        .arg(toQString(subcommand.name), toQString(subcommand.arguments)));
     return kUsage;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
+
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,8 +38,8 @@ extern const Subcommand kConfirmDirectionsCommand;
 // Standard output, at once, also into a pipe.
 void print(const std::string& text);
 // "boresightctl scan: TEXT" on standard error.
-void complain(const Subcommand& subcommand, const std::string& text);
+void complain(const Subcommand& subcommand, const QString& text);
 // The same, and where to read how it is used.
-ExitStatus usageError(const Subcommand& subcommand, const std::string& text);
+ExitStatus usageError(const Subcommand& subcommand, const QString& text);
 
 }  // namespace boresight::ctl

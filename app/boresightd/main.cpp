@@ -17,9 +17,9 @@ namespace {
 
 using namespace boresight;
 
-int complain(const std::string& text)
+int complain(const QString& text)
 {
-    std::fprintf(stderr, "boresightd: %s\n", text.c_str());
+    app::printError(QStringLiteral("boresightd: ") + text);
     return 2;
 }
 
@@ -66,7 +66,7 @@ int run(QCoreApplication& application, const app::Options& options)
     QObject::connect(&signals, &app::UnixSignals::reloadRequested, &station, [&] { reload(station, reader); });
     QObject::connect(&station, &Station::started, &application, [&](const QString& listening, const QString& problem) {
         if (listening.isEmpty()) {
-            application.exit(complain(problem.toStdString()));
+            application.exit(complain(problem));
         } else {
             announce(listening);
         }

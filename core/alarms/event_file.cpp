@@ -164,7 +164,7 @@ void EventFile::finishWriting()
         Q_EMIT written();
     } else {
         m_retryAt = m_clock.now() + kRetry;
-        Q_EMIT failed(toQString(outcome.result.error().text));
+        Q_EMIT failed(outcome.result.error().text);
     }
 }
 

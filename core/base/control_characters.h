@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
+
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -23,6 +25,13 @@ namespace boresight {
 [[nodiscard]] inline std::string printable(std::string text)
 {
     std::ranges::replace_if(text, isControlCharacter, '?');
+    return text;
+}
+
+[[nodiscard]] inline QString printable(QString text)
+{
+    const auto isControl = [](QChar one) { return one.unicode() < 0x80 && isControlCharacter(one.toLatin1()); };
+    std::replace_if(text.begin(), text.end(), isControl, QChar(u'?'));
     return text;
 }
 

@@ -70,7 +70,7 @@ Result<> lockDescriptor(int descriptor)
         return {};
     }
     return errno == EWOULDBLOCK ? failure(ErrorCode::Busy, lockHolder(descriptor))
-                                : failure(ErrorCode::Io, std::string(std::strerror(errno)));
+                                : failure(ErrorCode::Io, toQString(std::strerror(errno)));
 }
 
 Result<ProgramLock> ProgramLock::take(const QString& path)
@@ -83,7 +83,7 @@ Result<ProgramLock> ProgramLock::take(const QString& path)
         file = FileDescriptor(::open(name8.constData(), O_RDONLY | kFlags));  // another user's can be locked so, too
     }
     if (!file.isOpen()) {
-        return failure(errno == EACCES ? ErrorCode::Denied : ErrorCode::Io, std::string(std::strerror(errno)));
+        return failure(errno == EACCES ? ErrorCode::Denied : ErrorCode::Io, toQString(std::strerror(errno)));
     }
     if (const Result<> locked = lockDescriptor(file.number()); !locked) {
         return locked.error().code == ErrorCode::Busy ? failure(ErrorCode::Busy, writtenName(file.number()))

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
+#include <QString>
+
 #include <tl/expected.hpp>
 #include <utility>
 
@@ -26,7 +27,7 @@ enum class ErrorCode
 struct Error
 {
     ErrorCode code = ErrorCode::Io;
-    std::string text;  // UTF-8, one sentence: what, where, what to do
+    QString text;  // one sentence: what, where, what to do
 
     bool operator==(const Error&) const = default;
 };
@@ -34,7 +35,7 @@ struct Error
 template <class T = void>
 using Result = tl::expected<T, Error>;
 
-[[nodiscard]] inline tl::unexpected<Error> failure(ErrorCode code, std::string text)
+[[nodiscard]] inline tl::unexpected<Error> failure(ErrorCode code, QString text)
 {
     return tl::unexpected<Error>(Error{code, std::move(text)});
 }

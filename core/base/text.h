@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
-
 #include <QCoreApplication>
 #include <QString>
 
-#include <concepts>
 #include <string>
 #include <string_view>
 
@@ -27,13 +24,6 @@ public:
 [[nodiscard]] inline QString toQString(std::string_view text)
 {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
-// Not a plain QString: a literal must not be ambiguous.
-template <std::same_as<QString> Sentence>
-[[nodiscard]] tl::unexpected<Error> failure(ErrorCode code, const Sentence& text)
-{
-    return failure(code, text.toStdString());
 }
 
 }  // namespace boresight

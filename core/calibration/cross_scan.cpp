@@ -328,12 +328,11 @@ Result<CrossScan> fitCrossScan(const AxisPosition& middle, std::span<const ScanR
     }
     const auto acrossPeak = fitScan(across);
     if (!acrossPeak) {
-        return failure(acrossPeak.error().code, Text::tr("across: %1").arg(toQString(acrossPeak.error().text)));
+        return failure(acrossPeak.error().code, Text::tr("across: %1").arg(acrossPeak.error().text));
     }
     const auto elevationPeak = fitScan(elevation);
     if (!elevationPeak) {
-        return failure(elevationPeak.error().code,
-                       Text::tr("in elevation: %1").arg(toQString(elevationPeak.error().text)));
+        return failure(elevationPeak.error().code, Text::tr("in elevation: %1").arg(elevationPeak.error().text));
     }
     const Angle beside = acrossPeak->offset.value / shrink;
     return CrossScan{.across = *acrossPeak,

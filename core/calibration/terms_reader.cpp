@@ -6,6 +6,7 @@
 #include "core/calibration/terms_text.h"
 
 #include <QDateTime>
+#include <QStringList>
 
 #include <algorithm>
 #include <cmath>
@@ -74,8 +75,8 @@ public:
                     Text::tr("%1 is missing: every term is expected, also those of 0").arg(toQString(nameOf(term))));
             }
         }
-        if (!m_problems.empty()) {
-            return failure(ErrorCode::InvalidInput, m_problems);
+        if (!m_problems.isEmpty()) {
+            return failure(ErrorCode::InvalidInput, m_problems.join(u'\n'));
         }
         return m_sheet;
     }
@@ -208,8 +209,7 @@ private:
         if (++m_count > kMostProblems) {
             return;
         }
-        m_problems +=
-            (m_problems.empty() ? "" : "\n") + m_fileName + ":" + std::to_string(m_line) + ": " + reason.toStdString();
+        m_problems << QStringLiteral("%1:%2: %3").arg(toQString(m_fileName), QString::number(m_line), reason);
     }
 
     std::string m_fileName;
@@ -218,7 +218,7 @@ private:
     std::string m_value;
     std::array<std::size_t, kTerms> m_lines{};  // where each stands, from 1
     std::size_t m_line = 0;
-    std::string m_problems;
+    QStringList m_problems;
     std::size_t m_count = 0;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/can/bus_frame.h"
 
+#include "core/base/text.h"
+
 #include <algorithm>
 
 namespace boresight {
@@ -8,10 +10,12 @@ namespace boresight {
 Result<CanFrame> readyForBus(const CanFrame& frame)
 {
     if (frame.id > kMaxExtendedId) {
-        return failure(ErrorCode::InvalidInput, "CAN identifier of more than 29 bits: " + toString(frame));
+        return failure(ErrorCode::InvalidInput,
+                       QStringLiteral("CAN identifier of more than 29 bits: %1").arg(toQString(toString(frame))));
     }
     if (frame.size > kMaxCanPayload || (!frame.flexibleData && frame.size > kMaxClassicPayload)) {
-        return failure(ErrorCode::InvalidInput, "too many bytes for this kind of CAN frame: " + toString(frame));
+        return failure(ErrorCode::InvalidInput,
+                       QStringLiteral("too many bytes for this kind of CAN frame: %1").arg(toQString(toString(frame))));
     }
     CanFrame ready = frame;
     ready.extended = frame.extended || frame.id > kMaxStandardId;

@@ -72,9 +72,9 @@ int indexOf(const std::string& name)
     return 0;
 }
 
-std::string systemError(const std::string& name)
+QString systemError(const QString& name)
 {
-    return name + ": " + std::string(std::strerror(errno));
+    return QStringLiteral("%1: %2").arg(name, toQString(std::strerror(errno)));
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ Result<FileDescriptor> KernelCanInterface::openSocket()
                            Text::tr("this kernel has no SocketCAN: load it with `modprobe can-raw`, or use the adapter "
                                     "as a serial port with --bus fdcanusb:PATH"));
         }
-        return failure(ErrorCode::Io, systemError("CAN socket"));
+        return failure(ErrorCode::Io, systemError(QStringLiteral("CAN socket")));
     }
     if (const auto found = findInterface(socket.number()); !found) {
         return tl::unexpected(found.error());
@@ -101,30 +101,29 @@ Result<FileDescriptor> KernelCanInterface::openSocket()
     address.can_family = AF_CAN;
     address.can_ifindex = m_index;
     if (bind(socket.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-        return failure(ErrorCode::NoDevice, systemError(m_name.toStdString()));
+        return failure(ErrorCode::NoDevice, systemError(m_name));
     }
     return socket;
 }
 
 Result<> KernelCanInterface::findInterface(int socket)
 {
-    const std::string name = m_name.toStdString();
-    m_index = indexOf(name);
+    m_index = indexOf(m_name.toStdString());
     if (m_index == 0) {
         return failure(ErrorCode::NoDevice, Text::tr("there is no interface %1: is the adapter plugged in and its "
                                                      "driver loaded? (`ip -brief link` shows what is there)")
-                                                .arg(toQString(name)));
+                                                .arg(m_name));
     }
     ifreq request = requestFor(m_name);
     if (ioctl(socket, SIOCGIFHWADDR, &request) != 0 || request.ifr_hwaddr.sa_family != ARPHRD_CAN) {
-        return failure(ErrorCode::InvalidInput, Text::tr("%1 is not a CAN interface").arg(toQString(name)));
+        return failure(ErrorCode::InvalidInput, Text::tr("%1 is not a CAN interface").arg(m_name));
     }
     const std::optional<InterfaceReport> known = report();
     const bool isVirtual = known ? known->kind != "can" : looksVirtual(m_name);
     if (ioctl(socket, SIOCGIFMTU, &request) != 0 || request.ifr_mtu < static_cast<int>(CANFD_MTU)) {
         return failure(ErrorCode::NotAvailable,
                        Text::tr("%1 is not a CAN-FD interface (mtu %2): `ip link set %1 down`, then `%3`")
-                           .arg(toQString(name), QString::number(request.ifr_mtu), bringUpCommand(m_name, isVirtual)));
+                           .arg(m_name, QString::number(request.ifr_mtu), bringUpCommand(m_name, isVirtual)));
     }
     return {};
 }
@@ -159,7 +158,7 @@ std::optional<InterfaceReport> KernelCanInterface::report() const
     }
     const auto report = readInterfaceAnswer(std::span(answer).first(static_cast<std::size_t>(size)));
     if (!report) {
-        qCDebug(lcInterface) << m_name << report.error().text.c_str();
+        qCDebug(lcInterface) << m_name << qUtf8Printable(report.error().text);
         return std::nullopt;
     }
     return *report;

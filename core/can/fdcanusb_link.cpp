@@ -125,7 +125,6 @@ Result<> FdcanusbLink::openPort(const QString& device)
     if (const auto check = checkSerialPort(device); !check) {
         return check;
     }
-    const std::string name = device.toStdString();
     if (const std::optional<QString> holder = portHolder(device)) {
         return failure(ErrorCode::Busy, inUse(device, *holder));
     }
@@ -133,13 +132,13 @@ Result<> FdcanusbLink::openPort(const QString& device)
     if (m_port.open(QIODevice::ReadWrite)) {
         return {};
     }
-    const std::string reason = m_port.errorString().toStdString();
+    const QString reason = m_port.errorString();
     if (m_port.error() == QSerialPort::PermissionError) {
         return failure(ErrorCode::Busy,
                        Text::tr("%1 is in use by another program (%2): `sudo fuser -v %1` shows which; end it first")
-                           .arg(toQString(name), toQString(reason)));
+                           .arg(device, reason));
     }
-    return failure(ErrorCode::Io, Text::tr("%1 cannot be opened: %2").arg(toQString(name), toQString(reason)));
+    return failure(ErrorCode::Io, Text::tr("%1 cannot be opened: %2").arg(device, reason));
 }
 
 // QSerialPort's lock file is seen only by programs that share its folder: not by a service with a /tmp of its own. So
@@ -152,7 +151,7 @@ Result<> FdcanusbLink::claimPort()
     }
     const Result<> locked = lockDescriptor(m_port.handle());
     if (!locked && locked.error().code == ErrorCode::Busy) {
-        return failure(ErrorCode::Busy, inUse(m_path.device(), toQString(locked.error().text)));
+        return failure(ErrorCode::Busy, inUse(m_path.device(), locked.error().text));
     }
     return {};
 }
@@ -178,7 +177,7 @@ Result<> FdcanusbLink::send(std::span<const CanFrame> frames)
     checkDeadlines();
     if (m_status.state == LinkState::Closed || m_status.state == LinkState::Lost) {
         const QString text = m_status.text.isEmpty() ? Text::tr("%1 is not open").arg(name()) : m_status.text;
-        return failure(ErrorCode::NoDevice, text.toStdString());
+        return failure(ErrorCode::NoDevice, text);
     }
     if (m_port.bytesToWrite() > kMaxUnwritten) {
         return failure(ErrorCode::NoAnswer,
@@ -367,7 +366,7 @@ void FdcanusbLink::restartController()
     appendLine(lines, fdcanusb::kBusOffLine, Command::Restart);
     appendLine(lines, fdcanusb::kBusOnLine, Command::Restart);
     if (const auto written = writeLines(lines); !written) {
-        qCWarning(lcFdcanusb) << written.error().text.c_str();
+        qCWarning(lcFdcanusb) << qUtf8Printable(written.error().text);
     }
 }
 

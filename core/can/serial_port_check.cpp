@@ -19,18 +19,17 @@ namespace boresight {
 Result<> checkSerialPort(const QString& path)
 {
     const QByteArray file = QFile::encodeName(path);
-    const std::string name = path.toStdString();
     struct stat info = {};
     if (stat(file.constData(), &info) != 0) {
         if (errno == EACCES) {
-            return failure(ErrorCode::Denied, Text::tr("%1: no permission to enter its folder").arg(toQString(name)));
+            return failure(ErrorCode::Denied, Text::tr("%1: no permission to enter its folder").arg(path));
         }
-        return failure(ErrorCode::NoDevice,
-                       Text::tr("%1 is not there: is the adapter plugged in? (ls /dev/serial/by-id shows what is)")
-                           .arg(toQString(name)));
+        return failure(
+            ErrorCode::NoDevice,
+            Text::tr("%1 is not there: is the adapter plugged in? (ls /dev/serial/by-id shows what is)").arg(path));
     }
     if (!S_ISCHR(info.st_mode)) {
-        return failure(ErrorCode::InvalidInput, Text::tr("%1 is not a serial port").arg(toQString(name)));
+        return failure(ErrorCode::InvalidInput, Text::tr("%1 is not a serial port").arg(path));
     }
     if (faccessat(AT_FDCWD, file.constData(), R_OK | W_OK, AT_EACCESS) != 0) {
         if (errno == EACCES) {
@@ -38,9 +37,9 @@ Result<> checkSerialPort(const QString& path)
                            Text::tr("%1: no permission: install packaging/udev/70-boresight-fdcanusb.rules to "
                                     "/etc/udev/rules.d, plug the adapter in again and join the group dialout (`sudo "
                                     "usermod -aG dialout $USER`, then log in again)")
-                               .arg(toQString(name)));
+                               .arg(path));
         }
-        return failure(ErrorCode::Io, name + ": " + std::string(std::strerror(errno)));
+        return failure(ErrorCode::Io, QStringLiteral("%1: %2").arg(path, toQString(std::strerror(errno))));
     }
     return {};
 }

@@ -80,7 +80,7 @@ Result<> SocketCanLink::open()
     connect(m_notifier.get(), &QSocketNotifier::activated, this, &SocketCanLink::readSocket);
     checkInterface();
     if (!m_socket.isOpen()) {  // removed meanwhile
-        return failure(ErrorCode::NoDevice, m_status.text.toStdString());
+        return failure(ErrorCode::NoDevice, m_status.text);
     }
     return {};
 }
@@ -105,7 +105,7 @@ Result<> SocketCanLink::send(std::span<const CanFrame> frames)
 {
     if (!m_socket.isOpen()) {
         const QString text = m_status.text.isEmpty() ? Text::tr("%1 is not open").arg(name()) : m_status.text;
-        return failure(ErrorCode::NoDevice, text.toStdString());
+        return failure(ErrorCode::NoDevice, text);
     }
     const auto rawFrames = rawFramesOf(frames);
     if (!rawFrames) {

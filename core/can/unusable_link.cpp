@@ -11,7 +11,7 @@ UnusableLink::UnusableLink(QString name, Error why, QObject* parent)
 
 LinkStatus UnusableLink::status() const
 {
-    return {.state = LinkState::Lost, .text = QString::fromStdString(m_why.text)};
+    return {.state = LinkState::Lost, .text = m_why.text};
 }
 
 Result<> UnusableLink::open()

@@ -169,7 +169,7 @@ Result<> Arming::rearm(const Source& source)
         return failure(ErrorCode::NoAnswer, Text::tr("both drives must answer before re-arming"));
     }
     if (const QString why = rearmObstacle(); !why.isEmpty()) {
-        return failure(ErrorCode::Refused, why.toStdString());
+        return failure(ErrorCode::Refused, why);
     }
     m_log.add(Severity::Advisory, source.name, Text::tr("re-arms, and first stops drives in fault or time-out"));
     if (source.kind == SourceKind::Operator) {

@@ -100,7 +100,7 @@ QString ClientDesk::leadObstacle(const ClientStatus& client) const
 {
     const ControlParts view = m_helm.view();
     if (const Result<> may = Gates(view).mayGiveLead(client.id); !may) {
-        return toQString(may.error().text);
+        return may.error().text;
     }
     if (m_arming.authority() == Authority::Operator || client.readOnly) {
         return {};

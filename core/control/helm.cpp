@@ -20,7 +20,7 @@ Result<> Helm::mayGoTo(const AxisPosition& place) const
         const auto nearest =
             resolved.limited ? std::nullopt : pointing::nearestPermitted(m_of.motion.region(), resolved.position);
         return nearest ? failure(ErrorCode::OutOfRange, Text::tr("%1. The nearest permitted position is %2.")
-                                                            .arg(toQString(may.error().text), directionText(*nearest)))
+                                                            .arg(may.error().text, directionText(*nearest)))
                        : may;
     }
     return m_of.motion.route(standing(), resolved.position).map([](const auto&) {});

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/control/permission_report.h"
 
-#include "core/base/text.h"
 #include "core/control/gates.h"
 
 namespace boresight {
@@ -11,7 +10,7 @@ const Source kTheOperator{.kind = SourceKind::Operator};
 
 void judge(Permissions& may, Action action, const Result<>& answer)
 {
-    may.refuse(action, answer ? QString() : toQString(answer.error().text));
+    may.refuse(action, answer ? QString() : answer.error().text);
 }
 
 struct Way

@@ -17,7 +17,7 @@ Result<> makesSense(const profile::Profile& profile)
 {
     const auto problems = profile::problemsOf(profile);
     if (!problems.empty()) {
-        return failure(ErrorCode::InvalidInput, problems.front().key + ": " + problems.front().text);
+        return failure(ErrorCode::InvalidInput, profile::toText(problems.front()));
     }
     return {};
 }
@@ -359,7 +359,7 @@ void StationControl::watchFitness()
 {
     if (!m_mount.fitness() && moves() && !m_motion.atRest()) {
         m_log.add(Severity::Warning, QStringLiteral("station"),
-                  Text::tr("ends the motion: %1").arg(toQString(m_mount.fitness().error().text)));
+                  Text::tr("ends the motion: %1").arg(m_mount.fitness().error().text));
         holdHere(Activity::Holding);
     }
 }

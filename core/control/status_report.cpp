@@ -248,7 +248,7 @@ std::optional<DrivesStatus> StatusReport::drivesStatus() const
     }
     DrivesStatus status;
     const Result<>& fitness = m_of.mount.fitness();
-    status.armingObstacle = fitness ? QString() : toQString(fitness.error().text);
+    status.armingObstacle = fitness ? QString() : fitness.error().text;
     service->describe(status);
     return status;
 }

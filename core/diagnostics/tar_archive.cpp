@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/diagnostics/tar_archive.h"
 
+#include "core/base/text.h"
+
 #include <QSaveFile>
 
 #include <archive.h>
@@ -24,7 +26,7 @@ la_ssize_t keep(archive*, void* bytes, const void* block, std::size_t size)
 Error broken(const Writer& writer)
 {
     const char* const reason = archive_error_string(writer.get());
-    return {ErrorCode::Io, reason != nullptr ? reason : "the archive could not be made"};
+    return {ErrorCode::Io, reason != nullptr ? toQString(reason) : QStringLiteral("the archive could not be made")};
 }
 
 bool add(const Writer& writer, const ArchiveFile& file, std::time_t when)
@@ -68,7 +70,7 @@ Result<> writeArchive(const QString& path, const std::vector<ArchiveFile>& files
     return packed(files, when).and_then([&](const QByteArray& bytes) -> Result<> {
         QSaveFile file(path);
         if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
-            return failure(ErrorCode::Io, path.toStdString() + ": " + file.errorString().toStdString());
+            return failure(ErrorCode::Io, QStringLiteral("%1: %2").arg(path, file.errorString()));
         }
         return {};
     });

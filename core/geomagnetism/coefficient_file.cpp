@@ -25,7 +25,7 @@ Result<Coefficients> readCoefficients(const QString& path)
                        Text::tr("%1 is too large for the coefficients of a World Magnetic Model").arg(path));
     }
     return parseCoefficients({text.constData(), static_cast<std::size_t>(text.size())}).map_error([&](Error error) {
-        error.text = Text::tr("%1: %2").arg(path, toQString(error.text)).toStdString();
+        error.text = Text::tr("%1: %2").arg(path, error.text);
         return error;
     });
 }

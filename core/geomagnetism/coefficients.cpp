@@ -125,8 +125,7 @@ Result<Coefficients> parseCoefficients(std::string_view text)
             continue;
         }
         if (const auto taken = reader.take(words); !taken) {
-            return failure(taken.error().code,
-                           Text::tr("line %1: %2").arg(QString::number(line), toQString(taken.error().text)));
+            return failure(taken.error().code, Text::tr("line %1: %2").arg(QString::number(line), taken.error().text));
         }
     }
     return reader.finish();

@@ -47,12 +47,11 @@ QString describe(const Declination& declination)
             return Text::tr("The sensor applies the declination (%1). Boresight adds nothing.").arg(inSensor);
         case DeclinationBy::Boresight: {
             const auto correction = declinationCorrection(declination);
-            return correction
-                       ? Text::tr(
-                             "Boresight adds a declination of %2 and removes the sensor's %1. "
-                             "The sum is %3.")
-                             .arg(inSensor, hereText(declination), signedDegrees(*correction))
-                       : Text::tr("Boresight cannot apply the declination. %1").arg(toQString(correction.error().text));
+            return correction ? Text::tr(
+                                    "Boresight adds a declination of %2 and removes the sensor's %1. "
+                                    "The sum is %3.")
+                                    .arg(inSensor, hereText(declination), signedDegrees(*correction))
+                              : Text::tr("Boresight cannot apply the declination. %1").arg(correction.error().text);
         }
         case DeclinationBy::None:
             return Text::tr("Nothing corrects the declination. The heading contains %1 of the sensor.").arg(inSensor);

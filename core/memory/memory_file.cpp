@@ -26,7 +26,7 @@ const QString kPrevious = QStringLiteral(".previous");
 
 Error ioError(const QString& path, const QString& reason)
 {
-    return {ErrorCode::Io, QStringLiteral("%1: %2").arg(path, reason).toStdString()};
+    return {ErrorCode::Io, QStringLiteral("%1: %2").arg(path, reason)};
 }
 
 // Replaces `to` at once, unlike QFile::rename, which refuses to.
@@ -125,11 +125,9 @@ QString whatIsWrong(const QString& path, const Error& error)
     }
     // Also what cannot be read just now: left in its place, the next two saves would overwrite it.
     if (const auto aside = keepAside(path)) {
-        return Text::tr("The journal file %1 cannot be used: %2; it is kept as %3")
-            .arg(path, toQString(error.text), *aside);
+        return Text::tr("The journal file %1 cannot be used: %2; it is kept as %3").arg(path, error.text, *aside);
     }
-    return Text::tr("The journal file %1 cannot be used: %2; it could not be put aside")
-        .arg(path, toQString(error.text));
+    return Text::tr("The journal file %1 cannot be used: %2; it could not be put aside").arg(path, error.text);
 }
 
 }  // namespace
@@ -154,14 +152,15 @@ Result<> MemoryFile::claim()
     if (lock) {
         m_lock = *std::move(lock);
     } else if (lock.error().code == ErrorCode::Busy) {
-        return failure(ErrorCode::Busy, Text::tr("%1 controls this mount already: its journal %2 is in use")
-                                            .arg(toQString(lock.error().text), m_path));
+        return failure(
+            ErrorCode::Busy,
+            Text::tr("%1 controls this mount already: its journal %2 is in use").arg(lock.error().text, m_path));
     } else if (lock.error().code == ErrorCode::Denied && QFileInfo::exists(path)) {
         return failure(
             ErrorCode::Denied,
             Text::tr("%1 cannot be locked (%2). A program of another user may control this mount. Start Boresight as "
                      "that user, or with another --state-dir")
-                .arg(path, toQString(lock.error().text)));
+                .arg(path, lock.error().text));
     }
     return {};
 }
@@ -217,7 +216,7 @@ void MemoryFile::finishWriting()
     if (result) {
         Q_EMIT saved();
     } else {
-        Q_EMIT saveFailed(QString::fromStdString(result.error().text));
+        Q_EMIT saveFailed(result.error().text);
     }
 }
 

@@ -2,6 +2,7 @@
 #include "core/moteus/codec.h"
 
 #include "core/base/overloaded.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +19,12 @@ Result<> checkReadable(std::span<const RegisterRead> query)
 {
     for (const RegisterRead& read : query) {
         if (!isReadable(read.reg)) {
-            return failure(ErrorCode::InvalidInput, registerName(read.reg) + " cannot be read");
+            return failure(ErrorCode::InvalidInput,
+                           QStringLiteral("%1 cannot be read").arg(toQString(registerName(read.reg))));
         }
         if (registerKind(read.reg) == Kind::Identity && read.resolution != kI32) {
-            return failure(ErrorCode::InvalidInput, registerName(read.reg) + " can only be read as i32");
+            return failure(ErrorCode::InvalidInput,
+                           QStringLiteral("%1 can only be read as i32").arg(toQString(registerName(read.reg))));
         }
     }
     return {};
@@ -31,13 +34,14 @@ Result<> checkRequest(const Request& request)
 {
     if (request.destination == 0 || request.destination > kBroadcastId || request.source > kBroadcastId ||
         request.prefix > kMaxPrefix) {
-        return failure(ErrorCode::OutOfRange, "moteus id outside 1..127, source outside 0..127 or prefix over 0x1fff");
+        return failure(ErrorCode::OutOfRange,
+                       QStringLiteral("moteus id outside 1..127, source outside 0..127 or prefix over 0x1fff"));
     }
     if (request.uuid && (request.uuid->words < 1 || request.uuid->words > 4)) {
-        return failure(ErrorCode::OutOfRange, "a UUID mask has 1 to 4 words");
+        return failure(ErrorCode::OutOfRange, QStringLiteral("a UUID mask has 1 to 4 words"));
     }
     if (!request.query.empty() && !request.replyWanted) {
-        return failure(ErrorCode::InvalidInput, "a query needs a reply");
+        return failure(ErrorCode::InvalidInput, QStringLiteral("a query needs a reply"));
     }
     return checkReadable(request.query).and_then([&] { return checkAnswerable(request.query); });
 }
@@ -144,11 +148,12 @@ Result<> checkAnswerable(std::span<const RegisterRead> query)
         size += replySize(block);
     }
     if (size > kMaxCanPayload) {
-        return failure(ErrorCode::OutOfRange, "the reply would need " + std::to_string(size) + " of 64 bytes");
+        return failure(ErrorCode::OutOfRange, QStringLiteral("the reply would need %1 of 64 bytes").arg(size));
     }
     if (leftOut) {
-        return failure(ErrorCode::OutOfRange, "the last part of the reply would start after byte " +
-                                                  std::to_string(kReplyBlockStartLimit) + " and be left out");
+        return failure(ErrorCode::OutOfRange,
+                       QStringLiteral("the last part of the reply would start after byte %1 and be left out")
+                           .arg(kReplyBlockStartLimit));
     }
     return {};
 }
@@ -168,7 +173,7 @@ Result<CanFrame> encode(const Request& request)
     writer.appendReads(request.query);
     if (writer.overflowed()) {
         return failure(ErrorCode::OutOfRange,
-                       "the request would need " + std::to_string(writer.needed()) + " of 64 bytes");
+                       QStringLiteral("the request would need %1 of 64 bytes").arg(writer.needed()));
     }
     return makeFrame({.prefix = request.prefix,
                       .replyWanted = request.replyWanted,
@@ -181,7 +186,8 @@ Result<Reply> decodeReply(const CanFrame& frame)
 {
     const Arbitration id = fromCanId(frame.id);
     if (id.replyWanted) {
-        return failure(ErrorCode::Protocol, "a frame that wants a reply is not a reply: " + toString(frame));
+        return failure(ErrorCode::Protocol,
+                       QStringLiteral("a frame that wants a reply is not a reply: %1").arg(toQString(toString(frame))));
     }
     Reply reply;
     reply.source = id.source;

@@ -28,13 +28,14 @@ bool hasBinaryAnswer(std::string_view command)
 Result<> checkCommand(std::string_view command)
 {
     if (command.empty() || command.size() > kMaxDiagnosticCommand) {
-        return failure(ErrorCode::OutOfRange, "a diagnostic command has 1 to 100 characters");
+        return failure(ErrorCode::OutOfRange, QStringLiteral("a diagnostic command has 1 to 100 characters"));
     }
     if (std::ranges::any_of(command, isLineEnd)) {
-        return failure(ErrorCode::InvalidInput, "a diagnostic command is one line");
+        return failure(ErrorCode::InvalidInput, QStringLiteral("a diagnostic command is one line"));
     }
     if (hasBinaryAnswer(command)) {
-        return failure(ErrorCode::NotAvailable, "the answer to \"" + std::string(command) + "\" is not text");
+        return failure(ErrorCode::NotAvailable,
+                       QStringLiteral("the answer to \"%1\" is not text").arg(toQString(command)));
     }
     return {};
 }
@@ -50,7 +51,7 @@ std::span<const std::uint8_t> bytesOf(std::string_view text, std::array<std::uin
 Result<> DiagnosticClient::start(std::string_view command)
 {
     if (isBusy()) {
-        return failure(ErrorCode::Busy, "the drive's console still works on the previous command");
+        return failure(ErrorCode::Busy, QStringLiteral("the drive's console still works on the previous command"));
     }
     if (auto checked = checkCommand(command); !checked) {
         return checked;
@@ -230,7 +231,7 @@ void DiagnosticClient::finish(Result<Lines> answer)
 Result<DiagnosticClient::Lines> DiagnosticClient::takeAnswer()
 {
     if (m_state != State::Finished) {
-        return failure(ErrorCode::NoAnswer, "the drive's console has no answer ready");
+        return failure(ErrorCode::NoAnswer, QStringLiteral("the drive's console has no answer ready"));
     }
     m_state = State::Idle;
     return std::exchange(m_answer, Lines{});

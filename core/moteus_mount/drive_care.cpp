@@ -208,7 +208,7 @@ Result<> DriveCare::carryOut(const Request& request, SteadyTime now)
 void DriveCare::judge(Permissions& may) const
 {
     const auto add = [&may](Action action, const Result<>& answer) {
-        may.refuse(action, answer ? QString() : toQString(answer.error().text));
+        may.refuse(action, answer ? QString() : answer.error().text);
     };
     add(Action::ReadDrives, mayRead());
     add(Action::FixDrives, mayFix());

@@ -111,7 +111,7 @@ void MoteusConnection::open()
     LinkStatus status;
     if (const Result<> opened = m_link->open(); !opened) {
         status = m_link->status();
-        status.text = QString::fromStdString(opened.error().text);
+        status.text = opened.error().text;
     } else {
         status = m_link->status();
     }

@@ -252,7 +252,7 @@ bool TurnKeeper::chooseAsEntered(Axis axis, Angle place, Drive& drive)
     const QString source = QStringLiteral("command line");
     const Result<> chosen = enteredPlaceCounts().and_then([&] { return choose(axis, place, drive, source); });
     if (!chosen) {
-        m_placeProblems[index(axis)] = QString::fromStdString(chosen.error().text);
+        m_placeProblems[index(axis)] = chosen.error().text;
     }
     return chosen.has_value();
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/motion/motion.h"
 
-#include "core/base/text.h"
 #include "core/pointing/nearest_permitted.h"
 #include "core/pointing/route.h"
 #include "core/tracking/emergency_braking.h"
@@ -207,7 +206,7 @@ void Motion::planTo(const AxisPosition& end, SteadyTime now)
     if (auto legs = route(place(), end)) {
         m_way.legs = std::move(*legs);
     } else {
-        m_way.obstacle = toQString(legs.error().text);
+        m_way.obstacle = legs.error().text;
     }
 }
 

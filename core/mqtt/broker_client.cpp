@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mqtt/broker_client.h"
 
-#include "core/base/text.h"
 #include "core/mqtt/broker_session.h"
 
 #include <utility>
@@ -86,7 +85,7 @@ void BrokerClient::attempt()
     if (const auto tls = prepareTls()) {
         lookUp();
     } else {
-        giveUp({.kind = EndKind::Local, .detail = toQString(tls.error().text)});
+        giveUp({.kind = EndKind::Local, .detail = tls.error().text});
     }
 }
 

@@ -50,7 +50,7 @@ void BodyFollower::profileChanged(const profile::Profile& before, const profile:
         return;
     }
     if (const auto may = permits(*m_body, m_overTheTop); !may) {
-        end(toQString(may.error().text));  // at once: the next tick would lead the mount out of what is forbidden now
+        end(may.error().text);  // at once: the next tick would lead the mount out of what is forbidden now
     }
 }
 
@@ -92,7 +92,7 @@ Result<> BodyFollower::permitsAround(Body body, const std::vector<calibration::S
             if (const auto may = m_control.reaches(beside(fromSide(here, fromBehind), place)); !may) {
                 return failure(may.error().code, Text::tr("around the %1 not all is permitted, %2: scan less wide, or "
                                                           "when the %1 stands elsewhere")
-                                                     .arg(bodyName(body), toQString(may.error().text)));
+                                                     .arg(bodyName(body), may.error().text));
             }
         }
         return {};
@@ -108,8 +108,8 @@ BodyNow BodyFollower::now(Body body)
         const SkyBodies::Times times = m_bodies.times(body);
         now.direction = *place;
         now.isUp = place->elevation >= Angle{};
-        now.obstacle = may ? QString() : toQString(may.error().text);
-        now.obstacleOverTheTop = mayOverTheTop ? QString() : toQString(mayOverTheTop.error().text);
+        now.obstacle = may ? QString() : may.error().text;
+        now.obstacleOverTheTop = mayOverTheTop ? QString() : mayOverTheTop.error().text;
         now.nextRise = times.rise;
         now.nextSet = times.set;
     }
@@ -167,7 +167,7 @@ void BodyFollower::tick()
         });
         if (!may) {
             const bool leapt = !staysOnItsWay();
-            end(toQString(may.error().text));
+            end(may.error().text);
             if (leapt) {
                 m_body.reset();  // nobody has centred it where it is now
             }

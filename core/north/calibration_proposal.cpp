@@ -275,7 +275,7 @@ Result<pointing::PointingTerms> asSettings(const pointing::PointingTerms& terms)
     for (const TermStatus& term : termsBeside({}, terms)) {
         const profile::Setting& setting = *profile::findSetting(term.key);
         if (const Result<> fits = setting.set(profile, term.proposed.degrees()); !fits) {
-            problems << QStringLiteral("%1: %2").arg(toQString(term.key), toQString(fits.error().text));
+            problems << QStringLiteral("%1: %2").arg(toQString(term.key), fits.error().text);
         }
     }
     if (!problems.isEmpty()) {

@@ -12,7 +12,7 @@ constexpr std::chrono::milliseconds kPeriod{250};
 
 QString reasonOf(const Result<>& result)
 {
-    return result ? QString() : toQString(result.error().text);
+    return result ? QString() : result.error().text;
 }
 
 QString placeText(calibration::MountDifference difference)
@@ -85,7 +85,7 @@ void CalibrationReport::fillBodies(CalibrationStatus& status) const
     status.following = m_of.follower.following();
     status.overTheTop = m_of.follower.overTheTop();
     if (const auto known = m_of.follower.direction(ephemeris::Body::Sun); !known) {
-        status.noSite = toQString(known.error().text);
+        status.noSite = known.error().text;
         return;
     }
     m_of.follower.lookAhead();

@@ -129,7 +129,7 @@ Result<> CalibrationRuns::givePower(double decibels)
 Result<> CalibrationRuns::endedBy(const Result<>& scan)
 {
     if (!scan && m_scan.run()) {
-        ended(failedRun(toQString(scan.error().text)));
+        ended(failedRun(scan.error().text));
     }
     return scan;
 }
@@ -167,14 +167,14 @@ bool CalibrationRuns::tick()
 std::optional<RunEnd> CalibrationRuns::stepOffset() const
 {
     if (const auto usable = m_sensor.isUsable(); !usable) {
-        return failedRun(toQString(usable.error().text));
+        return failedRun(usable.error().text);
     }
     if (!m_offset->done(m_clock.now())) {
         return std::nullopt;
     }
     const auto offset = m_offset->outcome(m_profile->sensor, m_sensor.declination());
     if (!offset) {
-        return failedRun(toQString(offset.error().text));
+        return failedRun(offset.error().text);
     }
     return RunEnd{.outcome = Text::tr("done, from %1 readings").arg(offset->used), .found = *offset};
 }
@@ -221,7 +221,7 @@ SwingPlan CalibrationRuns::swingPlan() const
 {
     SwingPlan plan = m_swing.planned();
     if (const auto may = maySwing(); !may) {
-        plan.obstacle = toQString(may.error().text);
+        plan.obstacle = may.error().text;
     }
     return plan;
 }

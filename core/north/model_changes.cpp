@@ -57,12 +57,12 @@ Result<> ModelChanges::makesSense(const CalibrationChange& change) const
             return failure(ErrorCode::Refused,
                            Text::tr("the place to park would then be forbidden, %1: set another one "
                                     "first (tab Mount, Profile, \"park\"), then apply")
-                               .arg(toQString(problems.front().text)));
+                               .arg(problems.front().text));
         }
         if (!problems.empty()) {
             return failure(ErrorCode::Refused,
                            Text::tr("with this the profile would not make sense, %1: change that first")
-                               .arg(toQString(problems.front().key + ": " + problems.front().text)));
+                               .arg(profile::toText(problems.front())));
         }
     }
     return {};

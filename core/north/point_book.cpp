@@ -62,7 +62,7 @@ void PointBook::fit(const pointing::PointingTerms& inForce, const calibration::T
     } else if (auto fit = calibration::fitPointing(m_points, inForce, known)) {
         m_fit = std::move(*fit);
     } else {
-        m_problem = toQString(fit.error().text);
+        m_problem = fit.error().text;
     }
 }
 

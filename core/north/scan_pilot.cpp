@@ -103,7 +103,7 @@ ScanPilot::Step ScanPilot::tick()
     if (const auto power = m_run->heard(now)) {
         m_power = *power;
         const Result<> looks = giveToRun(*power);
-        return {.read = true, .end = looks ? std::nullopt : std::optional(failedRun(toQString(looks.error().text)))};
+        return {.read = true, .end = looks ? std::nullopt : std::optional(failedRun(looks.error().text))};
     }
     return {.end = m_run->done(now) ? std::optional(finish(axes->place)) : std::nullopt};
 }
@@ -136,7 +136,7 @@ RunEnd ScanPilot::finish(const AxisPosition& middle)
     const auto scanned = m_run->outcome(middle);
     const auto truth = m_follower.direction(body);
     if (!scanned || !truth) {
-        return failedRun(toQString(scanned ? truth.error().text : scanned.error().text));
+        return failedRun(scanned ? truth.error().text : scanned.error().text);
     }
     m_scanned = *scanned;
     return {.outcome = Text::tr("done: the peak is a point now"),

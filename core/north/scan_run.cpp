@@ -105,7 +105,7 @@ void ScanRun::turnAtPeak()
     if (const auto peak = calibration::fitScan(m_across)) {
         m_turned = peak->offset.value;
     } else {
-        m_noPeak = Text::tr("across: %1").arg(toQString(peak.error().text));
+        m_noPeak = Text::tr("across: %1").arg(peak.error().text);
     }
 }
 

@@ -37,7 +37,7 @@ SwingPlan SwingPilot::planned() const
     const auto here = m_control.measured();
     if (!here) {
         SwingPlan plan{.rate = m_wish.rate, .headings = m_wish.headings};
-        plan.obstacle = toQString(here.error().text);
+        plan.obstacle = here.error().text;
         return plan;
     }
     return planSwing(m_wish, *here, m_control.region(), m_profile->azimuth.limits);
@@ -93,7 +93,7 @@ QString SwingPilot::ending() const
     const SteadyTime now = m_clock.now();
     const auto usable = m_sensor.isUsable();
     if (!usable && (m_sensor.isHeard() || !m_run->begun() || m_run->waitedInVain(now))) {
-        return toQString(usable.error().text);
+        return usable.error().text;
     }
     if (m_axes.unseenFor() > kUnseen) {
         return Text::tr("where the mount stands is not known any more");
@@ -117,13 +117,13 @@ std::optional<RunEnd> SwingPilot::askForMotion(const AxesThen& axes)
         return std::nullopt;
     }
     const auto admitted = m_control.request(*wanted, calibrationSource());
-    return admitted ? std::nullopt : std::optional(brokenOff(toQString(admitted.error().text)));
+    return admitted ? std::nullopt : std::optional(brokenOff(admitted.error().text));
 }
 
 void SwingPilot::reportWait(bool waited, const Result<>& heard)
 {
     if (m_run->waits() && !waited) {
-        warnOfWait(toQString(heard.error().text));
+        warnOfWait(heard.error().text);
     } else if (waited && !m_run->waits()) {
         m_control.alarms().clear(alarmEntry("swing.waits"));
         m_log.add(Severity::Advisory, kSwingSource, Text::tr("the sensor is heard again: the swing goes on"));
@@ -142,7 +142,7 @@ RunEnd SwingPilot::finish() const
 {
     auto outcome = m_run->outcome(m_clock.utc(), m_sensor.declination());
     if (!outcome) {
-        return failedRun(toQString(outcome.error().text));
+        return failedRun(outcome.error().text);
     }
     const SwungCompass swung{.outcome = std::make_shared<const SwingOutcome>(std::move(*outcome)),
                              .doubt = m_run->heardAllAlong()

@@ -240,7 +240,7 @@ Result<SwingOutcome> SwingRun::outcome(UtcTime utc, Angle declination) const
     if (auto tilt = calibration::fitAxisTilt(m_levels, fit->north, levelLimits())) {
         outcome.tilt = *tilt;
     } else {
-        outcome.noTilt = toQString(tilt.error().text);
+        outcome.noTilt = tilt.error().text;
     }
     return outcome;
 }

@@ -69,7 +69,7 @@ void SerialSource::open()
     }
     const QString device = m_path.device();
     if (const Result<> check = checkPort(device); !check) {
-        tryLater(QString::fromStdString(check.error().text));
+        tryLater(check.error().text);
     } else {
         lookForHolder(device);
     }
@@ -99,7 +99,7 @@ void SerialSource::takeHolder()
     if (const std::optional<QString> holder = m_holder.lookUp.result()) {
         tryLater(Text::tr("%1 is in use by %2: end it first").arg(m_holder.device, *holder));
     } else if (const Result<> opened = openPort(); !opened) {
-        tryLater(QString::fromStdString(opened.error().text));
+        tryLater(opened.error().text);
     } else {
         begin();
     }

@@ -292,7 +292,7 @@ Error noWay(const PermittedRegion& region, const AxisPosition& from, const AxisP
         spent ? Text::tr("no way from %1 to %2 was found in time: there are too many keep-outs").arg(begin, end)
               : Text::tr("there is no way from %1 to %2: %3 is in between")
                     .arg(begin, end, obstacleBetween(region, from, to));
-    return {ErrorCode::OutOfRange, text.toStdString()};
+    return {ErrorCode::OutOfRange, text};
 }
 
 }  // namespace

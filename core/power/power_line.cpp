@@ -166,9 +166,9 @@ void PowerLine::take(std::string_view line)
     if (!power) {
         ++m_refused;
         if (m_state.rubbish.isEmpty()) {
-            m_state.rubbish = QStringLiteral("\"%1\": %2")
-                                  .arg(toQString(printable(std::string(line.substr(0, kLongestQuote)))),
-                                       toQString(power.error().text));
+            m_state.rubbish =
+                QStringLiteral("\"%1\": %2")
+                    .arg(toQString(printable(std::string(line.substr(0, kLongestQuote)))), power.error().text);
         }
         return;
     }

@@ -15,26 +15,23 @@ void checkAxis(std::vector<Problem>& problems, const std::string& table, const A
 {
     const TravelRange& travel = axis.geometry.travel;
     if (axis.geometry.sign == 0) {
-        problems.push_back({table + ".sign", Text::tr("1 or -1 is expected").toStdString()});
+        problems.push_back({table + ".sign", Text::tr("1 or -1 is expected")});
     }
     if (travel.min >= travel.max) {
         problems.push_back({table + ".travel_min_deg",
                             Text::tr("%1 is not below %2.travel_max_deg (%3)")
-                                .arg(degreesText(travel.min, 2), toQString(table), degreesText(travel.max, 2))
-                                .toStdString()});
+                                .arg(degreesText(travel.min, 2), toQString(table), degreesText(travel.max, 2))});
     } else if (!travel.contains(park)) {
         problems.push_back({"park." + table + "_deg",
                             Text::tr("%1 is outside the travel %2…%3")
-                                .arg(degreesText(park, 2), degreesText(travel.min, 2), degreesText(travel.max, 2))
-                                .toStdString()});
+                                .arg(degreesText(park, 2), degreesText(travel.min, 2), degreesText(travel.max, 2))});
     }
     // A slower build-up would make the stop distance longer than anybody standing at the mast expects.
     const Seconds filterLength{2.0 * (axis.limits.acceleration.radians() / axis.limits.jerk.radians())};
     if (filterLength > Seconds(2.0)) {
         problems.push_back(
             {table + ".max_jerk_deg_s3", Text::tr("must be at least max_acceleration_deg_s2 per second, here %1")
-                                             .arg(toQString(formatFixed(axis.limits.acceleration.degrees(), 2)))
-                                             .toStdString()});
+                                             .arg(toQString(formatFixed(axis.limits.acceleration.degrees(), 2)))});
     }
 }
 
@@ -46,7 +43,7 @@ bool areBoth(AxisDriver driver, const Profile& profile)
 void checkDrivers(std::vector<Problem>& problems, const Profile& profile)
 {
     if (areBoth(AxisDriver::None, profile)) {
-        problems.push_back({"elevation.driver", Text::tr("A mount needs at least one axis.").toStdString()});
+        problems.push_back({"elevation.driver", Text::tr("A mount needs at least one axis.")});
     }
 }
 
@@ -55,7 +52,7 @@ void checkSupervision(std::vector<Problem>& problems, const Profile& profile)
     const SupervisionSettings& supervision = profile.supervision;
     const auto demand = [&](bool right, const char* key, const QString& text) {
         if (!right) {
-            problems.push_back({std::string("supervision.") + key, text.toStdString()});
+            problems.push_back({std::string("supervision.") + key, text});
         }
     };
     demand(supervision.followingHint <= supervision.followingStop, "following_hint_deg",
@@ -102,25 +99,22 @@ std::vector<Problem> crossCheck(const Profile& profile)
     checkAxis(problems, "azimuth", profile.azimuth, profile.park.azimuth);
     checkAxis(problems, "elevation", profile.elevation, profile.park.elevation);
     if (areBoth(AxisDriver::Moteus, profile) && profile.azimuth.id == profile.elevation.id) {
-        problems.push_back(
-            {"elevation.id", Text::tr("is the same as azimuth.id; each controller needs its own").toStdString()});
+        problems.push_back({"elevation.id", Text::tr("is the same as azimuth.id; each controller needs its own")});
     }
     // Two lost frames in a row must not stop the mount; the tiny slack forgives rounding (0.05 s at 60 Hz).
     if (3.0 * profile.control.tickPeriod() > profile.control.watchdog + Seconds(1e-9)) {
         problems.push_back(
             {"control.watchdog_s", Text::tr("is shorter than 3 ticks of control.tick_hz (%1 s)")
-                                       .arg(toQString(formatFixed(3.0 * profile.control.tickPeriod().count(), 3)))
-                                       .toStdString()});
+                                       .arg(toQString(formatFixed(3.0 * profile.control.tickPeriod().count(), 3)))});
     }
     if (profile.jog.slow > profile.jog.normal || profile.jog.normal > profile.jog.fast) {
-        problems.push_back(
-            {"jog.normal_deg_s", Text::tr("must lie between jog.slow_deg_s and jog.fast_deg_s").toStdString()});
+        problems.push_back({"jog.normal_deg_s", Text::tr("must lie between jog.slow_deg_s and jog.fast_deg_s")});
     }
     if (profile.rotctld.lead == Lead::Locked && profile.rotctld.lockedTo.empty()) {
-        problems.push_back({"rotctld.locked_to", Text::tr("is needed while rotctld.lead is \"locked\"").toStdString()});
+        problems.push_back({"rotctld.locked_to", Text::tr("is needed while rotctld.lead is \"locked\"")});
     }
     if (!profile.mqtt.password.empty() && profile.mqtt.user.empty()) {
-        problems.push_back({"mqtt.user", Text::tr("is needed with a password").toStdString()});
+        problems.push_back({"mqtt.user", Text::tr("is needed with a password")});
     }
     checkRegion(problems, profile);
     checkSupervision(problems, profile);
@@ -146,14 +140,12 @@ std::vector<Problem> problemsOfReal(const Profile& profile)
 {
     std::vector<Problem> problems = problemsOf(profile);
     if (profile.sensor.source == SensorSource::Simulated) {
-        problems.push_back(
-            {"sensor.source", Text::tr("\"simulated\" needs the simulated mount (bus.name)").toStdString()});
+        problems.push_back({"sensor.source", Text::tr("\"simulated\" needs the simulated mount (bus.name)")});
     }
     for (const Axis axis : kAxes) {
         if (profile.axis(axis).driver == AxisDriver::Simple) {
-            problems.push_back(
-                {axis == Axis::Azimuth ? "azimuth.driver" : "elevation.driver",
-                 Text::tr("The simple rotator is only simulated. Start Boresight with --simulate.").toStdString()});
+            problems.push_back({axis == Axis::Azimuth ? "azimuth.driver" : "elevation.driver",
+                                Text::tr("The simple rotator is only simulated. Start Boresight with --simulate.")});
         }
     }
     return problems;
@@ -162,8 +154,7 @@ std::vector<Problem> problemsOfReal(const Profile& profile)
 Result<> fitsRealMount(const Profile& profile)
 {
     const std::vector<Problem> problems = problemsOfReal(profile);
-    return problems.empty() ? Result<>{}
-                            : failure(ErrorCode::InvalidInput, problems.front().key + ": " + problems.front().text);
+    return problems.empty() ? Result<>{} : failure(ErrorCode::InvalidInput, toText(problems.front()));
 }
 
 Result<ListenAddress> parseListenAddress(std::string_view text)

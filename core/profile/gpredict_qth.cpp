@@ -26,7 +26,7 @@ Result<> readNumber(const QByteArray& text, const char* key, const char* setting
                        (value ? Text::tr("%1 is no number") : Text::tr("%1 is missing")).arg(QLatin1String(key)));
     }
     return findSetting(setting)->set(into, *number).map_error([&](const Error& error) {
-        return Error{error.code, std::string(key) + ": " + error.text};
+        return Error{error.code, QStringLiteral("%1: %2").arg(QLatin1String(key), error.text)};
     });
 }
 
@@ -70,8 +70,7 @@ GpredictFiles findGpredict(const QString& folder)
             station->isDefault = file.fileName() == defaultFile;
             found.stations.push_back(*station);
         } else {
-            found.problems.push_back(file.fileName() + QStringLiteral(": ") +
-                                     QString::fromStdString(station.error().text));
+            found.problems.push_back(file.fileName() + QStringLiteral(": ") + station.error().text);
         }
     }
     std::ranges::stable_partition(found.stations, &GpredictStation::isDefault);

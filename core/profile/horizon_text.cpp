@@ -7,6 +7,8 @@
 #include "core/pointing/skyline.h"
 #include "core/profile/setting.h"
 
+#include <QStringList>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -69,12 +71,12 @@ bool isHeading(const std::string& line)
     return line.find_first_of("0123456789") == std::string::npos;
 }
 
-std::string whatIsWrong(const Numbers& numbers)
+QString whatIsWrong(const Numbers& numbers)
 {
     if (numbers.azimuth < 0.0 || numbers.azimuth > 360.0) {
-        return Text::tr("azimuths count from north, 0…360").toStdString();
+        return Text::tr("azimuths count from north, 0…360");
     }
-    return std::abs(numbers.elevation) > 90.0 ? Text::tr("an elevation is within -90…90").toStdString() : std::string();
+    return std::abs(numbers.elevation) > 90.0 ? Text::tr("an elevation is within -90…90") : QString();
 }
 
 class HorizonReader
@@ -97,18 +99,17 @@ public:
         } else if (!isFirst || !isHeading(line)) {
             constexpr std::size_t kShown = 40;
             addError(Text::tr("azimuth and elevation are expected, like \"120.5 7\", not \"%1\"")
-                         .arg(toQString(line.substr(0, kShown)))
-                         .toStdString());
+                         .arg(toQString(line.substr(0, kShown))));
         }
     }
 
     [[nodiscard]] Result<HorizonText> result()
     {
         if (m_errorCount > kErrorsTold) {
-            m_errors += "\n" + Text::tr("… and %1 more").arg(m_errorCount - kErrorsTold).toStdString();
+            m_errors << Text::tr("… and %1 more").arg(m_errorCount - kErrorsTold);
         }
         if (m_errorCount > 0) {
-            return failure(ErrorCode::InvalidInput, m_errors);
+            return failure(ErrorCode::InvalidInput, m_errors.join(u'\n'));
         }
         if (m_highest.empty() || m_highest.size() > kMaxHorizonPoints) {
             return failure(ErrorCode::InvalidInput, Text::tr("%1: %2 points; 1…%3 make a horizon")
@@ -125,7 +126,7 @@ public:
 private:
     void take(const Numbers& numbers)
     {
-        if (const std::string wrong = whatIsWrong(numbers); !wrong.empty()) {
+        if (const QString wrong = whatIsWrong(numbers); !wrong.isEmpty()) {
             return addError(wrong);
         }
         constexpr double kPerDegree = 1e6;  // a profile has no azimuth between 359.999999° and 360°
@@ -137,11 +138,11 @@ private:
         }
     }
 
-    void addError(const std::string& reason)
+    void addError(const QString& reason)
     {
         if (++m_errorCount <= kErrorsTold) {
-            m_errors += (m_errors.empty() ? "" : "\n") + m_fileName + ":" + std::to_string(m_lineNumber) + ": " +
-                        printable(reason);
+            m_errors << QStringLiteral("%1:%2: %3")
+                            .arg(toQString(m_fileName), QString::number(m_lineNumber), printable(reason));
         }
     }
 
@@ -150,7 +151,7 @@ private:
     bool m_hasContent = false;
     std::map<double, double> m_highest;  // elevation by azimuth
     int m_merged = 0;
-    std::string m_errors;
+    QStringList m_errors;
     std::size_t m_errorCount = 0;
 };
 

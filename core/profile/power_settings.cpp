@@ -33,8 +33,7 @@ void checkPower(std::vector<Problem>& problems, const Profile& profile)
 {
     if (profile.power.source == PowerSource::Udp && !checkAddress(profile.power.host)) {
         problems.push_back(
-            {"power.host",
-             Text::tr("an address of this computer is expected while power.source is \"udp\"").toStdString()});
+            {"power.host", Text::tr("an address of this computer is expected while power.source is \"udp\"")});
     }
 }
 

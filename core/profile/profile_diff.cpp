@@ -3,7 +3,10 @@
 
 #include "core/base/text.h"
 
+#include <QStringList>
+
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <set>
 #include <string_view>
@@ -18,20 +21,20 @@ struct Item
     std::string key;
     Applies applies = Applies::Now;
     std::function<std::string(const Profile&)> written;  // differs if the value does
-    std::function<std::string(const Profile& shown, const Profile& other)> text;
+    std::function<QString(const Profile& shown, const Profile& other)> text;
     std::function<void(Profile& into, const Profile& from)> take;
 };
 
 template <class Owner>
-std::string withUnit(const SettingOf<Owner>& setting, const Owner& owner)
+QString withUnit(const SettingOf<Owner>& setting, const Owner& owner)
 {
-    return toText(setting.get(owner)) + (setting.unit.empty() ? "" : " " + setting.unit);
+    return toQString(toText(setting.get(owner)) + (setting.unit.empty() ? "" : " " + setting.unit));
 }
 
-std::string shownText(const Setting& setting, const Profile& profile)
+QString shownText(const Setting& setting, const Profile& profile)
 {
     const bool hide = setting.secret && setting.get(profile) != SettingValue(std::string());
-    return hide ? Text::of(kHidden).toStdString() : withUnit(setting, profile);
+    return hide ? Text::of(kHidden) : withUnit(setting, profile);
 }
 
 Item itemOf(const Setting& setting)
@@ -43,23 +46,34 @@ Item itemOf(const Setting& setting)
             .take = [&setting](Profile& into, const Profile& from) { (void)setting.set(into, setting.get(from)); }};
 }
 
-std::string siteText(const Profile& profile)
+constexpr std::array kSiteKeys{"site.latitude_deg", "site.longitude_deg", "site.height_m"};
+
+std::string writtenSite(const Profile& profile)
 {
-    if (!profile.site.known) {
-        return Text::tr("not given").toStdString();
-    }
     std::string text;
-    for (const char* const key : {"site.latitude_deg", "site.longitude_deg", "site.height_m"}) {
-        text += (text.empty() ? "" : ", ") + withUnit(*findSetting(key), profile);
+    for (const char* const key : kSiteKeys) {
+        text += profile.site.known ? toText(findSetting(key)->get(profile)) + " " : "";
     }
     return text;
+}
+
+QString siteText(const Profile& profile)
+{
+    if (!profile.site.known) {
+        return Text::tr("not given");
+    }
+    QStringList parts;
+    for (const char* const key : kSiteKeys) {
+        parts << withUnit(*findSetting(key), profile);
+    }
+    return parts.join(QStringLiteral(", "));
 }
 
 Item siteItem()
 {
     return {.key = "site",
             .applies = Applies::Now,
-            .written = siteText,
+            .written = writtenSite,
             .text = [](const Profile& shown, const Profile&) { return siteText(shown); },
             .take = [](Profile& into, const Profile& from) { into.site = from.site; }};
 }
@@ -77,7 +91,7 @@ std::string writtenRow(std::span<const SettingOf<Row>> fields, const Row& row)
 // `rows` finds the list in a profile, constant or not; `text` tells the rows, and how they differ from the others.
 template <class Row, class Rows>
 Item listItem(std::string_view key, std::span<const SettingOf<Row>> fields, Rows rows,
-              std::string (*text)(const std::vector<Row>& shown, const std::vector<Row>& others))
+              QString (*text)(const std::vector<Row>& shown, const std::vector<Row>& others))
 {
     return {.key = std::string(key),
             .applies = Applies::Now,
@@ -93,30 +107,28 @@ Item listItem(std::string_view key, std::span<const SettingOf<Row>> fields, Rows
             .take = [rows](Profile& into, const Profile& from) { rows(into) = rows(from); }};
 }
 
-std::string horizonText(const std::vector<pointing::HorizonPoint>& shown,
-                        const std::vector<pointing::HorizonPoint>& others)
+QString horizonText(const std::vector<pointing::HorizonPoint>& shown, const std::vector<pointing::HorizonPoint>& others)
 {
     const QString count = shown.size() == 1 ? Text::tr("1 point") : Text::tr("%1 points").arg(shown.size());
     if (shown.size() != others.size()) {
-        return count.toStdString();
+        return count;
     }
     const auto moved =
         std::ranges::count_if(shown, [&](const auto& point) { return std::ranges::count(others, point) == 0; });
-    return Text::tr("%1, %2 different").arg(count, QString::number(moved)).toStdString();
+    return Text::tr("%1, %2 different").arg(count, QString::number(moved));
 }
 
 // The names; rows whose name the others have too, but not alike, are marked.
 template <class Row>
-std::string namesText(const std::vector<Row>& shown, const std::vector<Row>& others)
+QString namesText(const std::vector<Row>& shown, const std::vector<Row>& others)
 {
-    std::string text;
+    QStringList names;
     for (const Row& row : shown) {
         const bool isNamed = std::ranges::count(others, row.name, &Row::name) > 0;
         const bool isAlike = std::ranges::count(others, row) > 0;
-        text += (text.empty() ? "" : ", ") + toText(row.name) +
-                (isNamed && !isAlike ? " " + Text::tr("(different)").toStdString() : "");
+        names << toQString(toText(row.name)) + (isNamed && !isAlike ? u' ' + Text::tr("(different)") : QString());
     }
-    return text.empty() ? Text::tr("none").toStdString() : text;
+    return names.isEmpty() ? Text::tr("none") : names.join(QStringLiteral(", "));
 }
 
 std::vector<Item> makeItems()

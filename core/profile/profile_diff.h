@@ -16,8 +16,8 @@ namespace boresight::profile {
 struct Change
 {
     std::string key;
-    std::string before;  // for people: "450.0 °", "12 points", "not given"
-    std::string after;
+    QString before;  // for people: "450.0 °", "12 points", "not given"
+    QString after;
     Applies applies = Applies::Now;
 
     bool operator==(const Change&) const = default;

@@ -6,6 +6,7 @@
 #include "core/profile/small_file.h"
 
 #include <QFileInfo>
+#include <QStringList>
 
 namespace boresight::profile {
 
@@ -29,12 +30,12 @@ QString exposedSecret(const Profile& profile, const QString& path)
 
 Result<> saveProfile(const Profile& profile, const QString& path)
 {
-    std::string all;
+    QStringList all;
     for (const Problem& problem : problemsOf(profile)) {
-        all += (all.empty() ? "" : "\n") + problem.key + ": " + problem.text;
+        all << toText(problem);
     }
-    if (!all.empty()) {
-        return failure(ErrorCode::InvalidInput, all);
+    if (!all.isEmpty()) {
+        return failure(ErrorCode::InvalidInput, all.join(u'\n'));
     }
     return writeFile(path, QByteArray::fromStdString(toToml(profile)),
                      hasSecrets(profile) ? Readers::OnlyOwner : Readers::Anybody);

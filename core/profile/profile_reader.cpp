@@ -5,6 +5,8 @@
 #include "core/profile/setting.h"
 #include "core/records/file_problems.h"
 
+#include <QStringList>
+
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -39,13 +41,11 @@ private:
         const toml::node* node = root.get("version");
         const auto version = node != nullptr ? node->value_exact<std::int64_t>() : std::nullopt;
         if (!version) {
-            add(node != nullptr ? node->source().begin.line : 1, "version",
-                Text::tr("\"version = 1\" is expected").toStdString());
+            add(node != nullptr ? node->source().begin.line : 1, "version", Text::tr("\"version = 1\" is expected"));
         } else if (*version != kVersion) {
             add(node->source().begin.line, "version",
                 Text::tr("%1 is not known to this program, which reads version %2")
-                    .arg(QString::number(*version), QString::number(kVersion))
-                    .toStdString());
+                    .arg(QString::number(*version), QString::number(kVersion)));
         }
     }
 
@@ -55,10 +55,9 @@ private:
             const std::string key = prefix + std::string(name.str());
             const std::size_t line = name.source().begin.line;
             m_lines[key] = line;
+            // "azimuth.id" in quotes is one name, not the id of [azimuth].
             if (name.str().find('.') != std::string_view::npos) {
-                add(line, key,
-                    Text::tr("unknown key")
-                        .toStdString());  // "azimuth.id" in quotes is one name, not the id of [azimuth]
+                add(line, key, Text::tr("unknown key"));
             } else if (!readList(key, node, line)) {
                 readEntry(key, node, line, prefix.empty());
             }
@@ -72,7 +71,7 @@ private:
         } else if (const Setting* setting = findSetting(key)) {
             readValue(*setting, m_profile, key, node, line);
         } else if (key != "version") {
-            add(line, key, Text::tr("unknown key").toStdString());
+            add(line, key, Text::tr("unknown key"));
         }
     }
 
@@ -103,7 +102,7 @@ private:
         if (known) {
             readTable(table, name + ".");
         } else {
-            add(line, name, Text::tr("unknown table").toStdString());
+            add(line, name, Text::tr("unknown table"));
         }
     }
 
@@ -113,7 +112,7 @@ private:
     {
         const toml::array* list = node.as_array();
         if (list == nullptr) {
-            add(line, key, Text::tr("\"[[%1]]\" is expected").arg(toQString(key)).toStdString());
+            add(line, key, Text::tr("\"[[%1]]\" is expected").arg(toQString(key)));
             return;
         }
         for (const toml::node& one : *list) {
@@ -128,7 +127,7 @@ private:
     {
         const toml::table* table = node.as_table();
         if (table == nullptr) {
-            add(node.source().begin.line, rowKey, Text::tr("a table is expected").toStdString());
+            add(node.source().begin.line, rowKey, Text::tr("a table is expected"));
             return;
         }
         for (const auto& [name, value] : *table) {
@@ -140,7 +139,7 @@ private:
             if (field != fields.end()) {
                 readValue(*field, row, key, value, line);
             } else {
-                add(line, key, Text::tr("unknown key").toStdString());
+                add(line, key, Text::tr("unknown key"));
             }
         }
         std::vector<std::string> missing;
@@ -157,7 +156,7 @@ private:
         const toml::array* points = node.as_array();
         if (points == nullptr) {
             add(line, std::string(kHorizonKey),
-                Text::tr("a list of points is expected, like [[0.0, 5.0], [180.0, 2.5]]").toStdString());
+                Text::tr("a list of points is expected, like [[0.0, 5.0], [180.0, 2.5]]"));
             return;
         }
         const auto fields = horizonSettings();
@@ -169,7 +168,7 @@ private:
             m_lines[key] = pointLine;
             const toml::array* point = one.as_array();
             if (point == nullptr || point->size() != fields.size()) {
-                add(pointLine, key, Text::tr("a point is [azimuth, elevation]").toStdString());
+                add(pointLine, key, Text::tr("a point is [azimuth, elevation]"));
                 continue;
             }
             for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -184,7 +183,7 @@ private:
     {
         const std::optional<SettingValue> value = plainValue(node);
         if (!value) {
-            add(line, key, Text::tr("a number or a text in quotes is expected").toStdString());
+            add(line, key, Text::tr("a number or a text in quotes is expected"));
             return;
         }
         if (const auto done = setting.set(owner, *value); !done) {
@@ -276,16 +275,16 @@ private:
         if (keys.empty()) {
             return;
         }
-        std::string text;
+        QStringList list;
         for (const std::string& key : keys) {
-            text += (text.empty() ? "" : ", ") + key;
+            list << toQString(key);
         }
-        add(line, table, Text::tr("without %1; its keys are given all together").arg(toQString(text)).toStdString());
+        add(line, table, Text::tr("without %1; its keys are given all together").arg(list.join(QStringLiteral(", "))));
     }
 
-    void add(std::size_t line, const std::string& key, const std::string& reason)
+    void add(std::size_t line, const std::string& key, const QString& reason)
     {
-        m_problems.add(line, key + ": " + reason);
+        m_problems.add(line, toText(Problem{key, reason}));
     }
 
     Profile m_profile;
@@ -304,7 +303,7 @@ Result<Profile> parseProfile(std::string_view text, const std::string& fileName)
         reader.read(toml::parse(text, fileName));
         problems = reader.problems();
     } catch (const toml::parse_error& error) {
-        problems.add(error.source().begin.line, std::string(error.description()));
+        problems.add(error.source().begin.line, toQString(error.description()));
     }
     if (problems.count() > 0) {
         return failure(ErrorCode::InvalidInput, problems.text(fileName));

@@ -49,7 +49,7 @@ std::vector<StoredProfile> ProfileStore::list() const
         if (const auto profile = loadProfile(stored.path)) {
             stored.mountName = QString::fromStdString(profile->mount.name);
         } else {
-            stored.problem = QString::fromStdString(profile.error().text);
+            stored.problem = profile.error().text;
         }
         all.push_back(stored);
     }

@@ -26,13 +26,11 @@ void checkLimits(std::vector<Problem>& problems, const std::string& axis, const 
     const std::string key = "limits." + axis + "_min_deg";
     if (limits.min >= limits.max) {
         problems.push_back({key, Text::tr("%1 is not below limits.%2_max_deg (%3)")
-                                     .arg(degreesText(limits.min, 2), toQString(axis), degreesText(limits.max, 2))
-                                     .toStdString()});
+                                     .arg(degreesText(limits.min, 2), toQString(axis), degreesText(limits.max, 2))});
     } else if (travel.min < travel.max && std::max(limits.min, travel.min) >= std::min(limits.max, travel.max)) {
         problems.push_back({key, Text::tr("the limits %1…%2 leave nothing of the travel %3…%4")
                                      .arg(degreesText(limits.min, 2), degreesText(limits.max, 2),
-                                          degreesText(travel.min, 2), degreesText(travel.max, 2))
-                                     .toStdString()});
+                                          degreesText(travel.min, 2), degreesText(travel.max, 2))});
     }
 }
 
@@ -42,10 +40,9 @@ bool checkParkLimits(std::vector<Problem>& problems, const std::string& axis, co
     if (limits.contains(park)) {
         return true;
     }
-    problems.push_back(
-        {"park." + axis + "_deg", Text::tr("%1 is outside the limits of operation %2…%3")
-                                      .arg(degreesText(park, 2), degreesText(limits.min, 2), degreesText(limits.max, 2))
-                                      .toStdString()});
+    problems.push_back({"park." + axis + "_deg",
+                        Text::tr("%1 is outside the limits of operation %2…%3")
+                            .arg(degreesText(park, 2), degreesText(limits.min, 2), degreesText(limits.max, 2))});
     return false;
 }
 
@@ -63,7 +60,7 @@ void checkPark(std::vector<Problem>& problems, const Profile& profile)
     const pointing::PermittedRegion region(profile.limits, azimuthTravel, elevationTravel,
                                            pointing::PointingModel(profile.pointing));
     if (const QString reason = region.reason(profile.park); !reason.isEmpty()) {
-        problems.push_back({"park.elevation_deg", reason.toStdString()});
+        problems.push_back({"park.elevation_deg", reason});
     }
 }
 
@@ -71,8 +68,7 @@ void checkCount(std::vector<Problem>& problems, std::string_view key, std::size_
                 const QString& sentence)
 {
     if (count > most) {
-        problems.push_back(
-            {std::string(key), sentence.arg(QString::number(count), QString::number(most)).toStdString()});
+        problems.push_back({std::string(key), sentence.arg(QString::number(count), QString::number(most))});
     }
 }
 
@@ -83,8 +79,7 @@ void checkHorizon(std::vector<Problem>& problems, const std::vector<pointing::Ho
         if (horizon[i].azimuth <= horizon[i - 1].azimuth) {
             problems.push_back({rowKey(kHorizonKey, i),
                                 Text::tr("the azimuth %1 does not follow %2; points ascend, each azimuth once")
-                                    .arg(degreesText(horizon[i].azimuth, 2), degreesText(horizon[i - 1].azimuth, 2))
-                                    .toStdString()});
+                                    .arg(degreesText(horizon[i].azimuth, 2), degreesText(horizon[i - 1].azimuth, 2))});
         }
     }
 }
@@ -95,8 +90,8 @@ void checkNames(std::vector<Problem>& problems, std::string_view list, const std
     std::set<std::string> names;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (!names.insert(rows[i].name).second) {
-            problems.push_back({rowKey(list, i) + ".name",
-                                Text::tr("\"%1\" is there already").arg(toQString(rows[i].name)).toStdString()});
+            problems.push_back(
+                {rowKey(list, i) + ".name", Text::tr("\"%1\" is there already").arg(toQString(rows[i].name))});
         }
     }
 }
@@ -111,12 +106,11 @@ void checkKeepOuts(std::vector<Problem>& problems, const std::vector<pointing::K
         if (keepOut.elevationMin >= keepOut.elevationMax) {
             problems.push_back({row + ".elevation_min_deg",
                                 Text::tr("%1 is not below elevation_max_deg (%2)")
-                                    .arg(degreesText(keepOut.elevationMin, 2), degreesText(keepOut.elevationMax, 2))
-                                    .toStdString()});
+                                    .arg(degreesText(keepOut.elevationMin, 2), degreesText(keepOut.elevationMax, 2))});
         }
         if (keepOut.azimuthFrom == keepOut.azimuthTo) {
             problems.push_back(
-                {row + ".azimuth_to_deg", Text::tr("is the same as azimuth_from_deg; that is no width").toStdString()});
+                {row + ".azimuth_to_deg", Text::tr("is the same as azimuth_from_deg; that is no width")});
         }
     }
 }
@@ -136,8 +130,7 @@ void checkRegion(std::vector<Problem>& problems, const Profile& profile)
     checkNames(problems, kPresetKey, profile.presets);
     if (profile.sun.keepAway == KeepAway::On && !profile.site.known) {
         problems.push_back(
-            {"sun.keep_away",
-             Text::tr("the site is not given: where the Sun stands cannot be reckoned without it").toStdString()});
+            {"sun.keep_away", Text::tr("the site is not given: where the Sun stands cannot be reckoned without it")});
     }
 }
 

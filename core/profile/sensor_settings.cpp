@@ -222,7 +222,7 @@ void checkSensor(std::vector<Problem>& problems, const Profile& profile)
     const SensorSettings& sensor = profile.sensor;
     const auto demand = [&problems](bool right, const char* key, const QString& text) {
         if (!right) {
-            problems.push_back({std::string("sensor.") + key, text.toStdString()});
+            problems.push_back({std::string("sensor.") + key, text});
         }
     };
     demand(sensor.source != SensorSource::Serial || !sensor.port.empty(), "port",

@@ -288,4 +288,9 @@ Profile withoutSecrets(Profile profile)
     return profile;
 }
 
+QString toText(const Problem& problem)
+{
+    return QStringLiteral("%1: %2").arg(toQString(problem.key), problem.text);
+}
+
 }  // namespace boresight::profile

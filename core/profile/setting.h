@@ -85,10 +85,11 @@ inline constexpr std::size_t kMaxKeepOuts = 32;
 struct Problem
 {
     std::string key;
-    std::string text;
+    QString text;
 
     bool operator==(const Problem&) const = default;
 };
+[[nodiscard]] QString toText(const Problem& problem);  // "KEY: TEXT"
 // What one setting alone cannot tell: min below max, park where the mount may be, different ids, names used once.
 [[nodiscard]] std::vector<Problem> crossCheck(const Profile& profile);
 // Everything that reading the profile's own file would complain of: ranges, then the above.

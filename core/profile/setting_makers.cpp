@@ -5,20 +5,22 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 
+#include <QStringList>
+
 #include <cmath>
 
 namespace boresight::profile::makers {
 
 namespace {
 
-std::string plain(double value)
+QString plain(double value)
 {
     std::string text = formatFixed(value, 6);
     text.erase(text.find_last_not_of('0') + 1);
     if (text.ends_with('.')) {
         text.pop_back();
     }
-    return text;
+    return toQString(text);
 }
 
 }  // namespace
@@ -30,8 +32,7 @@ Result<> checkRange(double value, Range range)
     }
     if (value < range.min || value > range.max) {
         return failure(ErrorCode::OutOfRange,
-                       Text::tr("%1 is outside %2…%3")
-                           .arg(toQString(plain(value)), toQString(plain(range.min)), toQString(plain(range.max))));
+                       Text::tr("%1 is outside %2…%3").arg(plain(value), plain(range.min), plain(range.max)));
     }
     return {};
 }
@@ -43,13 +44,13 @@ double rounded(double value)
     return std::abs(value) < kWhole ? std::round(value * kSteps) / kSteps : value;
 }
 
-std::string listed(const std::vector<std::string>& names)
+QString listed(const std::vector<std::string>& names)
 {
-    std::string text;
+    QStringList list;
     for (const std::string& name : names) {
-        text += (text.empty() ? "\"" : ", \"") + name + "\"";
+        list << QStringLiteral("\"%1\"").arg(toQString(name));
     }
-    return text;
+    return list.join(QStringLiteral(", "));
 }
 
 Result<> checkName(const std::string& name)

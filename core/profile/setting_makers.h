@@ -24,7 +24,7 @@ struct Range
 [[nodiscard]] Result<> checkRange(double value, Range range);
 // To the decimals of the file: what is checked is then what will be written and read again.
 [[nodiscard]] double rounded(double value);
-[[nodiscard]] std::string listed(const std::vector<std::string>& names);  // in quotes, with commas
+[[nodiscard]] QString listed(const std::vector<std::string>& names);  // in quotes, with commas
 
 // Between a typed field and the number in the file, in the unit that the setting names.
 inline double toNumber(Angle value)
@@ -132,7 +132,7 @@ SettingOf<Owner> choice(const std::string& key, const std::vector<std::string>& 
         const auto found = std::find(names.begin(), names.end(), *wanted);
         if (found == names.end()) {
             return failure(ErrorCode::InvalidInput,
-                           Text::tr("\"%1\" is none of %2").arg(toQString(*wanted), toQString(listed(names))));
+                           Text::tr("\"%1\" is none of %2").arg(toQString(*wanted), listed(names)));
         }
         auto& field = access(owner);
         field = static_cast<std::remove_reference_t<decltype(field)>>(found - names.begin());

@@ -15,9 +15,9 @@ constexpr qint64 kMaxSize = 4 << 20;  // of a horizon with a point per 0.1° and
 
 constexpr auto kOwnerOnly = QFileDevice::ReadOwner | QFileDevice::WriteOwner;
 
-std::string told(const QFileDevice& file)
+QString told(const QFileDevice& file)
 {
-    return file.fileName().toStdString() + ": " + file.errorString().toStdString();
+    return QStringLiteral("%1: %2").arg(file.fileName(), file.errorString());
 }
 
 }  // namespace

@@ -2,25 +2,28 @@
 #include "core/records/file_problems.h"
 
 #include "core/base/control_characters.h"
+#include "core/base/text.h"
+
+#include <QStringList>
 
 #include <algorithm>
 
 namespace boresight::records {
 
-void FileProblems::add(std::size_t line, const std::string& problem)
+void FileProblems::add(std::size_t line, const QString& problem)
 {
     m_problems.push_back({line, printable(problem)});
 }
 
-std::string FileProblems::text(const std::string& fileName) const
+QString FileProblems::text(const std::string& fileName) const
 {
     std::vector<Problem> sorted = m_problems;
     std::ranges::stable_sort(sorted, {}, &Problem::line);
-    std::string all;
+    QStringList all;
     for (const Problem& problem : sorted) {
-        all += (all.empty() ? "" : "\n") + fileName + ":" + std::to_string(problem.line) + ": " + problem.text;
+        all << QStringLiteral("%1:%2: %3").arg(toQString(fileName), QString::number(problem.line), problem.text);
     }
-    return all;
+    return all.join(u'\n');
 }
 
 }  // namespace boresight::records

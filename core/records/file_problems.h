@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -12,17 +14,17 @@ class FileProblems
 {
 public:
     // "KEY: REASON" of a line, counted from 1. Control characters of the file become '?'.
-    void add(std::size_t line, const std::string& problem);
+    void add(std::size_t line, const QString& problem);
 
     [[nodiscard]] std::size_t count() const { return m_problems.size(); }
     // One "FILE:LINE: KEY: REASON" per line, in the order of lines.
-    [[nodiscard]] std::string text(const std::string& fileName) const;
+    [[nodiscard]] QString text(const std::string& fileName) const;
 
 private:
     struct Problem
     {
         std::size_t line;
-        std::string text;
+        QString text;
     };
 
     std::vector<Problem> m_problems;

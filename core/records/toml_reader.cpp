@@ -45,12 +45,17 @@ struct TomlTable
 
     void complainOfMissing(std::string_view key)
     {
-        problems.add(toml.source().begin.line, pathOf(key) + ": " + Text::tr("is missing").toStdString());
+        complain(pathOf(key), toml.source().begin.line, Text::tr("is missing"));
     }
 
     void complain(std::string_view key, const toml::node& node, const QString& reason)
     {
-        problems.add(node.source().begin.line, pathOf(key) + ": " + reason.toStdString());
+        complain(pathOf(key), node.source().begin.line, reason);
+    }
+
+    void complain(const std::string& whole, std::size_t line, const QString& reason)
+    {
+        problems.add(line, QStringLiteral("%1: %2").arg(toQString(whole), reason));
     }
 
     void read(const TomlReader::Inner& fields)
@@ -59,7 +64,7 @@ struct TomlTable
         fields(reader);
         for (const auto& [key, node] : toml) {
             if (!taken.contains(std::string(key.str()))) {
-                problems.add(key.source().begin.line, pathOf(key.str()) + ": " + Text::tr("unknown key").toStdString());
+                complain(pathOf(key.str()), key.source().begin.line, Text::tr("unknown key"));
             }
         }
     }
@@ -68,7 +73,7 @@ struct TomlTable
     {
         const toml::table* inner = node.as_table();
         if (inner == nullptr) {
-            problems.add(node.source().begin.line, innerPath + ": " + Text::tr("a table is expected").toStdString());
+            complain(innerPath, node.source().begin.line, Text::tr("a table is expected"));
             return;
         }
         TomlTable{*inner, innerPath, problems, {}}.read(fields);
@@ -92,7 +97,7 @@ Result<> TomlReader::read(std::string_view text, const std::string& fileName, co
         const toml::table root = toml::parse(text, fileName);
         TomlTable{root, "", problems, {}}.read(fields);
     } catch (const toml::parse_error& error) {
-        problems.add(error.source().begin.line, std::string(error.description()));
+        problems.add(error.source().begin.line, toQString(error.description()));
     }
     if (problems.count() > 0) {
         return failure(ErrorCode::InvalidInput, problems.text(fileName));

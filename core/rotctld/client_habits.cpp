@@ -8,12 +8,12 @@
 
 namespace boresight::rotctld {
 
-std::string shownText(std::string_view bytes)
+QString shownText(std::string_view bytes)
 {
     QString text = toQString(bytes.substr(0, kShownBytes));
     std::ranges::replace_if(
         text, [](QChar c) { return !c.isPrint() || c == QChar::ReplacementCharacter; }, QChar(u'.'));
-    return text.toStdString();
+    return text;
 }
 
 void ClientHabits::take(const Command& command, SteadyTime now)

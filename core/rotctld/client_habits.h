@@ -7,6 +7,8 @@
 #include "core/rotctld/command_rate.h"
 #include "core/rotctld/point_steps.h"
 
+#include <QString>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,7 +20,7 @@ namespace boresight::rotctld {
 
 inline constexpr std::size_t kShownBytes = 40;
 // What the client sent, for the log: printable, and no more than so many bytes. It may be no text at all.
-[[nodiscard]] std::string shownText(std::string_view bytes);
+[[nodiscard]] QString shownText(std::string_view bytes);
 
 class ClientHabits
 {
@@ -31,7 +33,7 @@ public:
     void countOdd() { ++m_oddCommands; }
 
     [[nodiscard]] std::string_view program() const { return m_program.name(); }
-    [[nodiscard]] std::string lastCommand() const { return shownText(m_lastCommand); }
+    [[nodiscard]] QString lastCommand() const { return shownText(m_lastCommand); }
     [[nodiscard]] std::uint64_t oddCommands() const { return m_oddCommands; }
     [[nodiscard]] double commandsPerSecond(SteadyTime now) const { return m_rate.perSecond(now); }
     [[nodiscard]] std::optional<SteadyTime> lastMotion() const { return m_lastMotion; }  // asked for, granted or not

@@ -84,9 +84,9 @@ public:
     virtual void clientConnected(const Client& client) = 0;
     // Its `move` must end: hold. Its last pointTo stands, as with Hamlib: radiosonde_auto_rx connects for each request,
     // and closing Gpredict's window sends no stop.
-    virtual void clientGone(const Client& client, const std::string& reason) = 0;
+    virtual void clientGone(const Client& client, const QString& reason) = 0;
     // For the log: a client did something worth a line (stranger, flood, dropped, refused).
-    virtual void clientRemark(const Client& client, const std::string& text) = 0;
+    virtual void clientRemark(const Client& client, const QString& text) = 0;
 };
 
 }  // namespace boresight::rotctld

@@ -107,7 +107,7 @@ Result<> Server::listen()
 void Server::close()
 {
     for (auto& [id, connection] : m_connections) {
-        farewell(*connection, Text::tr("the server was closed").toStdString());
+        farewell(*connection, Text::tr("the server was closed"));
     }
     m_connections.clear();
     m_backlog.clear();
@@ -194,13 +194,12 @@ bool Server::turnedAway(const Client& client)
     const std::string host = hostOf(client.address);
     if (!m_admission.admits(host)) {
         // Named without its port: who knocks again and again gets one line in the log, not one each time.
-        m_rotator.clientRemark({.address = host},
-                               Text::tr("refused: its address is not among those that may connect").toStdString());
+        m_rotator.clientRemark({.address = host}, Text::tr("refused: its address is not among those that may connect"));
         return true;
     }
     const QString crowd = m_admission.crowd(host, m_settings.maxClients);
     if (!crowd.isEmpty() && m_admission.isCrowdNews()) {
-        m_rotator.clientRemark(client, crowd.toStdString());
+        m_rotator.clientRemark(client, crowd);
     }
     return !crowd.isEmpty();
 }
@@ -215,11 +214,11 @@ void Server::setAllowed(const std::vector<std::string>& entries)
         }
     }
     for (const std::uint64_t id : unwanted) {
-        disconnect(id, Text::tr("its address may not connect any more").toStdString());
+        disconnect(id, Text::tr("its address may not connect any more"));
     }
 }
 
-bool Server::disconnect(std::uint64_t id, const std::string& reason)
+bool Server::disconnect(std::uint64_t id, const QString& reason)
 {
     const auto found = m_connections.find(id);
     if (found == m_connections.end() || found->second->left) {
@@ -241,7 +240,7 @@ void Server::watchListener(bool on)
     ::epoll_ctl(m_epoll.get(), on ? EPOLL_CTL_ADD : EPOLL_CTL_DEL, m_listener.get(), &event);
     m_listenerWatched = on;
     if (!on && !m_shortageTold) {
-        m_rotator.clientRemark({}, Text::tr("no descriptor left: new clients wait").toStdString());
+        m_rotator.clientRemark({}, Text::tr("no descriptor left: new clients wait"));
         m_shortageTold = true;
     }
 }
@@ -293,13 +292,13 @@ void Server::receive(Connection& connection)
     std::array<char, kReadSize> buffer;
     const Received received = receiveSome(connection.socket, buffer.data(), buffer.size());
     connection.atEnd = received.atEnd;
-    connection.broken = !received.failure.empty();
+    connection.broken = !received.failure.isEmpty();
     connection.inputFull = received.bytes.size() == buffer.size();
     if (connection.left) {
         return;  // after `q` only the end counts
     }
     if (connection.broken) {
-        farewell(connection, Text::tr("lost: %1").arg(toQString(received.failure)).toStdString());
+        farewell(connection, Text::tr("lost: %1").arg(received.failure));
     } else if (connection.atEnd) {
         connection.session.endOfInput();
     } else {
@@ -320,7 +319,7 @@ void Server::runCommands(Connection& connection)
         }
     }
     const bool blocked = connection.unsent.size() > kMaxUnsent;
-    if (more && !blocked && connection.session.ending().empty() && !connection.broken) {
+    if (more && !blocked && connection.session.ending().isEmpty() && !connection.broken) {
         if (!connection.busySince) {
             connection.busySince = m_clock.now();
         }
@@ -375,15 +374,15 @@ void Server::flush(Connection& connection)
 // Brings a connection to its next state after it was served; it may be gone afterwards.
 void Server::settle(Connection& connection)
 {
-    if (!connection.left && !connection.session.ending().empty()) {
+    if (!connection.left && !connection.session.ending().isEmpty()) {
         if (connection.session.dropped()) {
             m_rotator.clientRemark(connection.session.client(),
-                                   Text::tr("dropped: %1").arg(toQString(connection.session.ending())).toStdString());
+                                   Text::tr("dropped: %1").arg(connection.session.ending()));
         }
         farewell(connection, connection.session.ending());
     }
     if (!connection.left && connection.broken) {
-        farewell(connection, Text::tr("lost: its answers cannot be sent").toStdString());
+        farewell(connection, Text::tr("lost: its answers cannot be sent"));
     }
     if (connection.left && connection.unsent.empty() && !connection.sendingEnded) {
         endSending(connection.socket);
@@ -396,7 +395,7 @@ void Server::settle(Connection& connection)
     watch(connection);
 }
 
-void Server::farewell(Connection& connection, const std::string& reason)
+void Server::farewell(Connection& connection, const QString& reason)
 {
     if (connection.left) {
         return;
@@ -407,17 +406,17 @@ void Server::farewell(Connection& connection, const std::string& reason)
     m_rotator.clientGone(connection.session.client(), reason);
 }
 
-std::string Server::overdue(const Connection& connection) const
+QString Server::overdue(const Connection& connection) const
 {
     const SteadyTime now = m_clock.now();
     if (!connection.unsent.empty() && now - connection.lastSent > kUnsentTime) {
-        return Text::tr("dropped: does not read its answers").toStdString();
+        return Text::tr("dropped: does not read its answers");
     }
     if (connection.busySince && now - *connection.busySince > kFloodTime) {
-        return Text::tr("dropped: floods without waiting for answers").toStdString();
+        return Text::tr("dropped: floods without waiting for answers");
     }
     if (connection.session.midCommand() && now - connection.lastReceived > kHalfCommandTime) {
-        return Text::tr("dropped: left a command unfinished").toStdString();
+        return Text::tr("dropped: left a command unfinished");
     }
     return {};
 }
@@ -435,7 +434,7 @@ void Server::housekeep()
         Connection& connection = *m_connections.at(id);
         if (connection.left) {
             connection.broken = connection.broken || m_clock.now() - connection.leftAt > kLingerTime;
-        } else if (const std::string reason = overdue(connection); !reason.empty()) {
+        } else if (const QString reason = overdue(connection); !reason.isEmpty()) {
             connection.broken = true;
             m_rotator.clientRemark(connection.session.client(), reason);
             farewell(connection, reason);

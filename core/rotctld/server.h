@@ -41,7 +41,7 @@ struct ClientInfo
     std::uint64_t id = 0;
     std::string address;
     std::string program;  // recognised, or empty
-    std::string lastCommand;
+    QString lastCommand;
     std::uint64_t oddCommands = 0;
     double commandsPerSecond = 0.0;        // over the last seconds
     std::optional<SteadyTime> lastMotion;  // its last command for a motion, accepted or not
@@ -69,7 +69,7 @@ public:
     // From now on; who is connected stays.
     void setMaxClients(std::size_t count) { m_settings.maxClients = count; }
     // Hangs up on one client; its program may connect anew. False when there is none of this number.
-    bool disconnect(std::uint64_t id, const std::string& reason);
+    bool disconnect(std::uint64_t id, const QString& reason);
 
     // Ends pauses and drops clients that outlived a time limit. Its own timer calls it; tests turn the clock first.
     void housekeep();
@@ -91,8 +91,8 @@ private:
     void flush(Connection& connection);
     void serveBacklog();
     void settle(Connection& connection);
-    void farewell(Connection& connection, const std::string& reason);
-    [[nodiscard]] std::string overdue(const Connection& connection) const;
+    void farewell(Connection& connection, const QString& reason);
+    [[nodiscard]] QString overdue(const Connection& connection) const;
 
     ServerSettings m_settings;
     Rotator& m_rotator;

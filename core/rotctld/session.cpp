@@ -27,9 +27,7 @@ void Session::receive(std::string_view bytes)
 {
     m_input.append(bytes);
     if (paused() && m_input.size() - m_taken > kMaxWaitingInPause) {
-        drop(Text::tr("sent more than %1 bytes during its own pause")
-                 .arg(QString::number(kMaxWaitingInPause))
-                 .toStdString());
+        drop(Text::tr("sent more than %1 bytes during its own pause").arg(QString::number(kMaxWaitingInPause)));
     }
 }
 
@@ -39,13 +37,13 @@ void Session::endOfInput()
     if (paused()) {
         // Whether it half-closed or left for good cannot be told, and nobody wants a park command of somebody who
         // left to run minutes later.
-        m_ending = Text::tr("closed the connection during its own pause").toStdString();
+        m_ending = Text::tr("closed the connection during its own pause");
     }
 }
 
 bool Session::step(std::string& reply)
 {
-    if (!m_ending.empty()) {
+    if (!m_ending.isEmpty()) {
         return false;
     }
     if (m_pausedUntil) {
@@ -67,7 +65,7 @@ bool Session::step(std::string& reply)
             endAsStranger();
             break;
         case Event::TooLong:
-            drop(Text::tr("sent %1 bytes without a line end").arg(QString::number(kMaxLineLength)).toStdString());
+            drop(Text::tr("sent %1 bytes without a line end").arg(QString::number(kMaxLineLength)));
             break;
     }
     return true;
@@ -85,12 +83,12 @@ bool Session::resume(std::string& reply)
 
 void Session::endAsStranger()
 {
-    drop(Text::tr("is no rotctld client (%1)").arg(toQString(m_parser.stranger())).toStdString());
+    drop(Text::tr("is no rotctld client (%1)").arg(toQString(m_parser.stranger())));
 }
 
-void Session::drop(std::string reason)
+void Session::drop(const QString& reason)
 {
-    m_ending = std::move(reason);
+    m_ending = reason;
     m_dropped = true;
 }
 
@@ -104,7 +102,7 @@ bool Session::inputTaken(std::string& reply)
     if (m_parser.finish() == Event::Command) {
         run(reply);
     } else {
-        m_ending = Text::tr("closed the connection").toStdString();
+        m_ending = Text::tr("closed the connection");
     }
     return true;
 }
@@ -114,7 +112,7 @@ void Session::run(std::string& reply)
     const Command& command = m_parser.command();
     m_habits.take(command, m_clock.now());
     if (command.spec->id == CommandId::Quit) {
-        m_ending = Text::tr("said goodbye").toStdString();
+        m_ending = Text::tr("said goodbye");
         return;
     }
     const std::size_t before = reply.size();
@@ -138,9 +136,7 @@ void Session::run(std::string& reply)
 void Session::failed(const Error& error, std::string& reply, std::size_t replyStart)
 {
     if (error.code == ErrorCode::InvalidInput || error.code == ErrorCode::NotAvailable) {
-        odd(Text::tr("\"%1\" refused: %2")
-                .arg(toQString(m_habits.lastCommand()), toQString(boresight::printable(error.text)))
-                .toStdString());
+        odd(Text::tr("\"%1\" refused: %2").arg(m_habits.lastCommand(), boresight::printable(error.text)));
     }
     if (m_parser.skipLine() == Event::Stranger) {
         reply.resize(replyStart);
@@ -173,13 +169,13 @@ void Session::unknown(std::string_view restOfLine)
 {
     std::string line(m_parser.lineHead());
     line.append(restOfLine.substr(0, std::min(restOfLine.find('\n'), kShownBytes)));
-    odd(Text::tr("unknown command \"%1\"").arg(toQString(shownText(line))).toStdString());
+    odd(Text::tr("unknown command \"%1\"").arg(shownText(line)));
     if (++m_oddInARow >= kMaxOddInARow) {
-        drop(Text::tr("sent %1 unknown commands in a row").arg(QString::number(kMaxOddInARow)).toStdString());
+        drop(Text::tr("sent %1 unknown commands in a row").arg(QString::number(kMaxOddInARow)));
     }
 }
 
-void Session::odd(const std::string& text)
+void Session::odd(const QString& text)
 {
     m_habits.countOdd();
     if (m_habits.oddCommands() <= kOddRemarks) {

@@ -31,7 +31,7 @@ public:
 
     [[nodiscard]] const Client& client() const { return m_client; }
     // Why the conversation is over; empty while it goes on.
-    [[nodiscard]] const std::string& ending() const { return m_ending; }
+    [[nodiscard]] const QString& ending() const { return m_ending; }
     [[nodiscard]] bool dropped() const { return m_dropped; }  // by us; else it left by itself
     [[nodiscard]] bool paused() const { return m_pausedUntil.has_value(); }
     [[nodiscard]] bool midCommand() const { return m_parser.midCommand(); }
@@ -43,12 +43,12 @@ private:
     bool inputTaken(std::string& reply);
     void run(std::string& reply);
     void failed(const Error& error, std::string& reply, std::size_t replyStart);
-    void drop(std::string reason);
+    void drop(const QString& reason);
     void endAsStranger();
     Result<> execute(const Command& command, ReplyWriter& writer);
     Result<> pause(const Command& command);
     void unknown(std::string_view restOfLine);
-    void odd(const std::string& text);
+    void odd(const QString& text);
 
     Client m_client;
     Rotator& m_rotator;
@@ -61,7 +61,7 @@ private:
     bool m_inputEnded = false;
     std::optional<SteadyTime> m_pausedUntil;
     std::string m_pauseReply;
-    std::string m_ending;
+    QString m_ending;
     bool m_dropped = false;
     int m_oddInARow = 0;
 };

@@ -43,9 +43,8 @@ Result<> setConfiguration(const Command& command, const Context& context)
     // Hamlib lets any client move the limits with these.
     constexpr std::array<std::string_view, 5> kLimits{"min_az", "max_az", "min_el", "max_el", "south_zero"};
     if (std::ranges::find(kLimits, command.arguments[0]) != kLimits.end()) {
-        context.rotator.clientRemark(
-            context.client,
-            Text::tr("wanted to change %1: refused").arg(toQString(command.arguments[0])).toStdString());
+        context.rotator.clientRemark(context.client,
+                                     Text::tr("wanted to change %1: refused").arg(toQString(command.arguments[0])));
         return failure(ErrorCode::Refused, Text::tr("limits are set in the profile, not by clients"));
     }
     return badArgument(command, 0);

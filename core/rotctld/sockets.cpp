@@ -80,9 +80,9 @@ std::pair<sockaddr_storage, socklen_t> socketName(int fd, Query query)
     return {address, length};
 }
 
-std::string reason()
+QString reason()
 {
-    return std::strerror(errno);
+    return toQString(std::strerror(errno));
 }
 
 struct FreeAddressInfo
@@ -114,7 +114,7 @@ Result<Descriptor> listenOn(const std::string& host, std::uint16_t port)
     const std::unique_ptr<addrinfo, FreeAddressInfo> info(found);
     Descriptor socket(::socket(info->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
     if (!socket.valid()) {
-        return failure(ErrorCode::Io, Text::tr("cannot listen on %1: %2").arg(toQString(where), toQString(reason())));
+        return failure(ErrorCode::Io, Text::tr("cannot listen on %1: %2").arg(toQString(where), reason()));
     }
     setOption(socket.get(), SOL_SOCKET, SO_REUSEADDR, 1);
     if (info->ai_family == AF_INET6) {
@@ -124,7 +124,7 @@ Result<Descriptor> listenOn(const std::string& host, std::uint16_t port)
         const ErrorCode code = errno == EADDRINUSE ? ErrorCode::Busy
                                : errno == EACCES   ? ErrorCode::Denied
                                                    : ErrorCode::Io;
-        return failure(code, Text::tr("cannot listen on %1: %2").arg(toQString(where), toQString(reason())));
+        return failure(code, Text::tr("cannot listen on %1: %2").arg(toQString(where), reason()));
     }
     return socket;
 }

@@ -58,8 +58,8 @@ enum class AcceptFailure
 struct Received
 {
     std::string_view bytes;
-    bool atEnd = false;   // the peer sends no more
-    std::string failure;  // why the connection broke, else empty
+    bool atEnd = false;  // the peer sends no more
+    QString failure;     // why the connection broke, else empty
 };
 
 [[nodiscard]] Received receiveSome(const Descriptor& socket, char* buffer, std::size_t size);

@@ -2,6 +2,7 @@
 #include "core/sim/drive_config.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/sim/reference_mount.h"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ std::optional<ConfigField> findField(DriveConfig& config, std::string_view key)
 
 Error unknownKey(std::string_view key)
 {
-    return {ErrorCode::InvalidInput, "unknown configuration key " + std::string(key)};
+    return {ErrorCode::InvalidInput, QStringLiteral("unknown configuration key %1").arg(toQString(key))};
 }
 
 std::string floatText(double value)

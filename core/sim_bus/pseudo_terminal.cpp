@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sim_bus/pseudo_terminal.h"
 
+#include "core/base/text.h"
+
 #include <QFile>
 #include <QFileInfo>
 
@@ -37,8 +39,10 @@ Result<> makeLink(const QString& device, const QString& link)
     if (QFile::link(device, link)) {
         return {};
     }
-    return failure(ErrorCode::Io, "cannot make the link " + link.toStdString() + " to " + device.toStdString() +
-                                      ": choose a name that does not exist in a folder you may write to");
+    return failure(ErrorCode::Io,
+                   QStringLiteral("cannot make the link %1 to %2: choose a name that does not exist in a "
+                                  "folder you may write to")
+                       .arg(link, device));
 }
 
 }  // namespace
@@ -49,7 +53,9 @@ Result<PseudoTerminal> PseudoTerminal::create(const QString& link)
     std::array<char, 64> path{};
     if (!master.isOpen() || ::grantpt(master.number()) != 0 || ::unlockpt(master.number()) != 0 ||
         ::ptsname_r(master.number(), path.data(), path.size()) != 0 || !makeRaw(path.data())) {
-        return failure(ErrorCode::Io, "cannot open a pseudo-terminal: " + std::system_category().message(errno));
+        return failure(
+            ErrorCode::Io,
+            QStringLiteral("cannot open a pseudo-terminal: %1").arg(toQString(std::system_category().message(errno))));
     }
     const QString device = QString::fromLocal8Bit(path.data());
     if (const Result<> linked = makeLink(device, link); !linked) {

@@ -42,13 +42,13 @@ void SimulatedLink::close()
 Result<> SimulatedLink::send(std::span<const CanFrame> frames)
 {
     if (m_status.state == LinkState::Closed) {
-        return failure(ErrorCode::NoDevice, "the simulated bus is not open");
+        return failure(ErrorCode::NoDevice, QStringLiteral("the simulated bus is not open"));
     }
     m_pair.advanceTo(pairTime());
     if (isInjected(sim::FaultKind::BusOff)) {
         ++m_status.busErrors;
         setState(LinkState::Down, QStringLiteral("simulated: bus-off (injected)"));
-        return failure(ErrorCode::Io, "the simulated bus is off (injected)");
+        return failure(ErrorCode::Io, QStringLiteral("the simulated bus is off (injected)"));
     }
     setState(LinkState::Up, adapterTrouble());
     m_status.sent += frames.size();

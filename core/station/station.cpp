@@ -141,7 +141,7 @@ void Station::tellDirections()
 // Another program commands these drives and writes their journal: this one leaves all of it alone.
 void Station::refuseToStart()
 {
-    const QString problem = QString::fromStdString(m_mount->mine().error().text);
+    const QString problem = m_mount->mine().error().text;
     m_control.alarms().raise(alarmEntry("journal.in-use"), {problem});
     m_startTold = true;
     Q_EMIT started({}, problem + QStringLiteral(". ") +
@@ -161,7 +161,7 @@ void Station::openServer()
         tellOpenPort();
         return;
     }
-    const QString problem = QString::fromStdString(listening.error().text);
+    const QString problem = listening.error().text;
     m_control.alarms().raise(alarmEntry("rotctld.not-listening"), {problem});
     m_startTold = true;
     Q_EMIT started({}, problem);
@@ -265,8 +265,7 @@ void Station::request(const NumberedRequest& numbered)
 {
     const Result<> answer = obey(numbered.request);
     if (!answer) {
-        m_log.add(Severity::Warning, QStringLiteral("operator"),
-                  Text::tr("refused: %1").arg(toQString(answer.error().text)));
+        m_log.add(Severity::Warning, QStringLiteral("operator"), Text::tr("refused: %1").arg(answer.error().text));
     }
     m_answers.push_back(
         {.requestId = numbered.id, .error = answer ? std::optional<Error>() : std::optional(answer.error())});
@@ -289,9 +288,9 @@ void Station::reload(const Result<profile::Profile>& read)
     const Result<> taken =
         read.and_then([this](const profile::Profile& profile) { return obey(request::ApplyProfile{profile}); });
     if (!taken) {
-        m_log.add(Severity::Warning, source,
-                  Text::tr("the profile was not applied, the previous profile stays in force: %1")
-                      .arg(toQString(taken.error().text)));
+        m_log.add(
+            Severity::Warning, source,
+            Text::tr("the profile was not applied, the previous profile stays in force: %1").arg(taken.error().text));
         return;
     }
     QStringList waiting;
@@ -306,7 +305,7 @@ void Station::reload(const Result<profile::Profile>& read)
 Result<> Station::carryOut(const Request& request)
 {
     if (const auto* const wanted = std::get_if<request::Disconnect>(&request)) {
-        if (!m_server.disconnect(wanted->clientId, Text::tr("disconnected by the operator").toStdString())) {
+        if (!m_server.disconnect(wanted->clientId, Text::tr("disconnected by the operator"))) {
             return failure(ErrorCode::NotAvailable, Text::tr("this client has disconnected"));
         }
         return {};
@@ -355,7 +354,7 @@ void Station::apply(const profile::Profile& wanted)
             Severity::Advisory, QStringLiteral("operator"),
             (change.applies == profile::Applies::Now ? Text::tr("changes %1 from %2 to %3")
                                                      : Text::tr("changes %1 from %2 to %3, in force after Reconnect"))
-                .arg(toQString(change.key), toQString(change.before), toQString(change.after)));
+                .arg(toQString(change.key), change.before, change.after));
     }
     const std::shared_ptr<const profile::Profile> before = m_profile.shared();
     m_profile.apply(wanted);
@@ -447,7 +446,7 @@ std::vector<ClientStatus> Station::clients() const
         ClientStatus status{.id = client.id,
                             .address = QString::fromStdString(client.address),
                             .program = QString::fromStdString(client.program),
-                            .lastCommand = QString::fromStdString(client.lastCommand),
+                            .lastCommand = client.lastCommand,
                             .commandsPerSecond = client.commandsPerSecond,
                             .advice = advice(client)};
         m_control.describe(status, client.lastMotion);

@@ -235,7 +235,7 @@ Result<> StationRotator::reset(const rotctld::Client& client, int)
 Result<> StationRotator::setSpeedLevel(const rotctld::Client& client, int level)
 {
     if (level < 1 || level > kFastestLevel) {
-        return failure(ErrorCode::InvalidInput, "SPEED is 1 to 4");
+        return failure(ErrorCode::InvalidInput, QStringLiteral("SPEED is 1 to 4"));
     }
     if (const Result<> may = m_control.mayCommand(clientSource(client)); !may) {
         logRefusal(client, QStringLiteral("V SPEED"), may.error());
@@ -258,8 +258,7 @@ Result<> StationRotator::ask(const rotctld::Client& client, const Request& reque
 
 void StationRotator::logRefusal(const rotctld::Client& client, const QString& command, const Error& error)
 {
-    m_refusals.add(Severity::Warning, clientSource(client).name,
-                   Text::tr("%1 refused: %2").arg(command, toQString(error.text)));
+    m_refusals.add(Severity::Warning, clientSource(client).name, Text::tr("%1 refused: %2").arg(command, error.text));
 }
 
 void StationRotator::clientConnected(const rotctld::Client& client)
@@ -268,15 +267,15 @@ void StationRotator::clientConnected(const rotctld::Client& client)
     m_control.clientCame(clientSource(client), boresight::hostOf(client.address));
 }
 
-void StationRotator::clientGone(const rotctld::Client& client, const std::string& reason)
+void StationRotator::clientGone(const rotctld::Client& client, const QString& reason)
 {
-    m_connections.add(Severity::Advisory, clientSource(client).name, Text::tr("gone: %1").arg(toQString(reason)));
+    m_connections.add(Severity::Advisory, clientSource(client).name, Text::tr("gone: %1").arg(reason));
     m_control.sourceGone(clientSource(client));
 }
 
-void StationRotator::clientRemark(const rotctld::Client& client, const std::string& text)
+void StationRotator::clientRemark(const rotctld::Client& client, const QString& text)
 {
-    m_remarks.add(Severity::Warning, clientSource(client).name, QString::fromStdString(text));
+    m_remarks.add(Severity::Warning, clientSource(client).name, text);
 }
 
 }  // namespace boresight

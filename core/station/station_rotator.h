@@ -32,8 +32,8 @@ public:
     Result<> setSpeedLevel(const rotctld::Client& client, int level) override;
 
     void clientConnected(const rotctld::Client& client) override;
-    void clientGone(const rotctld::Client& client, const std::string& reason) override;
-    void clientRemark(const rotctld::Client& client, const std::string& text) override;
+    void clientGone(const rotctld::Client& client, const QString& reason) override;
+    void clientRemark(const rotctld::Client& client, const QString& text) override;
 
 private:
     [[nodiscard]] pointing::PointingModel model() const { return pointing::PointingModel(m_profile->pointing); }

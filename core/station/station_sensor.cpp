@@ -136,7 +136,7 @@ void StationSensor::takeModel()
     }
     m_watch.setSiteDeclination(answer.declination, answer.model, answer.expiry);
     if (!answer.declination) {
-        m_log.add(Severity::Warning, kSensorSource, toQString(answer.declination.error().text));
+        m_log.add(Severity::Warning, kSensorSource, answer.declination.error().text);
     } else if (!answer.expiry.isEmpty()) {
         m_log.add(Severity::Warning, kSensorSource, answer.expiry);
     }

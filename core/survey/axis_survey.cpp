@@ -124,7 +124,7 @@ std::optional<CanFrame> AxisSurvey::frame(SteadyTime now)
 {
     if (m_step == Step::Uptime) {
         if (m_heartbeat.silences() > kMostSilences) {
-            fail(Text::tr("it does not answer").toStdString());
+            fail(Text::tr("it does not answer"));
             return std::nullopt;
         }
         return m_heartbeat.frame(now);
@@ -165,7 +165,7 @@ void AxisSurvey::finishRun()
 {
     if (m_step == Step::Origin) {
         finishOrigin();
-    } else if (!m_run->trouble().empty()) {
+    } else if (!m_run->trouble().isEmpty()) {
         fail(m_run->trouble());
     } else if (m_step == Step::Reading) {
         finishReading();
@@ -176,9 +176,9 @@ void AxisSurvey::finishRun()
     }
 }
 
-void AxisSurvey::fail(const std::string& why)
+void AxisSurvey::fail(const QString& why)
 {
-    m_trouble = Text::tr("the check of %1 ended early: %2").arg(axisText(m_axis), QString::fromStdString(why));
+    m_trouble = Text::tr("the check of %1 ended early: %2").arg(axisText(m_axis), why);
     m_run.reset();
     m_step = Step::Idle;
 }
@@ -221,16 +221,15 @@ void AxisSurvey::finishSetting()
 void AxisSurvey::finishStoring()
 {
     const ConsoleRun::Answer& answer = m_run->answers().front();
-    m_fixTrouble = answer ? QString()
-                          : Text::tr("%1 did not store its settings: %2")
-                                .arg(axisText(m_axis), QString::fromStdString(answer.error().text));
+    m_fixTrouble =
+        answer ? QString() : Text::tr("%1 did not store its settings: %2").arg(axisText(m_axis), answer.error().text);
     startReading();
 }
 
 // What is not answered stays as it was, too old to prove anything, and is asked again.
 void AxisSurvey::finishOrigin()
 {
-    if (m_run->trouble().empty()) {
+    if (m_run->trouble().isEmpty()) {
         keepOrigin(m_run->answers().back());
     }
     m_run.reset();

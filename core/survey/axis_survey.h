@@ -73,7 +73,7 @@ private:
     void finishStoring();
     void finishOrigin();
     void keepOrigin(const ConsoleRun::Answer& telemetry);
-    void fail(const std::string& why);
+    void fail(const QString& why);
 
     Axis m_axis;
     int m_id;

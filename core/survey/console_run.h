@@ -27,8 +27,8 @@ public:
     [[nodiscard]] std::optional<CanFrame> frame(SteadyTime now);
     void take(const moteus::Reply& reply) { m_client.handleReply(reply); }
 
-    [[nodiscard]] bool isFinished() const { return m_answers.size() == m_commands.size() || !m_trouble.empty(); }
-    [[nodiscard]] const std::string& trouble() const { return m_trouble; }          // why the run ended early
+    [[nodiscard]] bool isFinished() const { return m_answers.size() == m_commands.size() || !m_trouble.isEmpty(); }
+    [[nodiscard]] const QString& trouble() const { return m_trouble; }              // why the run ended early
     [[nodiscard]] const std::vector<Answer>& answers() const { return m_answers; }  // in the order of the commands
     [[nodiscard]] std::string current() const;                                      // the command being put
 
@@ -38,7 +38,7 @@ private:
     std::vector<std::string> m_commands;
     moteus::DiagnosticClient m_client;
     std::vector<Answer> m_answers;
-    std::string m_trouble;
+    QString m_trouble;
     SteadyTime m_sent{};
     int m_tries = 0;
 };

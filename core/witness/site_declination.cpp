@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/witness/site_declination.h"
 
-#include "core/base/text.h"
-
 namespace boresight {
 
 geomagnetism::Declination SiteDeclination::of(const profile::SensorSettings& settings) const
@@ -21,7 +19,7 @@ QString SiteDeclination::doubt(const profile::SensorSettings& settings) const
 {
     const bool modelCounts = !settings.declinationFile.empty();
     if (modelCounts && byModel && !*byModel) {
-        return toQString(byModel->error().text);
+        return byModel->error().text;
     }
     if (modelCounts && !expiry.isEmpty()) {
         return expiry;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/boresightctl/injection_option.h"
 
+#include "tests/fakes/text_of.h"
+
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -14,19 +16,20 @@ using testing::HasSubstr;
 Result<sim::Injection> parse(std::string_view name, std::string_view text)
 {
     const InjectionOption* const option = findInjectionOption(name);
-    return option != nullptr ? parseInjection(*option, text) : failure(ErrorCode::NotAvailable, "no such option");
+    return option != nullptr ? parseInjection(*option, text)
+                             : failure(ErrorCode::NotAvailable, QStringLiteral("no such option"));
 }
 
 std::string refusal(std::string_view name, std::string_view text)
 {
     const auto parsed = parse(name, text);
-    return parsed ? "accepted" : parsed.error().text;
+    return parsed ? "accepted" : textOf(parsed.error());
 }
 
 TEST(InjectionOption, HasAxisValueStartAndDuration)
 {
     const auto wind = parse("wind", "az:-30Nm@5s+500ms");
-    ASSERT_TRUE(wind) << wind.error().text;
+    ASSERT_TRUE(wind) << textOf(wind.error());
     EXPECT_EQ(wind->kind, FaultKind::Wind);
     EXPECT_EQ(wind->axis, Axis::Azimuth);
     EXPECT_EQ(wind->value, -30.0);

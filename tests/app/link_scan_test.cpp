@@ -117,7 +117,7 @@ TEST_F(LinkScanTest, AsksAgainWhatGotLost)
 {
     run(sim::commissionedPair(), sim::Injection{.kind = sim::FaultKind::LostReply, .value = 0.1});
     ASSERT_EQ(found.size(), 2u);
-    EXPECT_TRUE(problems(found).empty()) << problems(found).front();
+    EXPECT_TRUE(problems(found).empty()) << problems(found).front().toStdString();
 }
 
 TEST_F(LinkScanTest, FindsNobodyOnASilentBus)

@@ -4,6 +4,7 @@
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_store.h"
 #include "core/profile/setting.h"
+#include "tests/fakes/text_of.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -52,7 +53,7 @@ private:
 TEST_F(OptionsTest, WithoutAnyProfileItIsTheFirstStart)
 {
     const auto options = read();
-    ASSERT_TRUE(options) << options.error().text;
+    ASSERT_TRUE(options) << textOf(options.error());
     EXPECT_TRUE(options->isFirstStart());
     EXPECT_EQ(options->profile, profile::Profile{});
     EXPECT_EQ(options->configDir, config());
@@ -68,7 +69,7 @@ TEST_F(OptionsTest, TheCurrentMountOfTheStoreIsTaken)
     EXPECT_FALSE(read()) << "nobody has said which";
     ASSERT_TRUE(store.setCurrent(*two));
     const auto options = read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")});
-    ASSERT_TRUE(options) << options.error().text;
+    ASSERT_TRUE(options) << textOf(options.error());
     EXPECT_FALSE(options->isFirstStart());
     EXPECT_EQ(options->profilePath, *two);
     EXPECT_EQ(options->profile.mount.name, "two");
@@ -80,7 +81,7 @@ TEST_F(OptionsTest, TheKindOfTheSimulatedMountIsChosen)
 {
     EXPECT_EQ(read({QStringLiteral("--simulate")})->simulation, Simulation::Reference);
     const auto simple = read({QStringLiteral("--simulate=simple")});
-    ASSERT_TRUE(simple) << simple.error().text;
+    ASSERT_TRUE(simple) << textOf(simple.error());
     EXPECT_EQ(simple->simulation, Simulation::Simple);
     EXPECT_EQ(simple->startingProfile().sensor.source, profile::SensorSource::None) << "there is none on it";
     EXPECT_FALSE(read({QStringLiteral("--simulate=nonsense")}));
@@ -99,7 +100,7 @@ TEST_F(OptionsTest, ARealBusIsRefusedForAMountThatIsOnlySimulated)
     EXPECT_TRUE(read());
     const auto real = read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")});
     ASSERT_FALSE(real);
-    EXPECT_NE(real.error().text.find("azimuth.driver: The simple rotator is only simulated"), std::string::npos);
+    EXPECT_NE(textOf(real.error()).find("azimuth.driver: The simple rotator is only simulated"), std::string::npos);
 }
 
 // Story: tried out first, with its sensor and its north applied; the adapter named at the next start then pointed 37.4°
@@ -116,7 +117,7 @@ TEST_F(OptionsTest, ARealBusLeavesBehindWhatWasFoundOfTheSimulatedMount)
     const auto file = store.add(tried);
     ASSERT_TRUE(file && store.setCurrent(*file));
     const auto options = read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")});
-    ASSERT_TRUE(options) << options.error().text;
+    ASSERT_TRUE(options) << textOf(options.error());
     profile::Profile real = named("tried");
     real.bus = "socketcan:can7";
     real.mount.directions = profile::Directions::Unconfirmed;
@@ -156,7 +157,7 @@ TEST_F(OptionsTest, WhereTheMountStandsIsToldWithTheTimeAtWhichSomebodyLooked)
         return read({QStringLiteral("--standing-at"), QString::fromUtf8(text)});
     };
     const auto options = standing("405,-1.5@2026-11-22T18:05Z");
-    ASSERT_TRUE(options) << options.error().text;
+    ASSERT_TRUE(options) << textOf(options.error());
     EXPECT_NEAR(options->standingAt->place.azimuth.degrees(), 405.0, 1e-9);
     EXPECT_NEAR(options->standingAt->place.elevation.degrees(), -1.5, 1e-9);
     EXPECT_EQ(options->standingAt->looked, std::chrono::sys_days{std::chrono::year{2026} / 11 / 22} +
@@ -166,8 +167,8 @@ TEST_F(OptionsTest, WhereTheMountStandsIsToldWithTheTimeAtWhichSomebodyLooked)
          {"405,50", "405,50@", "405,50@18:05", "405,50@2026-11-22T18:05", "405,50@2026-11-22T18:05Z@"}) {
         const auto refused = standing(untimed);
         ASSERT_FALSE(refused) << untimed;
-        EXPECT_NE(refused.error().text.find("write --standing-at 405,50@20"), std::string::npos)
-            << refused.error().text;
+        EXPECT_NE(textOf(refused.error()).find("write --standing-at 405,50@20"), std::string::npos)
+            << textOf(refused.error());
     }
     for (const char* wrong :
          {"", "405", "405,x@2026-11-22T18:05Z", "405,1,2@2026-11-22T18:05Z", "nan,1@2026-11-22T18:05Z"}) {
@@ -185,8 +186,8 @@ TEST_F(OptionsTest, ARealMountHasNoSimulatedSensor)
     ASSERT_TRUE(profile::saveProfile(real, file));
     const auto refused = read({QStringLiteral("--profile"), file});
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().text.find("real.toml: sensor.source: \"simulated\" needs"), std::string::npos)
-        << refused.error().text;
+    EXPECT_NE(textOf(refused.error()).find("real.toml: sensor.source: \"simulated\" needs"), std::string::npos)
+        << textOf(refused.error());
     EXPECT_EQ(read({QStringLiteral("--profile"), file, QStringLiteral("--simulate")})->profile, real);
 }
 
@@ -197,7 +198,7 @@ TEST_F(OptionsTest, WhoAsksForTheSimulatedMountGetsNoOther)
     for (const QStringList& words : {QStringList{QStringLiteral("--simulate")},
                                      QStringList{QStringLiteral("--bus"), QStringLiteral("simulated")}}) {
         const auto options = read(words);
-        ASSERT_TRUE(options) << options.error().text;
+        ASSERT_TRUE(options) << textOf(options.error());
         EXPECT_EQ(options->simulation, Simulation::Reference);
         EXPECT_EQ(options->simulationFor(real), Simulation::Reference);
     }
@@ -239,7 +240,7 @@ TEST_F(OptionsTest, TheSingleProfileOfOldGoesOnWorking)
     ASSERT_TRUE(profile::saveProfile(named("old"), config() + QStringLiteral("/profile.toml")));
     for (int start = 0; start < 2; ++start) {
         const auto options = read();
-        ASSERT_TRUE(options) << options.error().text;
+        ASSERT_TRUE(options) << textOf(options.error());
         EXPECT_EQ(options->profile.mount.name, "old");
         EXPECT_EQ(options->profilePath, config() + QStringLiteral("/profiles/old.toml"));
         EXPECT_FALSE(options->isFirstStart());
@@ -254,7 +255,7 @@ TEST_F(OptionsTest, ANamedProfileLeavesTheStoreAlone)
     const QString other = config() + QStringLiteral("/other.toml");
     ASSERT_TRUE(profile::saveProfile(named("other"), other));
     const auto options = read({QStringLiteral("--profile"), other});
-    ASSERT_TRUE(options) << options.error().text;
+    ASSERT_TRUE(options) << textOf(options.error());
     EXPECT_EQ(options->profilePath, other);
     EXPECT_EQ(options->profile.mount.name, "other");
     EXPECT_TRUE(QFileInfo::exists(single));

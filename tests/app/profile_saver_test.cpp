@@ -6,6 +6,7 @@
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_history.h"
 #include "core/profile/profile_store.h"
+#include "tests/fakes/text_of.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -153,7 +154,7 @@ TEST(ProfileSaver, NothingOfASimulationReachesAFileOfARealMount)
     EXPECT_EQ(rig.realFiles(), before);
     expectAlike(rig.first(), wanted);  // and so in the next simulation
     const auto copy = profile::loadProfile(rig.state() + QStringLiteral("/simulated/Roof.toml"));
-    ASSERT_TRUE(copy) << copy.error().text;
+    ASSERT_TRUE(copy) << textOf(copy.error());
     EXPECT_EQ(copy->bus, "simulated")
         << "started with this file, the real mount would have the north of the simulation";
     rig.options.profile = realMount();
@@ -181,7 +182,7 @@ TEST(ProfileSaver, AChangedProfileIsSimulatedAnew)
     changed.jog.fast = 4_deg_s;
     EXPECT_EQ(rig.save(changed), QString());
     const auto old = profile::loadProfile(rig.state() + QStringLiteral("/simulated/Roof.toml.old"));
-    ASSERT_TRUE(old) << old.error().text;
+    ASSERT_TRUE(old) << textOf(old.error());
     EXPECT_EQ(old->pointing, wanted.pointing);
 }
 

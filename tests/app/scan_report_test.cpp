@@ -53,7 +53,7 @@ TEST(ScanReport, WhatWasNotToldIsAQuestionMark)
     one.known.values.resize(4);
     EXPECT_THAT(table(std::vector{one}), HasSubstr("203031  ?         ?    ?     ?      ?        ?"));
     ASSERT_EQ(problems(std::vector{one}).size(), 1u);
-    EXPECT_THAT(problems(std::vector{one})[0], HasSubstr("did not answer every question"));
+    EXPECT_THAT(problems(std::vector{one})[0].toStdString(), HasSubstr("did not answer every question"));
 }
 
 TEST(ScanReport, AnActiveLimitIsNoFault)
@@ -66,7 +66,7 @@ TEST(ScanReport, AnActiveLimitIsNoFault)
     change(one, Register::Fault, 38);
     EXPECT_THAT(table(std::vector{one}), HasSubstr("38 over temperature"));
     ASSERT_EQ(problems(std::vector{one}).size(), 1u);
-    EXPECT_THAT(problems(std::vector{one})[0], HasSubstr("id 1: fault 38, over temperature: "));
+    EXPECT_THAT(problems(std::vector{one})[0].toStdString(), HasSubstr("id 1: fault 38, over temperature: "));
 }
 
 TEST(ScanReport, TwoBoardsWithOneIdAreToldApart)
@@ -74,7 +74,7 @@ TEST(ScanReport, TwoBoardsWithOneIdAreToldApart)
     const std::vector found{controller(4), controller(4, 0x3230206d), controller(5)};
     const auto wrong = problems(found);
     ASSERT_EQ(wrong.size(), 1u);
-    EXPECT_THAT(wrong[0], HasSubstr("id 4: 2 controllers have this id"));
+    EXPECT_THAT(wrong[0].toStdString(), HasSubstr("id 4: 2 controllers have this id"));
 }
 
 TEST(ScanReport, AnAnswerThatNeverArrivesWholeIsProbablyTwoBoards)
@@ -82,7 +82,7 @@ TEST(ScanReport, AnAnswerThatNeverArrivesWholeIsProbablyTwoBoards)
     const std::vector found{FoundController{.id = 1}};
     const auto wrong = problems(found);
     ASSERT_EQ(wrong.size(), 1u);
-    EXPECT_THAT(wrong[0], HasSubstr("Probably two controllers have this id"));
+    EXPECT_THAT(wrong[0].toStdString(), HasSubstr("Probably two controllers have this id"));
 }
 
 TEST(ScanReport, FirmwareWithoutUuidIsNotMistakenForTwoBoards)
@@ -100,13 +100,14 @@ TEST(ScanReport, UnknownRegisterMapIsSaid)
     change(one, Register::RegisterMapVersion, 4);
     const auto wrong = problems(std::vector{one});
     ASSERT_EQ(wrong.size(), 1u);
-    EXPECT_THAT(wrong[0], HasSubstr("id 2: register map version 4 is not known here (5 is)"));
+    EXPECT_THAT(wrong[0].toStdString(), HasSubstr("id 2: register map version 4 is not known here (5 is)"));
 }
 
 TEST(ScanReport, SilenceTellsWhatToCheck)
 {
-    EXPECT_THAT(silenceText("socketcan:can0"), HasSubstr("no controller answered on socketcan:can0"));
-    EXPECT_THAT(silenceText("socketcan:can0"), HasSubstr("120 Ω"));
+    EXPECT_THAT(silenceText(QStringLiteral("socketcan:can0")).toStdString(),
+                HasSubstr("no controller answered on socketcan:can0"));
+    EXPECT_THAT(silenceText(QStringLiteral("socketcan:can0")).toStdString(), HasSubstr("120 Ω"));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/boresightctl/simulate_options.h"
 
+#include "tests/fakes/text_of.h"
+
 #include <gmock/gmock.h>
 
 namespace boresight::ctl {
@@ -16,14 +18,14 @@ Result<SimulateOptions> parse(const std::vector<std::string>& arguments)
 std::string refusal(const std::vector<std::string>& arguments)
 {
     const auto parsed = parse(arguments);
-    return parsed ? "accepted" : parsed.error().text;
+    return parsed ? "accepted" : textOf(parsed.error());
 }
 
 TEST(SimulateOptions, AreReadInAnyOrderWithBlankOrEquals)
 {
     const auto options =
         parse({"--wind", "-30", "--az-id=7", "--duplicate-id", "--pty", "/tmp/mount", "--print-truth"});
-    ASSERT_TRUE(options) << options.error().text;
+    ASSERT_TRUE(options) << textOf(options.error());
     EXPECT_EQ(options->pty, "/tmp/mount");
     EXPECT_EQ(options->azimuthId, 7);
     EXPECT_TRUE(options->printTruth);
@@ -77,7 +79,7 @@ TEST(SimulateOptions, WhatTheSensorHidesIsTheOperatorsChoice)
                                 "--sensor-orientation-only",
                                 "--sensor-silence",
                                 "@60+20"});
-    ASSERT_TRUE(options) << options.error().text;
+    ASSERT_TRUE(options) << textOf(options.error());
     const sim::SensorTruth& truth = options->sensorTruth;
     EXPECT_EQ(truth.mount.azimuthOffset, -12_deg);
     EXPECT_EQ(truth.mount.tiltNorth, 0.5_deg);

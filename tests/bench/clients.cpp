@@ -127,7 +127,7 @@ Result<Clients> Clients::connect(const Endpoint& endpoint, std::size_t count, st
         connection.fd = openSocket(0);
         connection.nextRequest = i % clients.m_requests.size();
         if (!connectTo(connection.fd, endpoint) || !exchange(connection.fd, kAskPosition)) {
-            return failure(ErrorCode::NoAnswer, "client " + std::to_string(i + 1) + " got no position");
+            return failure(ErrorCode::NoAnswer, QStringLiteral("client %1 got no position").arg(i + 1));
         }
         epoll_event event{.events = EPOLLIN, .data = {.u64 = i}};
         epoll_ctl(clients.m_epoll, EPOLL_CTL_ADD, connection.fd, &event);
@@ -269,7 +269,7 @@ Result<> awaitPosition(const Endpoint& endpoint)
         }
         std::this_thread::sleep_for(20ms);
     }
-    return failure(ErrorCode::NoAnswer, "no position within 10 s of the start");
+    return failure(ErrorCode::NoAnswer, QStringLiteral("no position within 10 s of the start"));
 }
 
 Measurement connectAtOnce(const Endpoint& endpoint, std::size_t count)

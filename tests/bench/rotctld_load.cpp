@@ -7,6 +7,7 @@
 
 #include "core/base/numbers.h"
 #include "tests/bench/scenarios.h"
+#include "tests/fakes/text_of.h"
 
 #include <cmath>
 #include <cstdio>
@@ -122,7 +123,7 @@ int main(int argc, char** argv)
     }
     const auto figures = boresight::bench::measureServers(targets, arguments->duration);
     if (!figures) {
-        std::fprintf(stderr, "rotctld_load: %s\n", figures.error().text.c_str());
+        std::fprintf(stderr, "rotctld_load: %s\n", textOf(figures.error()).c_str());
         return 1;
     }
     for (std::size_t i = 0; i < targets.size(); ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/scenarios.h"
 
+#include "core/base/text.h"
 #include "tests/bench/clients.h"
 #include "tests/bench/server.h"
 
@@ -181,7 +182,8 @@ Result<std::vector<Figures>> measureServers(const std::vector<std::string>& targ
         for (std::size_t i = 0; i < targets.size(); ++i) {
             const auto measured = measure(scenario, targets[i], duration);
             if (!measured) {
-                return failure(measured.error().code, measured.error().text + " (" + targets[i] + ")");
+                return failure(measured.error().code,
+                               QStringLiteral("%1 (%2)").arg(measured.error().text, toQString(targets[i])));
             }
             all[i].insert(all[i].end(), measured->begin(), measured->end());
         }

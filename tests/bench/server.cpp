@@ -2,6 +2,7 @@
 #include "tests/bench/server.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <fcntl.h>
 #include <netinet/in.h>
@@ -61,7 +62,7 @@ Result<Server::Process> spawn(const std::string& command)
     std::array<int, 2> output{};
     const int errors = memfd_create("errors", MFD_CLOEXEC);
     if (errors < 0 || pipe2(output.data(), O_CLOEXEC) != 0) {
-        return failure(ErrorCode::Io, "no room for the server's output");
+        return failure(ErrorCode::Io, QStringLiteral("no room for the server's output"));
     }
     const std::string line = "exec " + command;
     const pid_t process = fork();
@@ -89,7 +90,7 @@ Result<Endpoint> announcedEndpoint(int output)
         }
         const ssize_t count = read(output, buffer.data(), buffer.size());
         if (count <= 0) {
-            return failure(ErrorCode::NoAnswer, "the server ended before it listened");
+            return failure(ErrorCode::NoAnswer, QStringLiteral("the server ended before it listened"));
         }
         text.append(buffer.data(), static_cast<std::size_t>(count));
         const std::size_t found = text.find(kAnnouncement);
@@ -99,7 +100,8 @@ Result<Endpoint> announcedEndpoint(int output)
             return parseEndpoint(std::string_view(text).substr(begin, end - begin));
         }
     }
-    return failure(ErrorCode::NoAnswer, "the server did not say \"listening on HOST:PORT\" within 10 s");
+    return failure(ErrorCode::NoAnswer,
+                   QStringLiteral("the server did not say \"listening on HOST:PORT\" within 10 s"));
 }
 
 bool becomesReady(const Endpoint& endpoint)
@@ -145,7 +147,7 @@ Result<Server> Server::start(const std::string& target)
     }
     Server server(endpoint, *spawned);
     if (spawned->id < 0) {
-        return failure(ErrorCode::Io, "could not start: " + command);
+        return failure(ErrorCode::Io, QStringLiteral("could not start: %1").arg(toQString(command)));
     }
     if (endpoint.port == 0) {
         const auto announced = announcedEndpoint(server.m_process.output);
@@ -154,7 +156,7 @@ Result<Server> Server::start(const std::string& target)
         }
         server.m_endpoint = *announced;
     } else if (!becomesReady(endpoint)) {
-        return failure(ErrorCode::NoAnswer, "nothing listens after 10 s: " + command);
+        return failure(ErrorCode::NoAnswer, QStringLiteral("nothing listens after 10 s: %1").arg(toQString(command)));
     }
     return server;
 }

@@ -2,6 +2,7 @@
 #include "tests/bench/sockets.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -22,16 +23,17 @@ Result<Endpoint> parseEndpoint(std::string_view text)
 {
     const std::size_t colon = text.rfind(':');
     if (colon == std::string_view::npos) {
-        return failure(ErrorCode::InvalidInput, "not HOST:PORT: " + std::string(text));
+        return failure(ErrorCode::InvalidInput, QStringLiteral("not HOST:PORT: %1").arg(toQString(text)));
     }
     const auto port = parseInteger(text.substr(colon + 1));
     const std::string host(text.substr(0, colon));
     in_addr address{};
     if (!port || *port < 1 || *port > 65535 || inet_pton(AF_INET, host.c_str(), &address) != 1) {
-        return failure(ErrorCode::InvalidInput, "not HOST:PORT: " + std::string(text));
+        return failure(ErrorCode::InvalidInput, QStringLiteral("not HOST:PORT: %1").arg(toQString(text)));
     }
     if ((ntohl(address.s_addr) >> 24) != IN_LOOPBACKNET) {
-        return failure(ErrorCode::Refused, "only loopback addresses are measured: " + host);
+        return failure(ErrorCode::Refused,
+                       QStringLiteral("only loopback addresses are measured: %1").arg(toQString(host)));
     }
     return Endpoint{.address = address.s_addr, .port = static_cast<std::uint16_t>(*port)};
 }

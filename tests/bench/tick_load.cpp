@@ -12,6 +12,7 @@
 #include "tests/bench/clients.h"
 #include "tests/bench/flood.h"
 #include "tests/bench/server.h"
+#include "tests/fakes/text_of.h"
 
 #include <sys/resource.h>
 
@@ -119,7 +120,8 @@ boresight::Result<Ticks> measure(const Load& load, const Arguments& arguments)
     auto ticks = readTicks(server->end());
     if (!ticks || requestsPerSecond == 0) {
         return boresight::failure(boresight::ErrorCode::NoAnswer,
-                                  ticks ? "the clients got no answers" : "the server said nothing about its ticks");
+                                  ticks ? QStringLiteral("the clients got no answers")
+                                        : QStringLiteral("the server said nothing about its ticks"));
     }
     ticks->requestsPerSecond = requestsPerSecond;
     return *ticks;
@@ -181,7 +183,7 @@ int main(int argc, char** argv)
         for (Case& one : cases) {
             const auto ticks = measure(one.load, *arguments);
             if (!ticks) {
-                std::fprintf(stderr, "tick_load: %s: %s\n", one.name, ticks.error().text.c_str());
+                std::fprintf(stderr, "tick_load: %s: %s\n", one.name, textOf(ticks.error()).c_str());
                 return 1;
             }
             one.rounds.push_back(*ticks);

@@ -43,7 +43,7 @@ public:
         lastRequest = request;
         if (request.azimuth < m_limits.minAzimuth || request.azimuth > m_limits.maxAzimuth ||
             request.elevation < m_limits.minElevation || request.elevation > m_limits.maxElevation) {
-            return failure(ErrorCode::OutOfRange, "outside the limits");
+            return failure(ErrorCode::OutOfRange, QStringLiteral("outside the limits"));
         }
         return drive(request.azimuth, request.elevation);
     }
@@ -79,14 +79,17 @@ public:
     }
 
     void clientConnected(const rotctld::Client& client) override { connected[client.id] = client.address; }
-    void clientGone(const rotctld::Client& client, const std::string& reason) override
+    void clientGone(const rotctld::Client& client, const QString& reason) override
     {
-        gone[client.id] = reason;
+        gone[client.id] = reason.toStdString();
         if (mover == client.id) {
             static_cast<void>(stop(client));
         }
     }
-    void clientRemark(const rotctld::Client& /*client*/, const std::string& text) override { remarks.push_back(text); }
+    void clientRemark(const rotctld::Client& /*client*/, const QString& text) override
+    {
+        remarks.push_back(text.toStdString());
+    }
 
     std::optional<Error> fault;
     std::optional<rotctld::PointRequest> lastRequest;

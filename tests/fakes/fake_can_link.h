@@ -18,7 +18,7 @@ public:
     Result<> open() override
     {
         ++openings;
-        if (!openError.empty()) {
+        if (!openError.isEmpty()) {
             return failure(ErrorCode::NoDevice, openError);
         }
         linkStatus = {.state = LinkState::Up};
@@ -37,7 +37,7 @@ public:
     }
 
     LinkStatus linkStatus;
-    std::string openError;
+    QString openError;
     int openings = 0;
     std::vector<CanFrame> sent;
 };

@@ -8,6 +8,7 @@
 #include "core/calibration/record_text.h"
 #include "core/calibration/terms_text.h"
 #include "core/power/power_text.h"
+#include "tests/fakes/text_of.h"
 #include "tests/fuzz/harness.h"
 
 #include <cmath>
@@ -48,7 +49,7 @@ void checkTerms(std::string_view text)
 {
     const auto sheet = parseTerms(text, "a.toml");
     if (!sheet) {
-        checkReason(sheet.error().text);
+        checkReason(textOf(sheet.error()));
         return;
     }
     accept();
@@ -147,7 +148,7 @@ void feed(std::span<const std::uint8_t> input)
     checkTerms(asText(input));
     const auto history = parseHistory(asText(input), "a.toml");
     if (!history) {
-        checkReason(history.error().text);
+        checkReason(textOf(history.error()));
         return;
     }
     accept();

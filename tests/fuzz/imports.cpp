@@ -7,6 +7,7 @@
 #include "core/profile/horizon_text.h"
 #include "core/profile/locator.h"
 #include "core/profile/setting.h"
+#include "tests/fakes/text_of.h"
 #include "tests/fuzz/harness.h"
 
 #include <algorithm>
@@ -45,7 +46,7 @@ bool feedHorizon(std::string_view text)
 {
     const auto horizon = parseHorizon(text, "a.txt");
     if (!horizon) {
-        const std::string& error = horizon.error().text;
+        const std::string error = textOf(horizon.error());
         require(error.starts_with("a.txt:"), "the reason begins with the file");
         require(std::ranges::none_of(error, [](char c) { return c != '\n' && isControlCharacter(c); }),
                 "the reason is printable");
@@ -64,7 +65,7 @@ bool feedQth(std::string_view text)
 {
     const auto station = parseQth(QByteArray(text.data(), static_cast<qsizetype>(text.size())), QStringLiteral("a"));
     if (!station) {
-        require(!hasControlCharacters(station.error().text), "the reason is one printable line");
+        require(!hasControlCharacters(textOf(station.error())), "the reason is one printable line");
         return false;
     }
     Profile profile;
@@ -77,7 +78,7 @@ bool feedLocator(std::string_view text)
 {
     const auto place = fromLocator(text);
     if (!place) {
-        require(!hasControlCharacters(place.error().text), "the reason is one printable line");
+        require(!hasControlCharacters(textOf(place.error())), "the reason is one printable line");
         return false;
     }
     const auto again = toLocator(*place, static_cast<LocatorLength>(text.size()));

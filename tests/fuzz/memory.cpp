@@ -3,6 +3,7 @@
 // and must read back equal, and no damage may change a value unnoticed.
 #include "core/base/control_characters.h"
 #include "core/memory/memory_text.h"
+#include "tests/fakes/text_of.h"
 #include "tests/fuzz/harness.h"
 
 #include <QCryptographicHash>
@@ -162,7 +163,7 @@ void feed(std::span<const std::uint8_t> input)
     const QByteArray text(reinterpret_cast<const char*>(input.data()), static_cast<qsizetype>(input.size()));
     const auto memory = parseMemory(text);
     if (!memory) {
-        checkReason(memory.error().text);
+        checkReason(textOf(memory.error()));
         return;
     }
     accept();

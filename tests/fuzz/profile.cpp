@@ -2,6 +2,7 @@
 // Profile files: any bytes to parseProfile(); what it accepts is written and must read back as the same profile.
 #include "core/profile/profile_file.h"
 #include "core/profile/setting.h"
+#include "tests/fakes/text_of.h"
 #include "tests/fuzz/harness.h"
 
 #include <algorithm>
@@ -161,7 +162,7 @@ void feed(std::span<const std::uint8_t> input)
 {
     const auto profile = parseProfile(asText(input), "a.toml");
     if (!profile) {
-        checkError(profile.error().text, input.size());
+        checkError(textOf(profile.error()), input.size());
         return;
     }
     accept();

@@ -73,12 +73,11 @@ public:
         return outcome();
     }
     void clientConnected(const Client&) override {}
-    void clientGone(const Client&, const std::string&) override {}
-    void clientRemark(const Client&, const std::string& text) override
+    void clientGone(const Client&, const QString&) override {}
+    void clientRemark(const Client&, const QString& text) override
     {
-        require(text.size() < 512, "a remark fits a line of the log");
-        const QString shown = QString::fromStdString(text);
-        require(std::ranges::all_of(shown, [](QChar one) { return one.isPrint(); }), "a remark is printable");
+        require(text.toUtf8().size() < 512, "a remark fits a line of the log");
+        require(std::ranges::all_of(text, [](QChar one) { return one.isPrint(); }), "a remark is printable");
     }
 
     const Session* session = nullptr;
@@ -88,13 +87,14 @@ public:
 private:
     [[nodiscard]] Result<> outcome() const
     {
-        return refuses ? Result<>(failure(ErrorCode::Refused, "the operator has the mount")) : Result<>();
+        return refuses ? Result<>(failure(ErrorCode::Refused, QStringLiteral("the operator has the mount")))
+                       : Result<>();
     }
 
     // That word of the client's command; nothing where the session shows the command cut off or altered.
     [[nodiscard]] std::optional<std::string> word(int index) const
     {
-        const std::string shown = session->habits().lastCommand();
+        const std::string shown = session->habits().lastCommand().toStdString();
         if (!shownAsSent || shown.size() >= kShownCommand) {
             return std::nullopt;
         }
@@ -148,7 +148,7 @@ void checkReply(std::string_view reply)
 // A default reply is numbers, names and codes; a client that reads "inf" as a number would believe it.
 void checkNumbers(const Session& session, std::string_view reply)
 {
-    const std::string command = session.habits().lastCommand();
+    const std::string command = session.habits().lastCommand().toStdString();
     const bool echoes = reply.find(": ") != std::string_view::npos || reply.find(":|") != std::string_view::npos;
     if (!echoes && std::string_view("LlDdEeBAa").find(command.front()) != std::string_view::npos) {
         require(reply.find("inf") == std::string_view::npos && reply.find("nan") == std::string_view::npos,
@@ -172,7 +172,7 @@ struct Conversation
         std::string reply;
         const bool more = session.step(reply);
         const bool odd = session.habits().oddCommands() > oddBefore;
-        if (!session.ending().empty() || !more) {
+        if (!session.ending().isEmpty() || !more) {
             require(reply.empty(), "who is hung up on gets no half reply");
             return more;
         }
@@ -207,7 +207,7 @@ struct Conversation
 void checkStillServed(Conversation& talk)
 {
     talk.say("\n");
-    if (!talk.session.ending().empty() || talk.session.midCommand() || talk.session.paused()) {
+    if (!talk.session.ending().isEmpty() || talk.session.midCommand() || talk.session.paused()) {
         return;
     }
     talk.session.receive("p\n");
@@ -306,7 +306,7 @@ void feed(std::span<const std::uint8_t> input)
     talk.rotator.refuses = (input[0] & 0x80) != 0;
     talk.rotator.shownAsSent = std::ranges::all_of(input.subspan(1), isPrintableOrBlank);
     const std::size_t piece = (input[0] & 0x7f) == 0 ? input.size() : input[0] & 0x7f;
-    for (std::string_view rest = asText(input.subspan(1)); !rest.empty() && talk.session.ending().empty();
+    for (std::string_view rest = asText(input.subspan(1)); !rest.empty() && talk.session.ending().isEmpty();
          rest.remove_prefix(std::min(piece, rest.size()))) {
         talk.say(rest.substr(0, piece));
         if (talk.session.paused()) {
@@ -317,12 +317,12 @@ void feed(std::span<const std::uint8_t> input)
     if (talk.answered > 0 && !talk.refused && !talk.session.dropped()) {
         accept();
     }
-    if (talk.session.ending().empty()) {
+    if (talk.session.ending().isEmpty()) {
         checkStillServed(talk);
     }
     talk.session.endOfInput();
     talk.drain();
-    require(!talk.session.ending().empty(), "a conversation ends with its input");
+    require(!talk.session.ending().isEmpty(), "a conversation ends with its input");
 }
 
 }  // namespace boresight::fuzz

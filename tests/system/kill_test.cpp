@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sim_bus/pty_server.h"
 #include "tests/fakes/real_mount.h"
+#include "tests/fakes/text_of.h"
 #include "tests/fakes/wait_until.h"
 #include "tests/system/boresightd_process.h"
 #include "tests/system/standing.h"
@@ -26,7 +27,7 @@ protected:
     void SetUp() override
     {
         auto created = sim::PtyServer::create(terminal, pair, clock);
-        ASSERT_TRUE(created) << created.error().text;
+        ASSERT_TRUE(created) << textOf(created.error());
         server = std::move(*created);
         boresightd = start(fakes::standingAt(QStringLiteral("0,10")));
         ASSERT_TRUE(boresightd->listens()) << boresightd->complaints();

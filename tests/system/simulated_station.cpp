@@ -2,6 +2,7 @@
 #include "tests/system/simulated_station.h"
 
 #include "core/moteus_mount/moteus_connection.h"
+#include "tests/fakes/text_of.h"
 
 #include <QTest>
 
@@ -123,7 +124,7 @@ std::string SimulatedStation::ask(const Request& request)
     if (answer == m_answers.end()) {
         return "no answer";
     }
-    return answer->error ? answer->error->text : std::string();
+    return answer->error ? textOf(*answer->error) : std::string();
 }
 
 AxisPosition SimulatedStation::truth() const

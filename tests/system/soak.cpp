@@ -4,6 +4,7 @@
 #include "core/memory/memory_file.h"
 #include "core/moteus/codec.h"
 #include "core/moteus_mount/moteus_connection.h"
+#include "tests/fakes/text_of.h"
 
 #include <QTest>
 
@@ -268,7 +269,7 @@ std::string Soak::ask(const Request& request)
     if (m_answers.empty()) {
         return "no answer";
     }
-    return m_answers.back().error ? m_answers.back().error->text : std::string();
+    return m_answers.back().error ? textOf(*m_answers.back().error) : std::string();
 }
 
 void Soak::trouble()

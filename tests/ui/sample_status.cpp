@@ -393,7 +393,7 @@ StationUpdate update(const StationStatus& status)
 StationUpdate refusal(const StationStatus& status, std::uint64_t requestId, const char* reason)
 {
     StationUpdate refused = update(status);
-    refused.answers.push_back({requestId, Error{ErrorCode::Refused, reason}});
+    refused.answers.push_back({requestId, Error{ErrorCode::Refused, QString::fromUtf8(reason)}});
     return refused;
 }
 

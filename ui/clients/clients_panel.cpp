@@ -303,8 +303,8 @@ void ClientsPanel::choose(profile::Lead lead, const std::string& lockedTo)
             if (error) {
                 m_draft.revert();
             }
-            m_notice->setValue(error ? tr("Who moves: %1").arg(QString::fromStdString(error->text)) : QString(),
-                               Tone::Warning, error ? Symbol::Warning : Symbol::None);
+            m_notice->setValue(error ? tr("Who moves: %1").arg(error->text) : QString(), Tone::Warning,
+                               error ? Symbol::Warning : Symbol::None);
         });
     }
     showRules();  // as the station has it until it answers

@@ -192,7 +192,7 @@ void GuideSite::readLocator()
 {
     const auto place = profile::fromLocator(m_locator->text().trimmed().toStdString());
     if (!place) {
-        m_notice->setValue(QString::fromStdString(place.error().text), Tone::Warning, Symbol::Warning);
+        m_notice->setValue(place.error().text, Tone::Warning, Symbol::Warning);
         return;
     }
     const QSignalBlocker latitudeQuiet(m_latitude);  // what is being typed stays as it is

@@ -63,8 +63,7 @@ void HoldButtons::send(const AxisRates& rates)
     m_desk.send(request::Jog{rates}, this, [this, ends](const std::optional<Error>& error) {
         if (error && !ends) {
             letGoAll();
-            m_notice.setValue(tr("%1: %2").arg(m_what, QString::fromStdString(error->text)), Tone::Warning,
-                              Symbol::Warning);
+            m_notice.setValue(tr("%1: %2").arg(m_what, error->text), Tone::Warning, Symbol::Warning);
         }
     });
 }

@@ -152,7 +152,7 @@ void JogPad::refused(const std::optional<Error>& error)
 {
     if (error) {
         letGoAll();
-        m_notice.setValue(tr("Jog: %1").arg(QString::fromStdString(error->text)), Tone::Warning, Symbol::Warning);
+        m_notice.setValue(tr("Jog: %1").arg(error->text), Tone::Warning, Symbol::Warning);
     }
 }
 

@@ -28,8 +28,7 @@ void CommandButton::await(const std::function<void(QObject*, const RequestDesk::
         --m_waiting;
         showWaiting();
         if (error) {
-            m_notice.setValue(tr("%1: %2").arg(text, QString::fromStdString(error->text)), Tone::Warning,
-                              Symbol::Warning);
+            m_notice.setValue(tr("%1: %2").arg(text, error->text), Tone::Warning, Symbol::Warning);
         } else {
             m_notice.setValue({});
             Q_EMIT accepted();

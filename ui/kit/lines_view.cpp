@@ -189,8 +189,7 @@ void LinesView::save(const QString& path)
     if (const Result<> saved = saveText(path, text(allRows())); saved) {
         m_notice->setValue(tr("Lines written: %1").arg(m_lines.rowCount()), Tone::Secondary);
     } else {
-        m_notice->setValue(tr("Not written: %1").arg(QString::fromStdString(saved.error().text)), Tone::Warning,
-                           Symbol::Warning);
+        m_notice->setValue(tr("Not written: %1").arg(saved.error().text), Tone::Warning, Symbol::Warning);
     }
 }
 

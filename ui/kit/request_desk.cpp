@@ -11,7 +11,7 @@ constexpr std::size_t kMaxWaiting = 200;
 void RequestDesk::send(const Request& request, QObject* asker, Reply reply)
 {
     if (m_waiting.size() >= kMaxWaiting) {
-        answer(m_waiting.begin(), Error{ErrorCode::NoAnswer, tr("the station does not answer").toStdString()});
+        answer(m_waiting.begin(), Error{ErrorCode::NoAnswer, tr("the station does not answer")});
     }
     const std::uint64_t id = ++m_last;
     m_waiting.emplace(id, Waiting{asker, std::move(reply)});

@@ -9,7 +9,7 @@ Result<> saveText(const QString& path, const QString& text)
 {
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(text.toUtf8()) < 0 || !file.commit()) {
-        return failure(ErrorCode::Io, file.errorString().toStdString());
+        return failure(ErrorCode::Io, file.errorString());
     }
     return {};
 }

@@ -25,11 +25,11 @@ Result<QString> importHorizon(ProfileDraft& draft, const QString& path)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) {
-        return failure(ErrorCode::Io, file.errorString().toStdString());
+        return failure(ErrorCode::Io, file.errorString());
     }
     const QByteArray text = file.read(kLargest + 1);
     if (text.size() > kLargest) {
-        return failure(ErrorCode::InvalidInput, HorizonFiles::tr("the file is too long for a horizon").toStdString());
+        return failure(ErrorCode::InvalidInput, HorizonFiles::tr("the file is too long for a horizon"));
     }
     const Result<profile::HorizonText> read =
         profile::parseHorizon(std::string_view(text.constData(), static_cast<std::size_t>(text.size())),

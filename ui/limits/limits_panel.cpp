@@ -207,7 +207,7 @@ void LimitsPanel::importHorizon(const QString& path)
     if (taken) {
         tell(*taken);
     } else {
-        say(QString::fromStdString(taken.error().text));
+        say(taken.error().text);
     }
 }
 
@@ -216,7 +216,7 @@ void LimitsPanel::exportHorizon(const QString& path)
     if (const Result<> written = ui::exportHorizon(m_draft, path); written) {
         tell(tr("written"));
     } else {
-        say(QString::fromStdString(written.error().text));
+        say(written.error().text);
     }
 }
 

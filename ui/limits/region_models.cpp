@@ -40,9 +40,8 @@ Result<> putCell(std::span<const SettingOf<Row>> columns, Row& row, int column, 
     text.remove(QStringLiteral("°"));
     const auto number = parseFinite(text.trimmed().toStdString());
     if (!number) {
-        return failure(
-            ErrorCode::InvalidInput,
-            RegionTableModel::tr("\"%1\" is not a number (decimal point, e.g. 113.5)").arg(text).toStdString());
+        return failure(ErrorCode::InvalidInput,
+                       RegionTableModel::tr("\"%1\" is not a number (decimal point, e.g. 113.5)").arg(text));
     }
     return setting.set(row, *number);
 }
@@ -86,7 +85,7 @@ Result<> HorizonModel::put(pointing::Region& edited, int row, int column, const 
         return taken;
     }
     if (std::ranges::count(edited.horizon, point.azimuth, &HorizonPoint::azimuth) > 1) {
-        return failure(ErrorCode::InvalidInput, tr("there is a point at this azimuth already").toStdString());
+        return failure(ErrorCode::InvalidInput, tr("there is a point at this azimuth already"));
     }
     std::ranges::sort(edited.horizon, {}, &HorizonPoint::azimuth);
     return {};

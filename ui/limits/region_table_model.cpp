@@ -58,7 +58,7 @@ bool RegionTableModel::setData(const QModelIndex& index, const QVariant& value, 
     }
     pointing::Region edited = region();
     const Result<> taken = put(edited, index.row(), index.column(), value.toString().trimmed());
-    Q_EMIT refused(taken ? QString() : QString::fromStdString(taken.error().text));
+    Q_EMIT refused(taken ? QString() : taken.error().text);
     if (taken) {
         m_draft.edit([&edited](profile::Profile& profile) { profile.limits = edited; });
     }

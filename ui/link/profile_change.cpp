@@ -11,7 +11,7 @@ namespace {
 
 Error refused(const QString& reason)
 {
-    return {ErrorCode::Refused, reason.toStdString()};
+    return {ErrorCode::Refused, reason};
 }
 
 }  // namespace
@@ -44,8 +44,7 @@ QString ProfileChange::whyNot(const StationStatus& status, const Edit& edit) con
             .arg(QString::fromStdString(wanted.bus));
     }
     if (const auto problems = m_draft.problemsOf(wanted); !problems.empty()) {
-        return QStringLiteral("%1: %2").arg(settingName(problems.front().key),
-                                            QString::fromStdString(problems.front().text));
+        return QStringLiteral("%1: %2").arg(settingName(problems.front().key), problems.front().text);
     }
     return needsReconnect(wanted) ? status.permissions.reason(Action::Reconnect) : QString();
 }

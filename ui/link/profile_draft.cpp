@@ -17,7 +17,7 @@ constexpr std::size_t kHistory = 20;  // changes that can be taken back, one aft
 
 Error draftRefused(const QString& reason)
 {
-    return {ErrorCode::Refused, reason.toStdString()};
+    return {ErrorCode::Refused, reason};
 }
 
 }  // namespace
@@ -93,15 +93,13 @@ std::vector<profile::Problem> ProfileDraft::problemsOf(const profile::Profile& w
     if (!simulates(m_applied) && simulates(wanted)) {
         problems.push_back(
             {"bus.name", tr("This is the profile of a real mount. To try it on the simulated mount, start Boresight "
-                            "with --simulate")
-                             .toStdString()});
+                            "with --simulate")});
     } else if (m_keepsSimulated && wanted.bus != m_applied.bus) {
         problems.push_back(
             {"bus.name",
              tr("Boresight was started with --simulate, so every mount is simulated. To use this bus, start "
                 "Boresight with --bus %1")
-                 .arg(QString::fromStdString(wanted.bus))
-                 .toStdString()});
+                 .arg(QString::fromStdString(wanted.bus))});
     }
     return problems;
 }
@@ -159,7 +157,7 @@ QString ProfileDraft::problem(const std::string& key) const
     const auto found = std::ranges::find_if(m_problems, [&key](const profile::Problem& one) {
         return one.key == key || one.key.starts_with(key + '.') || one.key.starts_with(key + '[');
     });
-    return found == m_problems.end() ? QString() : QString::fromStdString(found->text);
+    return found == m_problems.end() ? QString() : found->text;
 }
 
 std::vector<std::string> ProfileDraft::overtakenKeys() const
@@ -192,8 +190,7 @@ QString ProfileDraft::whyNoApply() const
         return tr("the profile was changed from elsewhere meanwhile: keep these edits or revert first");
     }
     if (!m_problems.empty()) {
-        return QStringLiteral("%1: %2").arg(settingName(m_problems.front().key),
-                                            QString::fromStdString(m_problems.front().text));
+        return QStringLiteral("%1: %2").arg(settingName(m_problems.front().key), m_problems.front().text);
     }
     return {};
 }
@@ -268,7 +265,7 @@ void ProfileDraft::applyAlone(const std::function<void(profile::Profile&)>& chan
     if (m_asked) {
         reply(draftRefused(tr("the station has not answered yet")));
     } else if (!problems.empty()) {
-        reply(draftRefused(QString::fromStdString(problems.front().key + ": " + problems.front().text)));
+        reply(draftRefused(profile::toText(problems.front())));
     } else {
         m_alone = changed;
         send(changed, historyWithApplied(), asker, reply);

@@ -95,29 +95,27 @@ QString withoutUnit(const Setting& setting, QString typed)
     return typed.trimmed();
 }
 
-Result<SettingValue> numberOf(const Setting& setting, const std::string& typed)
+Result<SettingValue> numberOf(const Setting& setting, const QString& typed)
 {
+    const std::string number = typed.toStdString();
     if (setting.type == SettingType::Integer) {
-        if (const auto whole = parseInteger(typed)) {
+        if (const auto whole = parseInteger(number)) {
             return SettingValue(*whole);
         }
-        return failure(
-            ErrorCode::InvalidInput,
-            SettingWords::tr("\"%1\" is not a whole number").arg(QString::fromStdString(typed)).toStdString());
+        return failure(ErrorCode::InvalidInput, SettingWords::tr("\"%1\" is not a whole number").arg(typed));
     }
-    if (const auto real = parseFinite(typed)) {
+    if (const auto real = parseFinite(number)) {
         return SettingValue(*real);
     }
-    return failure(ErrorCode::InvalidInput, SettingWords::tr("\"%1\" is not a number (decimal point, e.g. 113.5)")
-                                                .arg(QString::fromStdString(typed))
-                                                .toStdString());
+    return failure(ErrorCode::InvalidInput,
+                   SettingWords::tr("\"%1\" is not a number (decimal point, e.g. 113.5)").arg(typed));
 }
 
 Result<SettingValue> valueOf(const Setting& setting, const QString& typed)
 {
     const QString text = withoutUnit(setting, typed);
     if (isNumber(setting)) {
-        return numberOf(setting, text.toStdString());
+        return numberOf(setting, text);
     }
     if (setting.type != SettingType::TextList) {
         return SettingValue(text.toStdString());
@@ -192,7 +190,7 @@ Result<> putTyped(const Setting& setting, const QString& typed, profile::Profile
     return valueOf(setting, typed)
         .and_then([&](const SettingValue& value) { return setting.set(profile, value); })
         .map_error([&](const Error& error) {
-            return Error{error.code, setting.key + ": " + error.text};
+            return Error{error.code, QStringLiteral("%1: %2").arg(QString::fromStdString(setting.key), error.text)};
         });
 }
 

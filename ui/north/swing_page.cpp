@@ -128,8 +128,8 @@ void SwingPage::plan()
 {
     m_desk.send(request::PlanSwing{.rate = AngularRate::fromDegrees(m_rate->value()), .headings = m_headings->value()},
                 this, [this](const std::optional<Error>& error) {
-                    m_notice->setValue(error ? tr("Plan: %1").arg(QString::fromStdString(error->text)) : QString(),
-                                       Tone::Warning, error ? Symbol::Warning : Symbol::None);
+                    m_notice->setValue(error ? tr("Plan: %1").arg(error->text) : QString(), Tone::Warning,
+                                       error ? Symbol::Warning : Symbol::None);
                 });
 }
 

@@ -175,7 +175,7 @@ void TermsBox::chooseExport()
 void TermsBox::exportTo(const QString& path)
 {
     if (const Result<> written = saveText(path, toQString(calibration::toText(m_sheet))); !written) {
-        complain(toQString(written.error().text));
+        complain(written.error().text);
         return;
     }
     m_notice.setValue(tr("Written: %1").arg(path));

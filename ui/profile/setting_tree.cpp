@@ -313,7 +313,7 @@ bool SettingTree::setData(const QModelIndex& index, const QVariant& value, int r
     }
     profile::Profile edited = m_draft.edited();
     const Result<> taken = putTyped(*line->setting, value.toString(), edited);
-    Q_EMIT refused(taken ? QString() : QString::fromStdString(taken.error().text));
+    Q_EMIT refused(taken ? QString() : taken.error().text);
     if (taken) {
         m_draft.edit([&edited](profile::Profile& profile) { profile = edited; });
     }

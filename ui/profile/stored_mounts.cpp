@@ -27,8 +27,7 @@ QString differences(const profile::Profile& from, const profile::Profile& to)
     for (const profile::Change& change : changes) {
         const QString line = change.applies == profile::Applies::Now ? StoredMounts::tr("%1: %2 → %3")
                                                                      : StoredMounts::tr("%1: %2 → %3, on reconnect");
-        text += QLatin1Char('\n') + line.arg(QString::fromStdString(change.key), QString::fromStdString(change.before),
-                                             QString::fromStdString(change.after));
+        text += QLatin1Char('\n') + line.arg(QString::fromStdString(change.key), change.before, change.after);
     }
     return text;
 }
@@ -41,11 +40,6 @@ Result<> setName(profile::Profile& profile, const QString& name)
 QString nameOf(const profile::Profile& profile)
 {
     return QString::fromStdString(profile.mount.name);
-}
-
-QString text(const Error& error)
-{
-    return QString::fromStdString(error.text);
 }
 
 }  // namespace
@@ -109,7 +103,7 @@ void StoredMounts::load(const QString& path, const std::function<void(const prof
             if (read) {
                 then(*read);
             } else {
-                Q_EMIT failed(text(read.error()));
+                Q_EMIT failed(read.error().text);
             }
         });
 }
@@ -120,7 +114,7 @@ void StoredMounts::write(const Outcome& work, const QString& outcome)
         if (written) {
             Q_EMIT done(outcome);
         } else {
-            Q_EMIT failed(text(written.error()));
+            Q_EMIT failed(written.error().text);
         }
         refresh();
     });
@@ -187,7 +181,7 @@ void StoredMounts::rename(const profile::StoredProfile& mount)
         if (isInForce(mount)) {
             profile::Profile renamed = m_draft.edited();
             if (const Result<> fits = setName(renamed, name); !fits) {
-                Q_EMIT failed(text(fits.error()));
+                Q_EMIT failed(fits.error().text);
                 return;
             }
             m_draft.edit([&renamed](profile::Profile& profile) { profile = renamed; });
@@ -319,7 +313,7 @@ void StoredMounts::askTakeBack(const profile::StoredProfile& mount, const profil
             takeOver(before, profile::changedKeys(now, before));
             m_draft.apply(this, [this](const std::optional<Error>& error) {
                 if (error) {
-                    Q_EMIT failed(text(*error));
+                    Q_EMIT failed(error->text);
                 } else {
                     Q_EMIT done(tr("The last change is taken back"));
                 }

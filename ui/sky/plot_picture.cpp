@@ -49,7 +49,7 @@ Result<> savePicture(const QString& path, QSize size, const std::function<void(Q
         drawn = drawPng(file, size, paint);
     }
     if (!drawn || !file.commit()) {
-        return failure(ErrorCode::Io, file.errorString().toStdString());
+        return failure(ErrorCode::Io, file.errorString());
     }
     return {};
 }

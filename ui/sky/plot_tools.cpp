@@ -88,7 +88,7 @@ void PlotTools::askWhereTo()
 void PlotTools::save(const QString& path)
 {
     const Result<> saved = savePicture(path, size(), m_paint);
-    setReadout(saved ? tr("Saved") : tr("Not saved: %1").arg(QString::fromStdString(saved.error().text)));
+    setReadout(saved ? tr("Saved") : tr("Not saved: %1").arg(saved.error().text));
 }
 
 }  // namespace boresight::ui

@@ -32,7 +32,7 @@ void DiagnosticsSaver::save(const QString& path, const diagnostics::Snapshot& sn
         if (written) {
             Q_EMIT saved(path);
         } else {
-            Q_EMIT failed(QString::fromStdString(written.error().text));
+            Q_EMIT failed(written.error().text);
         }
     });
 }

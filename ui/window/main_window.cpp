@@ -266,8 +266,7 @@ void MainWindow::stop()
         if (error) {
             m_last.stopRefused();
             m_header->setStopRefused();
-            m_alarms->notice().setValue(tr("STOP: %1").arg(QString::fromStdString(error->text)), Tone::Alarm,
-                                        Symbol::Alarm);
+            m_alarms->notice().setValue(tr("STOP: %1").arg(error->text), Tone::Alarm, Symbol::Alarm);
         }
     });
 }

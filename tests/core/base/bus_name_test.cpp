@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/bus_name.h"
 
+#include "tests/fakes/text_of.h"
+
 #include <gmock/gmock.h>
 
 namespace boresight {
@@ -20,10 +22,10 @@ TEST(BusName, ReadsTheThreeKindsAndWritesThemBack)
 
 TEST(BusName, RefusesWithWhatToWrite)
 {
-    EXPECT_THAT(parseBusName("can0").error().text, testing::HasSubstr("'can0'"));
-    EXPECT_THAT(parseBusName("can0").error().text, testing::HasSubstr("socketcan:INTERFACE"));
-    EXPECT_THAT(parseBusName("socketcan:").error().text, testing::HasSubstr("names no interface"));
-    EXPECT_THAT(parseBusName("fdcanusb:").error().text, testing::HasSubstr("names no port"));
+    EXPECT_THAT(textOf(parseBusName("can0").error()), testing::HasSubstr("'can0'"));
+    EXPECT_THAT(textOf(parseBusName("can0").error()), testing::HasSubstr("socketcan:INTERFACE"));
+    EXPECT_THAT(textOf(parseBusName("socketcan:").error()), testing::HasSubstr("names no interface"));
+    EXPECT_THAT(textOf(parseBusName("fdcanusb:").error()), testing::HasSubstr("names no port"));
     for (const char* const bad : {"", "simulated ", "Simulated", "simulated:x", "socketcan:can 0", "socketcan:a/b",
                                   "socketcan:sixteen-letters0", "socketcan", "fdcanusb:/dev/a\nb", "socketcan:a\nb",
                                   "socketcan:\x7f", "fdcanusb:/dev/a\x7f"}) {

@@ -3,6 +3,7 @@
 
 #include "core/calibration/fit_words.h"
 #include "tests/fakes/swung_mount.h"
+#include "tests/fakes/text_of.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,7 +34,7 @@ std::vector<LevelSample> levels(const SwungMount& mount, const fakes::SwingPlan&
 std::string reason(const std::vector<LevelSample>& samples)
 {
     const auto tilt = fitAxisTilt(samples, {});
-    return tilt ? "accepted" : tilt.error().text;
+    return tilt ? "accepted" : textOf(tilt.error());
 }
 
 // REQ-CALIBRATION-10 (AxisTilt.*): Elevations over the same turn give size and direction of the tilt, and the zero of

@@ -3,6 +3,7 @@
 
 #include "tests/core/calibration/mentions.h"
 #include "tests/fakes/swung_mount.h"
+#include "tests/fakes/text_of.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,14 +51,14 @@ double northError(const CompassSwing& swing, const SwungMount& mount)
 CompassSwing fitted(const SwungMount& mount, const fakes::SwingPlan& plan = {})
 {
     const auto swing = fitCompassSwing(swung(mount, plan).samples);
-    EXPECT_TRUE(swing.has_value()) << (swing ? "" : swing.error().text);
+    EXPECT_TRUE(swing.has_value()) << (swing ? "" : textOf(swing.error()));
     return swing.value_or(CompassSwing{});
 }
 
 std::string swingReason(const std::vector<SwingSample>& samples)
 {
     const auto swing = fitCompassSwing(samples);
-    return swing ? "accepted" : swing.error().text;
+    return swing ? "accepted" : textOf(swing.error());
 }
 
 std::ptrdiff_t count(const CompassSwing& swing, SampleFate fate)
@@ -343,7 +344,7 @@ TEST(CompassSwing, TheSigmaIsHonestForRandomMounts)
         for (int i = 0; i < kMounts; ++i) {
             const SwungMount mount = fakes::randomMount(random, needle);
             const auto swing = fitCompassSwing(fakes::swing(mount, random).samples);
-            ASSERT_TRUE(swing.has_value()) << swing.error().text;
+            ASSERT_TRUE(swing.has_value()) << textOf(swing.error());
             ASSERT_EQ(swing->curve.sense, mount.sense);
             const double error = std::abs(northError(*swing, mount));
             within2 += error < 2.0 ? 1 : 0;

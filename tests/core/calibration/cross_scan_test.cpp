@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/cross_scan.h"
 
+#include "tests/fakes/text_of.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -39,7 +41,7 @@ std::vector<ScanReading> scan(const Source& source, double reach, int count, uns
 std::string scanReason(const std::vector<ScanReading>& readings)
 {
     const auto peak = fitScan(readings);
-    return peak ? "accepted" : peak.error().text;
+    return peak ? "accepted" : textOf(peak.error());
 }
 
 // REQ-CALIBRATION-11 (CrossScan.*): The peak of a scan is found, with its sigma, on the sphere. Single readings far
@@ -149,7 +151,7 @@ TEST(CrossScan, ARealBeamIsNoGaussian)
                 readings.push_back({Angle::fromDegrees(x), 10.0 * std::log10(1.0 + 9.0 * voltage * voltage)});
             }
             const auto peak = fitScan(readings);
-            ASSERT_TRUE(peak.has_value()) << at << " of " << reach << ": " << peak.error().text;
+            ASSERT_TRUE(peak.has_value()) << at << " of " << reach << ": " << textOf(peak.error());
             EXPECT_NEAR(peak->offset.value.degrees(), at, 0.03) << reach;
         }
     }
@@ -199,7 +201,7 @@ TEST(CrossScan, OneReadingFarOffIsNotThePeak)
     readings[5].decibels += 18.0;
     readings[18].decibels -= 15.0;
     const auto peak = fitScan(readings);
-    ASSERT_TRUE(peak.has_value()) << peak.error().text;
+    ASSERT_TRUE(peak.has_value()) << textOf(peak.error());
     EXPECT_NEAR(peak->offset.value.degrees(), 1.0, 0.1);
 }
 
@@ -235,7 +237,7 @@ TEST(CrossScan, BothLinesGiveThePlaceOfTheAxes)
     EXPECT_NEAR(cross->peak.elevation.degrees(), 59.466, 2e-3);
     const auto bad = fitCrossScan({.azimuth = 0_deg, .elevation = 60_deg}, scan({.at = 1.5}, 8.0, 33), {});
     ASSERT_FALSE(bad.has_value());
-    EXPECT_THAT(bad.error().text, HasSubstr("in elevation: 0 readings"));
+    EXPECT_THAT(textOf(bad.error()), HasSubstr("in elevation: 0 readings"));
     // It may have been run through the peak of the other: nothing is beside it then.
     const auto through =
         fitCrossScan({.azimuth = 370_deg, .elevation = 60_deg}, scan({.at = 1.5, .rise = 1e6}, 8.0, 33),

@@ -3,6 +3,7 @@
 
 #include "tests/core/calibration/mentions.h"
 #include "tests/fakes/sun_points.h"
+#include "tests/fakes/text_of.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -69,7 +70,7 @@ double off(const PointingFit& fit, const PointingTerms& truth, Term term)
 std::string fitReason(const std::vector<CalibrationPoint>& points)
 {
     const auto fit = fitPointing(points, {});
-    return fit ? "accepted" : fit.error().text;
+    return fit ? "accepted" : textOf(fit.error());
 }
 
 // REQ-CALIBRATION-12: One point gives the offset of azimuth, two that of elevation too. Further terms move from three

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/record_text.h"
 
+#include "tests/fakes/text_of.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -75,14 +77,14 @@ CalibrationRecord bare()
 std::string written(const CalibrationHistory& history)
 {
     const auto text = toText(history);
-    EXPECT_TRUE(text.has_value()) << (text ? "" : text.error().text);
+    EXPECT_TRUE(text.has_value()) << (text ? "" : textOf(text.error()));
     return text.value_or("");
 }
 
 std::string recordReason(const std::string& text)
 {
     const auto history = parseHistory(text, "calibration.toml");
-    return history ? "accepted" : history.error().text;
+    return history ? "accepted" : textOf(history.error());
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& with)
@@ -100,7 +102,7 @@ TEST(RecordText, EverythingSurvives)
     const CalibrationHistory history({full(), bare(), full()}, 2, {full()});
     const std::string text = written(history);
     const auto read = parseHistory(text, "calibration.toml");
-    ASSERT_TRUE(read.has_value()) << read.error().text;
+    ASSERT_TRUE(read.has_value()) << textOf(read.error());
     EXPECT_EQ(read->inForce(), 2U);
     ASSERT_EQ(read->entries().size(), 3U);
     ASSERT_EQ(read->superseded().size(), 1U);
@@ -224,7 +226,7 @@ TEST(RecordText, WritesNothingThatCannotBeReadAgain)
     broken.points[0].axes.azimuth = Angle::fromDegrees(std::nan(""));
     const auto text = toText(CalibrationHistory({broken}, 1));
     ASSERT_FALSE(text.has_value());
-    EXPECT_THAT(text.error().text, HasSubstr("axis_azimuth_deg"));
+    EXPECT_THAT(textOf(text.error()), HasSubstr("axis_azimuth_deg"));
     CalibrationRecord controls = full();
     controls.title = "two\nlines";
     EXPECT_THAT(written(CalibrationHistory({controls}, 1)), HasSubstr("title = \"two?lines\""));

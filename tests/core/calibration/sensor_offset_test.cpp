@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/sensor_offset.h"
 
+#include "tests/fakes/text_of.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -41,7 +43,7 @@ double offBy(const SensorOffset& offset, double truth)
 std::string offsetReason(const std::vector<SensorReading>& readings)
 {
     const auto offset = sensorOffset(readings);
-    return offset ? "accepted" : offset.error().text;
+    return offset ? "accepted" : textOf(offset.error());
 }
 
 // REQ-CALIBRATION-01: North from a still mount is a mean over the circle. It is refused, with the reason, while the

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/terms_text.h"
 
+#include "tests/fakes/text_of.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -42,7 +44,7 @@ elevation_sag 0 deg
 std::string termsReason(const std::string& text)
 {
     const auto sheet = parseTerms(text, "roof.terms");
-    return sheet ? "accepted" : sheet.error().text;
+    return sheet ? "accepted" : textOf(sheet.error());
 }
 
 std::string with(const std::string& what, const std::string& instead)
@@ -60,7 +62,7 @@ TEST(TermsText, EverythingSurvives)
     const TermSheet sheet = fullTerms();
     const std::string text = toText(sheet);
     const auto read = parseTerms(text, "roof.terms");
-    ASSERT_TRUE(read) << read.error().text;
+    ASSERT_TRUE(read) << textOf(read.error());
     EXPECT_EQ(sheet.mountName, read->mountName);
     EXPECT_EQ(sheet.when, read->when);
     EXPECT_EQ(sheet.mount.azimuthDrive, read->mount.azimuthDrive);
@@ -84,7 +86,7 @@ TEST(TermsText, NothingThatIsNotKnownIsInvented)
     EXPECT_EQ(std::string::npos, text.find("site:"));
     EXPECT_EQ(std::string::npos, text.find("drive:"));
     const auto read = parseTerms(text, "bare.terms");
-    ASSERT_TRUE(read) << read.error().text;
+    ASSERT_TRUE(read) << textOf(read.error());
     EXPECT_EQ(TermSheet{}, *read);
 }
 
@@ -105,7 +107,7 @@ TEST(TermsText, IsReadableToPeople)
 TEST(TermsText, ReadsWhatPeopleType)
 {
     const auto read = parseTerms("\xef\xbb\xbf# by hand: last summer\r\n\r\n  " + kSmall + "\t# the end", "roof.terms");
-    ASSERT_TRUE(read) << read.error().text;
+    ASSERT_TRUE(read) << textOf(read.error());
     EXPECT_NEAR(37.4, read->terms.azimuthOffset.degrees(), 1e-12);
     EXPECT_NEAR(-0.36, read->terms.tiltEast.degrees(), 1e-12);
     EXPECT_NEAR(0.01, read->sigmas[indexOf(Term::TiltEast)]->degrees(), 1e-12);
@@ -148,7 +150,7 @@ TEST(TermsText, SaysWhatIsWrongInTheHeader)
 
 TEST(TermsText, AllIsToldAtOnceButNoFlood)
 {
-    EXPECT_EQ("e.terms:0: azimuth_offset", parseTerms("", "e.terms").error().text.substr(0, 25));
+    EXPECT_EQ("e.terms:0: azimuth_offset", textOf(parseTerms("", "e.terms").error()).substr(0, 25));
     std::string rubbish;
     for (int i = 0; i < 1000; ++i) {
         rubbish += "x\x1b[2J 1 deg\n";

@@ -2,6 +2,7 @@
 // Frames and their answers, line by line.
 #include "core/can/line_checksum.h"
 #include "tests/core/can/fdcanusb_rig.h"
+#include "tests/fakes/text_of.h"
 
 namespace boresight {
 namespace {
@@ -112,7 +113,7 @@ TEST_F(FdcanusbLinkTest, AdapterThatTakesNoDataIsReported)
     }
     ASSERT_FALSE(result.has_value());
     EXPECT_EQ(result.error().code, ErrorCode::NoAnswer);
-    EXPECT_THAT(result.error().text, HasSubstr("takes no more data"));
+    EXPECT_THAT(textOf(result.error()), HasSubstr("takes no more data"));
 }
 
 // REQ-CAN-04: An impossible frame is refused before any frame of its batch is sent.

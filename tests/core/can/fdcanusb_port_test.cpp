@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The port of the adapter: unplugged, in use, locked, forbidden.
 #include "tests/core/can/fdcanusb_rig.h"
+#include "tests/fakes/text_of.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -30,7 +31,7 @@ TEST_F(FdcanusbLinkTest, UnpluggedAdapterIsLostAtOnceAndOpensAgain)
     EXPECT_THAT(text(), HasSubstr("the adapter is gone: plug it in again"));
     const auto sent = link.send(std::array{frameTo(0x8001, {0x50})});
     ASSERT_FALSE(sent.has_value());
-    EXPECT_EQ(sent.error().text, text());
+    EXPECT_EQ(textOf(sent.error()), text());
     ASSERT_FALSE(link.open().has_value());
 
     const QTemporaryDir folder;
@@ -87,14 +88,14 @@ TEST_F(FdcanusbLinkTest, OpenErrorsNameTheRemedy)
     const auto busy = second.open();
     ASSERT_FALSE(busy.has_value());
     EXPECT_EQ(busy.error().code, ErrorCode::Busy);
-    EXPECT_THAT(busy.error().text, HasSubstr("in use by another program"));
+    EXPECT_THAT(textOf(busy.error()), HasSubstr("in use by another program"));
 
     FdcanusbLink absent{QStringLiteral("/dev/boresight/absent"), clock};
     EXPECT_EQ(absent.open().error().code, ErrorCode::NoDevice);
-    EXPECT_THAT(absent.open().error().text, HasSubstr("plugged in"));
+    EXPECT_THAT(textOf(absent.open().error()), HasSubstr("plugged in"));
 
     FdcanusbLink file{QCoreApplication::applicationFilePath(), clock};
-    EXPECT_THAT(file.open().error().text, HasSubstr("not a serial port"));
+    EXPECT_THAT(textOf(file.open().error()), HasSubstr("not a serial port"));
 }
 
 // The maker's tools take no lock: the kernel tells who has the port open.
@@ -111,8 +112,8 @@ TEST_F(FdcanusbLinkTest, PortInUseNamesTheProgramThatHoldsIt)
     tool.kill();
     ASSERT_FALSE(busy.has_value());
     EXPECT_EQ(busy.error().code, ErrorCode::Busy);
-    EXPECT_EQ(busy.error().text, adapter.path().toStdString() + " is in use by sleep (process " +
-                                     std::to_string(tool.processId()) + "): end it first");
+    EXPECT_EQ(textOf(busy.error()), adapter.path().toStdString() + " is in use by sleep (process " +
+                                        std::to_string(tool.processId()) + "): end it first");
     ASSERT_TRUE(waitUntil([&tool] { return tool.state() == QProcess::NotRunning; }));
     open(link);
 }
@@ -129,8 +130,8 @@ TEST_F(FdcanusbLinkTest, PortThatIsLockedInAnyWayIsRefused)
     const auto busy = link.open();
     ASSERT_FALSE(busy.has_value());
     EXPECT_EQ(busy.error().code, ErrorCode::Busy);
-    EXPECT_EQ(busy.error().text, adapter.path().toStdString() + " is in use by can_test (process " +
-                                     std::to_string(getpid()) + "): end it first");
+    EXPECT_EQ(textOf(busy.error()), adapter.path().toStdString() + " is in use by can_test (process " +
+                                        std::to_string(getpid()) + "): end it first");
     EXPECT_EQ(adapter.written, QByteArray());
     ASSERT_EQ(flock(holder.number(), LOCK_UN), 0);
     open(link);
@@ -171,8 +172,8 @@ TEST_F(FdcanusbLinkTest, MissingPermissionNamesTheUdevRule)
     ASSERT_TRUE(!root || seteuid(0) == 0);
     ASSERT_FALSE(result.has_value());
     EXPECT_EQ(result.error().code, ErrorCode::Denied);
-    EXPECT_THAT(result.error().text, HasSubstr("70-boresight-fdcanusb.rules"));
-    EXPECT_THAT(result.error().text, HasSubstr("group dialout"));
+    EXPECT_THAT(textOf(result.error()), HasSubstr("70-boresight-fdcanusb.rules"));
+    EXPECT_THAT(textOf(result.error()), HasSubstr("group dialout"));
 }
 
 }  // namespace

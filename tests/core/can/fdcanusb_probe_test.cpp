@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/can/fdcanusb_rig.h"
+#include "tests/fakes/text_of.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -64,7 +65,7 @@ TEST_F(FdcanusbProbeTest, SilentPortHearsOneQuestionAndNothingElse)
     EXPECT_TRUE(link.status().leftAlone);
     EXPECT_EQ(link.status().sent, 0U);
     EXPECT_THAT(link.status().text.toStdString(), HasSubstr("no fdcanusb answers on this port"));
-    EXPECT_EQ(link.open().error().text, link.status().text.toStdString());
+    EXPECT_EQ(textOf(link.open().error()), link.status().text.toStdString());
     EXPECT_EQ(port.written, fakes::kProbe);
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/hex.h"
 #include "core/can/line_checksum.h"
+#include "tests/fakes/text_of.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -52,10 +53,10 @@ TEST(FdcanusbProtocol, PadsWithNopAndNeverSendsNoData)
 
 TEST(FdcanusbProtocol, RefusesWhatNoBusCanCarry)
 {
-    EXPECT_THAT(sendLine(frameOf(0x20000000, "50")).error().text, HasSubstr("29 bits"));
+    EXPECT_THAT(textOf(sendLine(frameOf(0x20000000, "50")).error()), HasSubstr("29 bits"));
     CanFrame classic = frameOf(0x8001, "010203040506070809");
     classic.flexibleData = false;
-    EXPECT_THAT(sendLine(classic).error().text, HasSubstr("too many bytes"));
+    EXPECT_THAT(textOf(sendLine(classic).error()), HasSubstr("too many bytes"));
 }
 
 TEST(FdcanusbProtocol, ReadsFramesOfOldAndNewFirmware)

@@ -3,6 +3,7 @@
 #include "tests/core/can/adapter_probe.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/pseudo_terminal.h"
+#include "tests/fakes/text_of.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QDir>
@@ -36,7 +37,7 @@ protected:
         ASSERT_TRUE(QDir(folder.path()).mkdir(QStringLiteral("by-id")));
         name("usb-mjbots_fdcanusb_F34E5D64-if00", first);
         const auto opened = link.open();
-        ASSERT_TRUE(opened.has_value()) << opened.error().text;
+        ASSERT_TRUE(opened.has_value()) << textOf(opened.error());
         fakes::answerProbe(first, link);
     }
     [[nodiscard]] QString path(const char* entry) const
@@ -77,7 +78,7 @@ TEST_F(FdcanusbReplugTest, AdapterIsFoundAgainUnderItsStableName)
     const auto absent = link.open();
     ASSERT_FALSE(absent.has_value());
     EXPECT_EQ(absent.error().code, ErrorCode::NoDevice);
-    EXPECT_THAT(absent.error().text,
+    EXPECT_THAT(textOf(absent.error()),
                 HasSubstr("usb-mjbots_fdcanusb_F34E5D64-if00 is not there: is the adapter plugged"));
 
     name("usb-mjbots_fdcanusb_F34E5D64-if00", second);

@@ -5,6 +5,7 @@
 #include "tests/core/can/adapter_probe.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/pseudo_terminal.h"
+#include "tests/fakes/text_of.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QSignalSpy>
@@ -44,7 +45,7 @@ protected:
     static void open(FdcanusbLink& opened)
     {
         const auto result = opened.open();
-        ASSERT_TRUE(result.has_value()) << result.error().text;
+        ASSERT_TRUE(result.has_value()) << textOf(result.error());
     }
 
     [[nodiscard]] CanFrame received(qsizetype index) const { return qvariant_cast<CanFrame>(frames.at(index).at(0)); }

@@ -3,6 +3,7 @@
 // interface shows is in socketcan_link_test.cpp, which runs in User-Mode Linux.
 #include "core/can/socketcan_link.h"
 #include "tests/fakes/manual_clock.h"
+#include "tests/fakes/text_of.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QSignalSpy>
@@ -138,7 +139,7 @@ TEST_F(SocketCanFakeTest, RemovedInterfaceIsLostUntilOpenedAgain)
     can.become(InterfaceState::Absent);
     EXPECT_EQ(link.status().state, LinkState::Lost);
     EXPECT_THAT(text(), HasSubstr("removed"));
-    EXPECT_EQ(link.send(std::array{frameTo(0x8001)}).error().text, text());
+    EXPECT_EQ(textOf(link.send(std::array{frameTo(0x8001)}).error()), text());
     can.become(InterfaceState::Up);
     EXPECT_EQ(link.status().state, LinkState::Lost);
     ASSERT_TRUE(link.open().has_value());
@@ -322,8 +323,8 @@ TEST_F(SocketCanFakeTest, FullTransmitQueueTellsHowManyFramesLeft)
     ASSERT_FALSE(result.has_value());
     const auto sent = link.status().sent;
     EXPECT_GT(sent, 0U);
-    EXPECT_THAT(result.error().text, HasSubstr("transmit queue is full"));
-    EXPECT_THAT(result.error().text, HasSubstr("(" + std::to_string(sent) + " of 100000 frames sent)"));
+    EXPECT_THAT(textOf(result.error()), HasSubstr("transmit queue is full"));
+    EXPECT_THAT(textOf(result.error()), HasSubstr("(" + std::to_string(sent) + " of 100000 frames sent)"));
     EXPECT_EQ(link.status().state, LinkState::Up);
 
     RawFrame raw;
@@ -354,12 +355,12 @@ TEST_F(SocketCanFakeTest, ReceiverMayCloseTheLink)
     can.put(socketcan::toRaw(frameTo(0x200)).value());
     ASSERT_TRUE(becomes(LinkState::Closed));
     EXPECT_EQ(frames.size(), 1);
-    EXPECT_THAT(link.send(std::array{frameTo(0x8001)}).error().text, HasSubstr("not open"));
+    EXPECT_THAT(textOf(link.send(std::array{frameTo(0x8001)}).error()), HasSubstr("not open"));
 }
 
 TEST_F(SocketCanFakeTest, OpenErrorIsPassedOn)
 {
-    can.refusal = Error{ErrorCode::NoDevice, "there is no interface can0"};
+    can.refusal = Error{ErrorCode::NoDevice, QStringLiteral("there is no interface can0")};
     EXPECT_EQ(link.open().error(), *can.refusal);
     EXPECT_EQ(link.status().state, LinkState::Closed);
 }

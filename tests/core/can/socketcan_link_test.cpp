@@ -5,6 +5,7 @@
 
 #include "core/can/bit_timing.h"
 #include "tests/fakes/pseudo_terminal.h"
+#include "tests/fakes/text_of.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QElapsedTimer>
@@ -66,7 +67,7 @@ protected:
         }
         ASSERT_TRUE(usable);
         const auto opened = link.open();
-        ASSERT_TRUE(opened.has_value()) << opened.error().text;
+        ASSERT_TRUE(opened.has_value()) << textOf(opened.error());
     }
     void TearDown() override { static_cast<void>(run("ip link del boresight0 2>/dev/null")); }
 
@@ -194,7 +195,7 @@ TEST_F(SocketCanLinkTest, DownAndUpAreNoticedWithoutSending)
     EXPECT_THAT(text(), HasSubstr("is down; bring it up with `ip link set boresight0 mtu 72 up`"));
     const auto sent = link.send(std::array{frameTo(0x8001)});
     ASSERT_FALSE(sent.has_value());
-    EXPECT_THAT(sent.error().text, HasSubstr("is down"));
+    EXPECT_THAT(textOf(sent.error()), HasSubstr("is down"));
     ASSERT_TRUE(run("ip link set boresight0 up"));
     ASSERT_TRUE(becomes(LinkState::Up));
     EXPECT_EQ(text(), "");
@@ -225,7 +226,7 @@ TEST_F(SocketCanLinkTest, RemovedInterfaceIsLostAndOpensAgainWhenItIsBack)
     ASSERT_TRUE(run("ip link del boresight0"));
     ASSERT_TRUE(becomes(LinkState::Lost));
     EXPECT_THAT(text(), HasSubstr("removed"));
-    EXPECT_THAT(link.open().error().text, HasSubstr("there is no interface boresight0"));
+    EXPECT_THAT(textOf(link.open().error()), HasSubstr("there is no interface boresight0"));
     ASSERT_TRUE(run("ip link add boresight0 type vcan && ip link set boresight0 mtu 72 up"));
     ASSERT_TRUE(link.open().has_value());
     EXPECT_TRUE(link.send(std::array{frameTo(0x8001)}).has_value());
@@ -250,10 +251,10 @@ TEST_F(SocketCanLinkTest, ReplacedInterfaceIsLost)
 TEST_F(SocketCanLinkTest, OpenErrorsNameTheRemedy)
 {
     SocketCanLink loopback(QStringLiteral("lo"), clock);
-    EXPECT_THAT(loopback.open().error().text, HasSubstr("lo is not a CAN interface"));
+    EXPECT_THAT(textOf(loopback.open().error()), HasSubstr("lo is not a CAN interface"));
     link.close();
     ASSERT_TRUE(run("ip link set boresight0 down && ip link set boresight0 mtu 16 up"));
-    EXPECT_THAT(link.open().error().text, HasSubstr("boresight0 is not a CAN-FD interface (mtu 16): `ip link set"));
+    EXPECT_THAT(textOf(link.open().error()), HasSubstr("boresight0 is not a CAN-FD interface (mtu 16): `ip link set"));
 }
 
 // REQ-CAN-15
@@ -289,8 +290,9 @@ TEST_F(SocketCanLinkTest, KernelTellsTheBitTimingOfAController)
     socketcan::KernelCanInterface access(QString::fromStdString(name));
     const auto socket = access.openSocket();
     ASSERT_FALSE(socket.has_value());
-    EXPECT_THAT(socket.error().text, HasSubstr(name + " is not a CAN-FD interface (mtu 16): `ip link set " + name +
-                                               " down`, then `ip link set " + name + " up type can bitrate 1000000"));
+    EXPECT_THAT(textOf(socket.error()),
+                HasSubstr(name + " is not a CAN-FD interface (mtu 16): `ip link set " + name +
+                          " down`, then `ip link set " + name + " up type can bitrate 1000000"));
     const auto report = access.report();
     ASSERT_TRUE(report.has_value());
     EXPECT_EQ(report->kind, "can");
@@ -334,8 +336,8 @@ TEST_F(SocketCanLinkTest, FullTransmitQueueStopsTheBatchAndIsSaid)
     const std::vector<CanFrame> batch(20, frameTo(0x8001));
     const auto result = link.send(batch);
     ASSERT_FALSE(result.has_value());
-    EXPECT_THAT(result.error().text, HasSubstr("transmit queue is full"));
-    EXPECT_THAT(result.error().text, HasSubstr("of 20 frames sent"));
+    EXPECT_THAT(textOf(result.error()), HasSubstr("transmit queue is full"));
+    EXPECT_THAT(textOf(result.error()), HasSubstr("of 20 frames sent"));
     EXPECT_LT(link.status().sent, 20U);
     EXPECT_EQ(link.status().state, LinkState::Up);
     ASSERT_TRUE(run("tc qdisc del dev boresight0 root"));

@@ -4,6 +4,7 @@
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/ideal_drive.h"
 #include "tests/fakes/manual_clock.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -52,7 +53,7 @@ struct ArmingRig
     [[nodiscard]] std::string refusal(const Source& source = kOperator) const
     {
         const Result<> admitted = arming.admits(source);
-        return admitted ? std::string() : admitted.error().text;
+        return admitted ? std::string() : textOf(admitted.error());
     }
 
     [[nodiscard]] bool logSays(const char* words) const
@@ -106,7 +107,7 @@ TEST(Arming, WaitsForBothDrivesAndTheirFitness)
     rig.elevation.silent = false;
     rig.run(Seconds(0.1));
     EXPECT_EQ(rig.refusal(), "the drives have not been looked at yet");
-    rig.mount.setFitness(failure(ErrorCode::Refused, "servo.timeout_mode is 12"));
+    rig.mount.setFitness(failure(ErrorCode::Refused, QStringLiteral("servo.timeout_mode is 12")));
     EXPECT_EQ(rig.refusal(), "servo.timeout_mode is 12");
     rig.mount.setFitness({});
     EXPECT_TRUE(rig.arming.admits(kOperator));
@@ -218,8 +219,8 @@ TEST(Arming, HeatMustPassBeforeARearm)
     rig.run(Seconds(0.1));
     const Result<> hot = rig.arming.rearm(kOperator);
     ASSERT_FALSE(hot);
-    EXPECT_NE(hot.error().text.find("azimuth drive: the drive board is still at 76 °C"), std::string::npos)
-        << hot.error().text;
+    EXPECT_NE(textOf(hot.error()).find("azimuth drive: the drive board is still at 76 °C"), std::string::npos)
+        << textOf(hot.error());
     rig.azimuth.temperature = 60.0;
     rig.run(Seconds(0.1));
     EXPECT_TRUE(rig.arming.rearm(kOperator));
@@ -235,7 +236,7 @@ TEST(Arming, WhatWouldStopTheMountAgainOnTheOtherAxisRefusesTheRearmToo)
     rig.run(Seconds(0.1));
     const Result<> hot = rig.arming.rearm(kOperator);
     ASSERT_FALSE(hot);
-    EXPECT_EQ(hot.error().text, "elevation drive: the drive board is still at 78 °C; it must cool down to 70 °C");
+    EXPECT_EQ(textOf(hot.error()), "elevation drive: the drive board is still at 78 °C; it must cool down to 70 °C");
     EXPECT_TRUE(rig.arming.fault());
     rig.elevation.temperature = 69.0;
     rig.run(Seconds(0.1));
@@ -269,7 +270,7 @@ TEST(Arming, AProgramThatClosesStartsAndRearmsNothing)
     EXPECT_EQ(rig.refusal(), "Boresight is closing");
     rig.fail(rig.azimuth, 35);
     rig.run(Seconds(0.1));
-    EXPECT_EQ(rig.arming.rearm(kOperator).error().text, "Boresight is closing");
+    EXPECT_EQ(textOf(rig.arming.rearm(kOperator).error()), "Boresight is closing");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "core/control/client_lead.h"
 
 #include "tests/fakes/manual_clock.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +28,7 @@ protected:
         const Result<> may = lead.admits(rules, client(id), clock.now());
         if (!may) {
             EXPECT_EQ(may.error().code, ErrorCode::Refused);
-            return may.error().text;
+            return textOf(may.error());
         }
         lead.moved(client(id), clock.now());
         return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the station publishes of each action is what it answers when the action is asked for.
 #include "tests/core/control/station_rig.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -80,7 +81,7 @@ void switchedOff(StationRig& rig)
 void unfit(StationRig& rig)
 {
     standing(rig);
-    rig.mount.setFitness(failure(ErrorCode::Refused, "the drives are being read"));
+    rig.mount.setFitness(failure(ErrorCode::Refused, QStringLiteral("the drives are being read")));
 }
 
 void unconfirmed(StationRig& rig)
@@ -188,7 +189,7 @@ TEST_P(PermissionsIn, AnActionIsAnsweredAsItWasPublished)
         GetParam().situation(rig);
         const std::string published = rig.control.status().permissions.reason(action).toStdString();
         const Result<> answer = rig.ask(requestOf(action, rig));
-        const std::string told = answer ? std::string() : answer.error().text;
+        const std::string told = answer ? std::string() : textOf(answer.error());
         EXPECT_EQ(published, told.substr(0, told.find(". The nearest permitted"))) << static_cast<int>(action);
     }
 }
@@ -329,9 +330,9 @@ TEST(Permissions, AClientIsToldWhyControlCannotBeGivenToIt)
     rig.profile.rotctld.lead = profile::Lead::Locked;
     rig.profile.rotctld.lockedTo = "10.0.0.7";
     rig.setProfile(rig.profile);
-    EXPECT_EQ(obstacle(2), rig.ask(request::GiveLead{.clientId = 2}).error().text);
+    EXPECT_EQ(obstacle(2), textOf(rig.ask(request::GiveLead{.clientId = 2}).error()));
     ASSERT_TRUE(rig.ask(request::Stop{}));
-    EXPECT_EQ(obstacle(2), rig.ask(request::GiveLead{.clientId = 2}).error().text);
+    EXPECT_EQ(obstacle(2), textOf(rig.ask(request::GiveLead{.clientId = 2}).error()));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 // (station_broker_test, station_test).
 #include "core/station/station_rotator.h"
 #include "tests/core/control/station_rig.h"
+#include "tests/fakes/text_of.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -67,7 +68,7 @@ TEST(ProfileInForce, ARearmIsRefusedByTheNumbersOfNow)
     rig.setProfile(demanding);
     const Result<> refused = rig.ask(request::Rearm{});
     ASSERT_FALSE(refused);
-    EXPECT_THAT(refused.error().text, HasSubstr("30.0 V are needed"));
+    EXPECT_THAT(textOf(refused.error()), HasSubstr("30.0 V are needed"));
     rig.setProfile(before);
     EXPECT_TRUE(rig.ask(request::Rearm{}));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Several clients and an operator: who moves the mount, and what the others hear.
 #include "tests/core/control/station_rig.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,7 @@ protected:
         rig.control.describe(status, lastMotion);
         return status;
     }
-    static std::string text(const Result<>& result) { return result ? std::string() : result.error().text; }
+    static std::string text(const Result<>& result) { return result ? std::string() : textOf(result.error()); }
     double target() { return rig.control.status().azimuth.target->degrees(); }
 
     StationRig rig;

@@ -2,6 +2,7 @@
 // What the operator's desk asks: trim, settings at run time, first moves of an unproven mount, single alarms.
 #include "core/alarms/catalogue.h"
 #include "tests/core/control/station_rig.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -82,7 +83,7 @@ TEST(StationDesk, UnwindTurnsBackToTheSameDirection)
     EXPECT_NEAR(rig.elevationDegrees(), 30.0, 0.05);
     const auto again = rig.ask(request::Unwind{});
     ASSERT_FALSE(again);
-    EXPECT_EQ(again.error().text, "In this direction the azimuth cable is already wound least.");
+    EXPECT_EQ(textOf(again.error()), "In this direction the azimuth cable is already wound least.");
 }
 
 // REQ-CONTROL-34
@@ -116,7 +117,7 @@ TEST(StationDesk, AProfileThatMakesNoSenseIsRefusedWithItsKey)
     odd.jog.slow = 9_deg_s;
     const Result<> answer = rig.ask(request::ApplyProfile{odd});
     ASSERT_FALSE(answer);
-    EXPECT_NE(answer.error().text.find("jog."), std::string::npos);
+    EXPECT_NE(textOf(answer.error()).find("jog."), std::string::npos);
     EXPECT_FALSE(rig.ask(request::ApplyProfile{rig.profile}, kClient)) << "settings are the operator's";
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/control/station_rig.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -349,7 +350,7 @@ TEST(StationControl, ADriveWithoutAPositionIsNotMoved)
     StationRig rig;
     rig.elevation.position = std::numeric_limits<double>::quiet_NaN();
     rig.run(Seconds(0.5));
-    EXPECT_EQ(rig.point(10.0, 10.0, kOperator).error().text,
+    EXPECT_EQ(textOf(rig.point(10.0, 10.0, kOperator).error()),
               "The elevation drive reports no position. Check its encoder.");
     EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 1_deg_s}}));
     EXPECT_FALSE(rig.ask(request::ProveCrashStop{2_deg_s}));
@@ -394,7 +395,7 @@ TEST(StationControl, DrivesThatAreNotFitAnyMoreAreNotMovedOn)
     ASSERT_TRUE(rig.ask(request::Move{{.azimuth = 5_deg_s}}));
     rig.run(Seconds(2.0));
     ASSERT_TRUE(rig.moving());
-    rig.mount.setFitness(failure(ErrorCode::Refused, "not as it should be"));
+    rig.mount.setFitness(failure(ErrorCode::Refused, QStringLiteral("not as it should be")));
     rig.run(Seconds(1.5));
     EXPECT_FALSE(rig.moving());
     EXPECT_EQ(rig.state(), StationState::Hold);

@@ -3,6 +3,7 @@
 #include "core/station/station_rotator.h"
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/random_pointing.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -196,9 +197,9 @@ TEST(StationPointingModel, KeepOutsAreTrueDirections)
     ModelRig rig(profile);
     const auto refused = rig.point(315, 20, kOperator);
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().text.find("azimuth -45.0° elevation 20.0° is in the keep-out \"mast\""),
+    EXPECT_NE(textOf(refused.error()).find("azimuth -45.0° elevation 20.0° is in the keep-out \"mast\""),
               std::string::npos)
-        << refused.error().text;
+        << textOf(refused.error());
     ASSERT_TRUE(rig.point(280, 20, kOperator));
     rig.settle();
     ASSERT_TRUE(rig.point(345, 20, kOperator));

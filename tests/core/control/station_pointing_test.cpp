@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/control/station_rig.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -46,7 +47,7 @@ TEST(StationControl, TheOperatorIsRefusedWhatIsOutside)
     const auto answer = rig.point(10.0, -5.0, kOperator);
     ASSERT_FALSE(answer);
     EXPECT_EQ(answer.error().code, ErrorCode::OutOfRange);
-    EXPECT_NE(answer.error().text.find("limit"), std::string::npos);
+    EXPECT_NE(textOf(answer.error()).find("limit"), std::string::npos);
     rig.run(Seconds(0.5));
     EXPECT_EQ(rig.commands(), 0U);
     EXPECT_FALSE(rig.ask(request::PointAxes{{.azimuth = 451_deg, .elevation = 0_deg}}));
@@ -59,7 +60,7 @@ TEST(StationControl, TheOperatorIsNotSentOverTheTop)
     rig.run(Seconds(0.1));
     const auto answer = rig.point(10.0, 95.0, kOperator);
     ASSERT_FALSE(answer);
-    EXPECT_EQ(answer.error().text, "elevation 95.00° above limit 90.00°");
+    EXPECT_EQ(textOf(answer.error()), "elevation 95.00° above limit 90.00°");
     EXPECT_TRUE(rig.point(10.0, 95.0, kClient)) << "to a client it is a direction";
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whoever asks: what is forbidden is refused with its reason, or the nearest permitted place is driven, and shown.
 #include "tests/core/control/station_rig.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -73,7 +74,7 @@ TEST(StationRegion, TheOperatorIsRefusedAForbiddenPlaceAndToldTheNearest)
     const auto answer = rig.point(315, 35, kOperator);
     ASSERT_FALSE(answer);
     EXPECT_EQ(answer.error().code, ErrorCode::OutOfRange);
-    EXPECT_EQ(answer.error().text,
+    EXPECT_EQ(textOf(answer.error()),
               "azimuth -45.0° elevation 35.0° is in the keep-out \"stationMast\". The nearest permitted position "
               "is -45.00° 40.00°.");
     EXPECT_EQ(rig.commands(), 0U);
@@ -87,7 +88,7 @@ TEST(StationRegion, ParkingInAKeepOutIsRefused)
     rig.run(Seconds(0.1));
     const auto answer = rig.ask(request::Park{});
     ASSERT_FALSE(answer);
-    EXPECT_NE(answer.error().text.find("keep-out \"stationMast\""), std::string::npos);
+    EXPECT_NE(textOf(answer.error()).find("keep-out \"stationMast\""), std::string::npos);
 }
 
 TEST(StationRegion, AGoToIsDrivenAroundAndShowsItsRoute)
@@ -120,7 +121,7 @@ TEST(StationRegion, ADirectionBehindAWallIsReachedByAnotherTurn)
     EXPECT_NEAR(rig.azimuthDegrees(), -20, 0.001);
     const auto answer = rig.ask(request::PointAxes{{.azimuth = 340_deg, .elevation = 5_deg}});
     ASSERT_FALSE(answer);
-    EXPECT_NE(answer.error().text.find("the keep-out \"stationMast\" is in between"), std::string::npos);
+    EXPECT_NE(textOf(answer.error()).find("the keep-out \"stationMast\" is in between"), std::string::npos);
 }
 
 TEST(StationRegion, AClientGetsTheNearestPermittedPlace)

@@ -6,6 +6,7 @@
 #include "core/ephemeris/refraction.h"
 #include "core/units/angle_between.h"
 #include "tests/core/control/station_rig.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -93,7 +94,7 @@ TEST(StationSun, NobodyMovesIntoIt)
     const SkyPointing sun = rig.sun();
     const auto answer = rig.ask(request::PointSky{sun});
     ASSERT_FALSE(answer);
-    EXPECT_NE(answer.error().text.find("is in the keep-out \"Sun\""), std::string::npos) << answer.error().text;
+    EXPECT_NE(textOf(answer.error()).find("is in the keep-out \"Sun\""), std::string::npos) << textOf(answer.error());
     ASSERT_TRUE(rig.goesTo(sun.azimuth.degrees() - 30.0, sun.elevation.degrees()));
     for (int i = 0; i < 100; ++i) {
         (void)rig.ask(request::Jog{{.azimuth = 6_deg_s}});
@@ -250,7 +251,7 @@ struct DoubtedRig : StationRig
     [[nodiscard]] std::string refusal(double azimuthDegrees, double elevationDegrees)
     {
         const auto answer = point(azimuthDegrees, elevationDegrees, kOperator);
-        return answer ? "" : answer.error().text;
+        return answer ? "" : textOf(answer.error());
     }
 };
 

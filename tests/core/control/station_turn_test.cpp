@@ -2,6 +2,7 @@
 // Which turn an axis is on: asked where it cannot be shown, written into the drive, journalled. What proves it, and
 // what does not any more: station_turn_proof_test.cpp.
 #include "tests/core/control/station_rig.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -150,7 +151,7 @@ TEST(StationTurns, WhatTheDriveContradictsIsNotTaken)
     EXPECT_EQ(question->candidates.size(), 2U) << "0° and 360°";
     const auto refused = rig.ask(request::ChooseTurn{Axis::Azimuth, 100_deg});
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().text.find("contradicts"), std::string::npos) << refused.error().text;
+    EXPECT_NE(textOf(refused.error()).find("contradicts"), std::string::npos) << textOf(refused.error());
 }
 
 // The elevation coasted beyond its travel (0…90°) without power, and nobody has a journal.
@@ -216,7 +217,7 @@ TEST(StationTurns, BeyondItsBoundsADriveIsToldItsPlaceOnlyWhenItIsOff)
     const request::ChooseTurn answer{Axis::Elevation, -7_deg};
     const Result<> held = rig.ask(answer);
     ASSERT_FALSE(held);
-    EXPECT_NE(held.error().text.find("switch the drives off first"), std::string::npos) << held.error().text;
+    EXPECT_NE(textOf(held.error()).find("switch the drives off first"), std::string::npos) << textOf(held.error());
     ASSERT_TRUE(rig.ask(request::SwitchOff{}));
     rig.run(Seconds(0.3));
     rig.elevation.mode = moteus::Mode::PositionTimeout;
@@ -260,9 +261,9 @@ TEST(StationTurns, APlaceFarOutsideTheTravelIsRefused)
         const Result<> refused = rig.ask(request::ChooseTurn{Axis::Azimuth, far});
         ASSERT_FALSE(refused);
         EXPECT_EQ(refused.error().code, ErrorCode::OutOfRange);
-        EXPECT_NE(refused.error().text.find("outside the travel (-90.0° to 450.0°) by more than 15.0°"),
+        EXPECT_NE(textOf(refused.error()).find("outside the travel (-90.0° to 450.0°) by more than 15.0°"),
                   std::string::npos)
-            << refused.error().text;
+            << textOf(refused.error());
     }
     EXPECT_FALSE(rig.control.status().azimuth.turnKnown);
     EXPECT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 405_deg}));
@@ -308,11 +309,11 @@ TEST(StationTurns, FarOutsideTheTravelOnlyTheOperatorJogsSlowlyAndInwards)
     const std::string why =
         "The azimuth drive stands at 460.00°, outside its travel (-90.00° to 450.00°). Jog it back "
         "slowly.";
-    EXPECT_EQ(rig.point(100.0, 30.0).error().text, why);
-    EXPECT_EQ(rig.point(100.0, 30.0, kOperator).error().text, why);
-    EXPECT_EQ(rig.ask(request::Park{}).error().text, why);
-    EXPECT_EQ(rig.ask(request::Move{{.azimuth = -1_deg_s}}, kClient).error().text, why);
-    EXPECT_EQ(rig.ask(request::ProveCrashStop{2_deg_s}).error().text, why);
+    EXPECT_EQ(textOf(rig.point(100.0, 30.0).error()), why);
+    EXPECT_EQ(textOf(rig.point(100.0, 30.0, kOperator).error()), why);
+    EXPECT_EQ(textOf(rig.ask(request::Park{}).error()), why);
+    EXPECT_EQ(textOf(rig.ask(request::Move{{.azimuth = -1_deg_s}}, kClient).error()), why);
+    EXPECT_EQ(textOf(rig.ask(request::ProveCrashStop{2_deg_s}).error()), why);
     EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = -1_deg_s}}, kClient));
     EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 0.5_deg_s}})) << "outwards";
     EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = -3_deg_s}})) << "faster than jog.unwind";

@@ -272,7 +272,7 @@ private:
                 drive(axis).temperature = number(20.0, 90.0);
                 break;
             case 10:
-                m_rig.mount.setFitness(failure(ErrorCode::Refused, "not as it should be"));
+                m_rig.mount.setFitness(failure(ErrorCode::Refused, QStringLiteral("not as it should be")));
                 m_promises.fitness(false);
                 break;
             case 11:

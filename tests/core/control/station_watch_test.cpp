@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a drive does not tell by itself: it stalls, jumps or runs away, and says that all is well.
 #include "tests/core/control/station_rig.h"
+#include "tests/fakes/text_of.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -167,7 +168,7 @@ TEST(StationWatch, ASupplyThatStoppedTheMountIsNotOverBeforeItIsBack)
     ASSERT_EQ(rig.state(), StationState::Fault);
     const auto hot = rig.ask(request::Rearm{});
     ASSERT_FALSE(hot);
-    EXPECT_THAT(hot.error().text, HasSubstr("the supply is still at 11.5 V; 20.0 V are needed"));
+    EXPECT_THAT(textOf(hot.error()), HasSubstr("the supply is still at 11.5 V; 20.0 V are needed"));
     rig.run(Seconds(1.0));
     EXPECT_EQ(rig.state(), StationState::Fault);
     EXPECT_FALSE(rig.alarm("supply of the azimuth is at 11.5 V").empty());

@@ -2,6 +2,7 @@
 #include "core/diagnostics/bundle.h"
 
 #include "core/profile/profile_file.h"
+#include "tests/fakes/text_of.h"
 
 #include <QDir>
 #include <QFile>
@@ -160,7 +161,7 @@ TEST(DiagnosticsBundle, AnUnwritablePlaceIsToldAndLeavesWhatWasThere)
     const QString nowhere = rig.folder.filePath(QStringLiteral("none/bundle.tar.gz"));
     const auto written = writeBundle(nowhere, collect(rig.snapshot), kWhen);
     ASSERT_FALSE(written);
-    EXPECT_EQ(written.error().text, nowhere.toStdString() + ": No such file or directory");
+    EXPECT_EQ(textOf(written.error()), nowhere.toStdString() + ": No such file or directory");
     ASSERT_TRUE(QDir().mkpath(rig.archive()));
     EXPECT_FALSE(writeBundle(rig.archive(), collect(rig.snapshot), kWhen));
     EXPECT_TRUE(QDir(rig.archive()).exists());

@@ -3,6 +3,7 @@
 
 #include "core/geomagnetism/coefficient_file.h"
 #include "tests/core/geomagnetism/synthetic_model.h"
+#include "tests/fakes/text_of.h"
 
 #include <QTemporaryDir>
 
@@ -37,7 +38,7 @@ std::string spoiled(const std::string& from, const std::string& to)
 std::string refusal(const std::string& text)
 {
     const auto read = parseCoefficients(text);
-    return read ? "taken" : read.error().text;
+    return read ? "taken" : textOf(read.error());
 }
 
 }  // namespace
@@ -47,7 +48,7 @@ std::string refusal(const std::string& text)
 TEST(Coefficients, AreReadAsTheyStand)
 {
     const auto read = parseCoefficients(goodText());
-    ASSERT_TRUE(read) << read.error().text;
+    ASSERT_TRUE(read) << textOf(read.error());
     EXPECT_EQ(read->name, "WMM-2030");
     EXPECT_EQ(read->epoch, 2030.0);
     EXPECT_EQ(read->main[termIndex(1, 0)], (Term{-29351.8, 0.0}));
@@ -112,12 +113,12 @@ TEST(CoefficientFile, ErrorsNameTheFile)
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("spoiled.cof"));
     std::ofstream(path.toStdString()) << spoiled("4545.4", "x");
-    EXPECT_EQ(readCoefficients(path).error().text, path.toStdString() + ": line 3: \"x\" is no number");
+    EXPECT_EQ(textOf(readCoefficients(path).error()), path.toStdString() + ": line 3: \"x\" is no number");
     std::ofstream(path.toStdString()) << goodText();
     EXPECT_EQ(readCoefficients(path), parseCoefficients(goodText()));
     std::ofstream(path.toStdString()) << std::string(100000, ' ');
     EXPECT_EQ(readCoefficients(path).error().code, ErrorCode::InvalidInput);
     const auto absent = readCoefficients(folder.filePath(QStringLiteral("absent.cof")));
     EXPECT_EQ(absent.error().code, ErrorCode::Io);
-    EXPECT_NE(absent.error().text.find("absent.cof cannot be read"), std::string::npos);
+    EXPECT_NE(textOf(absent.error()).find("absent.cof cannot be read"), std::string::npos);
 }

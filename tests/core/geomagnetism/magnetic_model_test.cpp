@@ -2,6 +2,7 @@
 #include "core/geomagnetism/magnetic_model.h"
 
 #include "tests/core/geomagnetism/synthetic_model.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -159,7 +160,7 @@ TEST(MagneticModel, IsRefusedOutsideItsFiveYearsAndTheOneAfter)
     const auto late = model.at(kZeroZero, 2031.01);
     ASSERT_FALSE(late);
     EXPECT_EQ(late.error().code, ErrorCode::OutOfRange);
-    EXPECT_EQ(late.error().text,
+    EXPECT_EQ(textOf(late.error()),
               "the magnetic model TEST is valid from 2025.00 to 2030.00, not in 2031.01: a file of "
               "the present one is needed (World Magnetic Model, .COF); type the declination meanwhile");
     EXPECT_FALSE(model.at(kZeroZero, 2024.99));

@@ -4,6 +4,7 @@
 #include "core/base/numbers.h"
 #include "core/geomagnetism/coefficient_file.h"
 #include "core/geomagnetism/magnetic_model.h"
+#include "tests/fakes/text_of.h"
 
 #include <QFile>
 
@@ -56,7 +57,7 @@ protected:
                          << "set BORESIGHT_REFERENCE_DATA to their folder";
         }
         auto read = readCoefficients(file);
-        ASSERT_TRUE(read) << read.error().text;
+        ASSERT_TRUE(read) << textOf(read.error());
         m_model.emplace(std::move(*read));
     }
 
@@ -76,7 +77,7 @@ TEST_F(OfficialValues, AreMetInAllRows)
         ASSERT_EQ(row.size(), 18U);
         const Site site{Angle::fromDegrees(row[2]), Angle::fromDegrees(row[3]), 1000.0 * row[1]};
         const auto field = m_model->at(site, row[0]);
-        ASSERT_TRUE(field) << field.error().text;
+        ASSERT_TRUE(field) << textOf(field.error());
         const auto& [now, change] = *field;
         EXPECT_NEAR(now.declination.degrees(), row[4], 0.00501);
         EXPECT_NEAR(now.inclination.degrees(), row[5], 0.00501);

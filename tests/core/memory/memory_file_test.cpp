@@ -3,6 +3,7 @@
 
 #include "core/memory/memory_text.h"
 #include "tests/core/memory/example_memory.h"
+#include "tests/fakes/text_of.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QDir>
@@ -133,7 +134,7 @@ TEST_F(MemoryFileTest, ASecondProgramIsKeptOutAndToldByWhom)
     const Result<> refused = second.claim();
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::Busy);
-    EXPECT_THAT(refused.error().text,
+    EXPECT_THAT(textOf(refused.error()),
                 StartsWith("memory_file_test (process " + std::to_string(getpid()) + ") controls this mount already"));
     EXPECT_TRUE(MemoryFile(m_dir.path(), QStringLiteral("other")).claim()) << "another mount";
 }
@@ -167,7 +168,7 @@ TEST_F(MemoryFileTest, ALockOfAnotherUserKeepsOthersOut)
         const Result<> claimed = MemoryFile(m_dir.path(), QStringLiteral("mast")).claim();
         EXPECT_TRUE(!root || seteuid(0) == 0);
         return claimed ? std::pair(ErrorCode::Io, std::string())
-                       : std::pair(claimed.error().code, claimed.error().text);
+                       : std::pair(claimed.error().code, textOf(claimed.error()));
     };
     const auto [denied, why] = claimOfNobody(0);
     EXPECT_EQ(denied, ErrorCode::Denied);
@@ -348,7 +349,7 @@ TEST_F(MemoryFileTest, AFailureIsTold)
     EXPECT_THAT(failed[0][0].toString().toStdString(), StartsWith(file.path().toStdString() + ": "));
     const auto flushed = file.flush();
     ASSERT_FALSE(flushed);
-    EXPECT_THAT(flushed.error().text, StartsWith(file.path().toStdString()));
+    EXPECT_THAT(textOf(flushed.error()), StartsWith(file.path().toStdString()));
 }
 
 TEST_F(MemoryFileTest, WhatNoAxisCanBeLeavesTheGoodFileAlone)
@@ -359,7 +360,7 @@ TEST_F(MemoryFileTest, WhatNoAxisCanBeLeavesTheGoodFileAlone)
     file.save(at(std::nan("")));
     const auto flushed = file.flush();
     ASSERT_FALSE(flushed);
-    EXPECT_EQ(flushed.error().text, "azimuth.turn.angle_rad is not finite");
+    EXPECT_EQ(textOf(flushed.error()), "azimuth.turn.angle_rad is not finite");
     EXPECT_EQ(load().memory, at(1.0));
 }
 

@@ -2,6 +2,7 @@
 #include "core/memory/memory_text.h"
 
 #include "tests/core/memory/example_memory.h"
+#include "tests/fakes/text_of.h"
 
 #include <QCryptographicHash>
 #include <QJsonDocument>
@@ -26,7 +27,7 @@ using testing::HasSubstr;
 std::string problemOf(const QByteArray& text)
 {
     const auto parsed = parseMemory(text);
-    return parsed ? "accepted" : parsed.error().text;
+    return parsed ? "accepted" : textOf(parsed.error());
 }
 
 // REQ-MEMORY-01: What is written reads back the same: doubles to the last bit, times to the millisecond. Nothing is
@@ -37,7 +38,7 @@ TEST(MemoryText, SurvivesTheRoundTripExactly)
         const auto text = toText(memory);
         ASSERT_TRUE(text);
         const auto parsed = parseMemory(*text);
-        ASSERT_TRUE(parsed) << parsed.error().text;
+        ASSERT_TRUE(parsed) << textOf(parsed.error());
         EXPECT_EQ(*parsed, memory);
     }
 }
@@ -77,7 +78,7 @@ TEST(MemoryText, ReadsAFileOfVersionOne)
     }
 })";
     const auto parsed = parseMemory(text);
-    ASSERT_TRUE(parsed) << parsed.error().text;
+    ASSERT_TRUE(parsed) << textOf(parsed.error());
     const TurnRecord turn{.drive = kAzimuthDrive,
                           .angle = Angle::fromRadians(7.0625),
                           .reported = MotorTurns::fromTurns(1.125),
@@ -105,7 +106,7 @@ TEST(MemoryText, KeepsTheFormOfItsFile)
     const std::string kept{std::istreambuf_iterator<char>(file), {}};
     EXPECT_EQ(toText(exampleMemory())->toStdString(), kept);
     const auto parsed = parseMemory(QByteArray::fromStdString(kept));
-    ASSERT_TRUE(parsed) << parsed.error().text;
+    ASSERT_TRUE(parsed) << textOf(parsed.error());
     EXPECT_EQ(*parsed, exampleMemory());
 }
 
@@ -123,7 +124,7 @@ TEST(MemoryText, KeepsEveryDoubleToTheLastBit)
         memory.turns[0]->reported = MotorTurns::fromTurns(-value);
         memory.turns[0]->uptime = Seconds(std::abs(value));
         const auto parsed = toText(memory).and_then(parseMemory);
-        ASSERT_TRUE(parsed) << value << ": " << parsed.error().text;
+        ASSERT_TRUE(parsed) << value << ": " << textOf(parsed.error());
         ASSERT_EQ(*parsed, memory) << value;
     }
 }
@@ -184,7 +185,7 @@ TEST_P(MemoryTextRefuses, WhatNoAxisCanBe)
     GetParam().change(memory);
     const auto text = toText(memory);
     ASSERT_FALSE(text);
-    EXPECT_EQ(text.error().text, GetParam().reason);
+    EXPECT_EQ(textOf(text.error()), GetParam().reason);
 }
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -283,7 +284,7 @@ TEST_F(MemoryTextRubbish, IsNeverAcceptedAsSomethingElse)
         const auto parsed = parseMemory(text);
         refused += parsed ? 0 : 1;
         ASSERT_TRUE(!parsed || *parsed == memory) << text.toStdString();
-        ASSERT_TRUE(parsed || !parsed.error().text.empty());
+        ASSERT_TRUE(parsed || !textOf(parsed.error()).empty());
     }
     EXPECT_GT(refused, 14000);  // the rest hit a space, or put the same character there
 }

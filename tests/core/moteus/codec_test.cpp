@@ -2,6 +2,7 @@
 #include "core/moteus/codec.h"
 
 #include "tests/core/moteus/golden.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +31,7 @@ Request trackingRequest()
 TEST(MoteusCodec, TrackingCommandAndFullReportFitOneFrame)
 {
     const auto frame = encode(trackingRequest());
-    ASSERT_TRUE(frame) << frame.error().text;
+    ASSERT_TRUE(frame) << textOf(frame.error());
     EXPECT_EQ(frame->size, 64);
     EXPECT_EQ(toHex(frame->payload()),
               "01000a"                            // mode = position
@@ -125,7 +126,7 @@ TEST(MoteusCodec, RefusesWhatDoesNotFitTheRequest)
     const auto frame = encode(request);
     ASSERT_FALSE(frame);
     EXPECT_EQ(frame.error().code, ErrorCode::OutOfRange);
-    EXPECT_NE(frame.error().text.find("of 64 bytes"), std::string::npos) << frame.error().text;
+    EXPECT_NE(textOf(frame.error()).find("of 64 bytes"), std::string::npos) << textOf(frame.error());
 }
 
 // REQ-MOTEUS-06
@@ -136,7 +137,7 @@ TEST(MoteusCodec, RefusesAQueryWhoseTailWouldBeMissing)
     query.push_back({Register::ControlPosition, Resolution::Float});
     const auto frame = encode({.query = query});
     ASSERT_FALSE(frame);
-    EXPECT_EQ(frame.error().text, "the last part of the reply would start after byte 41 and be left out");
+    EXPECT_EQ(textOf(frame.error()), "the last part of the reply would start after byte 41 and be left out");
 }
 
 // REQ-MOTEUS-06

@@ -3,6 +3,7 @@
 
 #include "core/moteus/frame_server.h"
 #include "tests/core/moteus/recording_device.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -87,7 +88,7 @@ TEST_F(MoteusDiagnostic, TelemetryIsABlockOfBytesOrLines)
 {
     const std::string bytes("\x01\n\r\nOK\r\nERR\0", 13);
     const auto block = run("tel get motor_position", "emit motor_position\r\n" + std::string("\x0d\0\0\0", 4) + bytes);
-    ASSERT_TRUE(block) << block.error().text;
+    ASSERT_TRUE(block) << textOf(block.error());
     EXPECT_EQ(*block, Lines{bytes});
     const auto empty = run("tel get nothing", std::string("emit nothing\r\n\0\0\0\0", 18));
     ASSERT_TRUE(empty);
@@ -123,7 +124,7 @@ TEST_F(MoteusDiagnostic, AnErrorIsToldInTheDrivesWords)
 {
     const auto answer = run("conf get nothing", "ERR unknown group\r\n");
     ASSERT_FALSE(answer);
-    EXPECT_EQ(answer.error(), (Error{ErrorCode::Refused, "the drive says: ERR unknown group"}));
+    EXPECT_EQ(answer.error(), (Error{ErrorCode::Refused, QStringLiteral("the drive says: ERR unknown group")}));
 }
 
 TEST_F(MoteusDiagnostic, LongCommandsTravelInParts)
@@ -180,7 +181,8 @@ TEST_F(MoteusDiagnostic, WithoutFlowControlALostReplyFailsTheCommand)
     isLost = [before](int frame) { return frame == before + 4; };
     const auto answer = run("conf list", std::string(100, 'a') + "\r\nOK\r\n");
     ASSERT_FALSE(answer);
-    EXPECT_EQ(answer.error(), (Error{ErrorCode::NoAnswer, "a part of the answer was lost; repeat the command"}));
+    EXPECT_EQ(answer.error(),
+              (Error{ErrorCode::NoAnswer, QStringLiteral("a part of the answer was lost; repeat the command")}));
 }
 
 TEST_F(MoteusDiagnostic, ASilentDriveIsGivenUp)
@@ -188,7 +190,7 @@ TEST_F(MoteusDiagnostic, ASilentDriveIsGivenUp)
     isLost = [](int) { return true; };
     const auto answer = run("conf get id.id", "1\r\n");
     ASSERT_FALSE(answer);
-    EXPECT_EQ(answer.error(), (Error{ErrorCode::NoAnswer, "drive 1 does not answer on its console"}));
+    EXPECT_EQ(answer.error(), (Error{ErrorCode::NoAnswer, QStringLiteral("drive 1 does not answer on its console")}));
     EXPECT_EQ(frames, 5);
 }
 
@@ -196,7 +198,8 @@ TEST_F(MoteusDiagnostic, AnAnswerThatNeverComesIsGivenUp)
 {
     const auto answer = run("conf get id.id", "");
     ASSERT_FALSE(answer);
-    EXPECT_EQ(answer.error(), (Error{ErrorCode::NoAnswer, "the drive's console did not answer the command"}));
+    EXPECT_EQ(answer.error(),
+              (Error{ErrorCode::NoAnswer, QStringLiteral("the drive's console did not answer the command")}));
     EXPECT_EQ(run("conf get id.id", "1\r\n"), Lines{"1"});
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/moteus/codec.h"
 #include "tests/core/moteus/golden.h"
+#include "tests/fakes/text_of.h"
 
 #include <QHash>
 
@@ -157,7 +158,7 @@ TEST(GoldenCommands, EncodeToTheRecordedFrames)
             EXPECT_EQ(frame.error(), answerable.error());
             return;
         }
-        ASSERT_TRUE(frame) << frame.error().text;
+        ASSERT_TRUE(frame) << textOf(frame.error());
         EXPECT_EQ(toHex(frame->payload()), golden::text(vector, "wire"));
         EXPECT_EQ(frame->id, golden::hexNumber(vector[QLatin1String("arbitration_id")]));
         EXPECT_EQ(frame->extended, vector[QLatin1String("extended")].toBool());

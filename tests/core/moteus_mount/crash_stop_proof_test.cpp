@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/moteus_mount/crash_stop_proof.h"
 
+#include "tests/fakes/text_of.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -131,7 +133,7 @@ TEST(CrashStopProof, NeedsRoomOnOneSide)
     EXPECT_TRUE(CrashStopProof::prepare(2_deg_s, {0_deg, 1_deg}, kAzimuthTravel, narrow));
     const auto refused = CrashStopProof::prepare(5_deg_s, {0_deg, 7_deg}, kAzimuthTravel, narrow);
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().text.find("elevation"), std::string::npos);
+    EXPECT_NE(textOf(refused.error()).find("elevation"), std::string::npos);
 }
 
 TEST(CrashStopProof, MovesAwayFromTheNearerEnd)

@@ -5,6 +5,7 @@
 #include "core/sim/simulated_pair.h"
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/manual_clock.h"
+#include "tests/fakes/text_of.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -89,7 +90,7 @@ struct CareRig
     [[nodiscard]] std::string refusal(const Request& request) const
     {
         const Result<> may = care.admits(request);
-        return may ? std::string() : may.error().text;
+        return may ? std::string() : textOf(may.error());
     }
 
     // As the station does it; empty when accepted.
@@ -97,7 +98,7 @@ struct CareRig
     {
         const Result<> answer =
             control.request(request, kOperator).and_then([&] { return care.carryOut(request, clock.now()); });
-        return answer ? std::string() : answer.error().text;
+        return answer ? std::string() : textOf(answer.error());
     }
 
     // As the station does it.

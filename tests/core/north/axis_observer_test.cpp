@@ -2,6 +2,7 @@
 #include "core/north/axis_observer.h"
 
 #include "tests/core/control/station_rig.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +35,7 @@ TEST(AxisObserver, AMountThatMovesDoesNotStandStill)
     rig.watch(Seconds(2.0));
     const Result<> moves = rig.axes.standStill();
     ASSERT_FALSE(moves);
-    EXPECT_EQ("the mount still moves", moves.error().text);
+    EXPECT_EQ("the mount still moves", textOf(moves.error()));
     rig.watch(Seconds(60.0));
     EXPECT_TRUE(rig.axes.standStill());
 }

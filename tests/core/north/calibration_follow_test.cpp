@@ -5,6 +5,7 @@
 #include "core/station/station_rotator.h"
 #include "core/units/angle_between.h"
 #include "tests/core/north/calibration_sun.h"
+#include "tests/fakes/text_of.h"
 
 #include <algorithm>
 #include <limits>
@@ -35,7 +36,7 @@ TEST(CalibrationFollow, AClockThatIsSetMovesNothing)
     }));
     EXPECT_FALSE(rig.ask(request::TakePoint{})) << "Story: a Sun 45° beside the beam was taken, and north moved 15°";
     const auto again = rig.ask(request::FollowBody{.body = Body::Sun});
-    EXPECT_TRUE(again) << again.error().text;
+    EXPECT_TRUE(again) << textOf(again.error());
 }
 
 // REQ-NORTH-37b
@@ -60,7 +61,7 @@ TEST(CalibrationFollow, TermsTypedMeanwhileAreRefused)
     typed.pointing.azimuthOffset = 50_deg;
     const auto refused = rig.ask(request::ApplyProfile{typed});
     ASSERT_FALSE(refused);
-    EXPECT_NE(std::string::npos, refused.error().text.find("Press Hold"));
+    EXPECT_NE(std::string::npos, textOf(refused.error()).find("Press Hold"));
     profile::Profile other = rig.profile;
     other.park.elevation = 45_deg;
     EXPECT_TRUE(rig.ask(request::ApplyProfile{other}));  // has nothing to do with north
@@ -221,14 +222,14 @@ TEST(CalibrationFollow, NoPointIsTakenOnceTheMountWasSentElsewhere)
         follow(rig);
         ASSERT_EQ(Body::Sun, rig.status().body);
         const auto sent = rig.ask(errand);
-        ASSERT_TRUE(sent) << sent.error().text;
+        ASSERT_TRUE(sent) << textOf(sent.error());
         rig.run(Seconds(1.0));
         ASSERT_TRUE(rig.ask(request::EndCalibration{}));
         ASSERT_TRUE(rig.ask(request::Hold{}));
         rig.run(Seconds(5.0));
         const auto taken = rig.ask(request::TakePoint{});
         ASSERT_FALSE(taken) << errand.index();
-        EXPECT_NE(std::string::npos, taken.error().text.find("follow the Sun or the Moon first"));
+        EXPECT_NE(std::string::npos, textOf(taken.error()).find("follow the Sun or the Moon first"));
         EXPECT_FALSE(rig.status().body) << errand.index();
         EXPECT_FALSE(rig.status().pointObstacle.isEmpty());
         follow(rig);
@@ -271,7 +272,7 @@ TEST(CalibrationFollow, APointIsTakenWhatWasCentredByHand)
                                       .elevation = wanted.elevation - rig.axes().elevation}));
     rig.run(Seconds(20.0));
     const auto taken = rig.ask(request::TakePoint{});
-    ASSERT_TRUE(taken) << taken.error().text;
+    ASSERT_TRUE(taken) << textOf(taken.error());
     EXPECT_EQ(std::string::npos, rig.lastLog().find("beside")) << "no north has been found yet";
     EXPECT_EQ(Body::Sun, rig.status().body);
     ASSERT_TRUE(rig.apply());

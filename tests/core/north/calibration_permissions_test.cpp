@@ -3,6 +3,7 @@
 #include "core/north/calibration_gates.h"
 #include "tests/core/north/calibration_sun.h"
 #include "tests/core/north/calibration_swing.h"
+#include "tests/fakes/text_of.h"
 
 #include <array>
 #include <ostream>
@@ -224,7 +225,7 @@ protected:
     {
         const std::string told = published(rig).reason(action).toStdString();
         const Result<> answer = rig.ask(requestOf(action, rig.status().proposal));
-        EXPECT_EQ(told, answer ? std::string() : answer.error().text) << static_cast<int>(action);
+        EXPECT_EQ(told, answer ? std::string() : textOf(answer.error())) << static_cast<int>(action);
     }
 };
 
@@ -263,7 +264,7 @@ TEST(CalibrationPermissions, ThePointOfABodyIsTakenAsItWasPublished)
         situation(rig);
         const std::string told = published(rig).reason(Action::TakeSun).toStdString();
         const Result<> answer = rig.ask(request::TakePoint{});
-        EXPECT_EQ(told, answer ? std::string() : answer.error().text);
+        EXPECT_EQ(told, answer ? std::string() : textOf(answer.error()));
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sun and Moon, points, the pointing model from them; Apply, Undo and Redo.
 #include "tests/core/north/calibration_sun.h"
+#include "tests/fakes/text_of.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -68,7 +69,7 @@ TEST(CalibrationPoints, TheSunIsRefusedWhereTheProfileKeepsAwayFromIt)
     rig.run(Seconds(1.0));
     const auto refused = rig.ask(request::FollowBody{.body = Body::Sun});
     ASSERT_FALSE(refused);
-    EXPECT_NE(std::string::npos, refused.error().text.find("sun.keep_away"));
+    EXPECT_NE(std::string::npos, textOf(refused.error()).find("sun.keep_away"));
 }
 
 TEST(CalibrationPoints, WhatIsDownOrUnknownIsRefused)
@@ -288,7 +289,7 @@ TEST(CalibrationPoints, UndoAndRedoLoseNothingThatWasTypedSince)
     rig.setProfile(typed);
     const auto undone = rig.ask(request::UndoCalibration{});
     ASSERT_FALSE(undone);
-    EXPECT_NE(std::string::npos, undone.error().text.find("50.00°")) << undone.error().text;
+    EXPECT_NE(std::string::npos, textOf(undone.error()).find("50.00°")) << textOf(undone.error());
     EXPECT_EQ(typed, rig.profile);
     rig.setProfile(applied);
     ASSERT_TRUE(rig.ask(request::UndoCalibration{}));

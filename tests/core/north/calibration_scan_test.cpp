@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A scan across the Sun by the power of a small dish: what ends it, and what its readings are of.
 #include "tests/core/north/calibration_sun.h"
+#include "tests/fakes/text_of.h"
 
 #include <cmath>
 
@@ -46,7 +47,7 @@ void startScan(CalibrationRig& rig, Angle width = 8_deg, bool overTheTop = false
     setHour(rig, 8.0);
     follow(rig, Body::Sun, overTheTop);
     const auto started = rig.ask(request::StartCrossScan{.width = width, .body = Body::Sun});
-    ASSERT_TRUE(started) << started.error().text;
+    ASSERT_TRUE(started) << textOf(started.error());
 }
 
 // REQ-NORTH-38d
@@ -133,7 +134,7 @@ TEST(CalibrationScan, OverTheTopStaysThere)
     narrow.limits.elevation.max = rig.axes().elevation + 4.1_deg;
     rig.setProfile(narrow);
     const auto started = rig.ask(request::StartCrossScan{.width = 8_deg, .body = Body::Sun});
-    ASSERT_TRUE(started) << started.error().text;
+    ASSERT_TRUE(started) << textOf(started.error());
     rig.run(Seconds(60.0));  // the power lets wait
     for (int i = 0; i < 200000 && scans(rig); ++i) {
         rig.tick();
@@ -181,7 +182,7 @@ TEST(CalibrationScan, WhereItWasHeldIsNoPoint)
     EXPECT_TRUE(rig.status().progress.failed);
     const auto refused = rig.ask(request::TakePoint{});
     ASSERT_FALSE(refused);
-    EXPECT_NE(std::string::npos, refused.error().text.find("follow the Sun"));
+    EXPECT_NE(std::string::npos, textOf(refused.error()).find("follow the Sun"));
     follow(rig);
     EXPECT_TRUE(rig.ask(request::TakePoint{}));
 }
@@ -236,7 +237,7 @@ TEST(CalibrationScan, IsRefusedWhereItsPlacesAreForbidden)
     ASSERT_LT(rig.status().bodies.at(0).direction.elevation, 3_deg);
     const auto refused = rig.ask(request::StartCrossScan{.width = 20_deg, .body = Body::Sun});
     ASSERT_FALSE(refused);
-    EXPECT_NE(std::string::npos, refused.error().text.find("less wide"));
+    EXPECT_NE(std::string::npos, textOf(refused.error()).find("less wide"));
     EXPECT_TRUE(rig.ask(request::StartCrossScan{.width = 1_deg, .body = Body::Sun}));
 }
 

@@ -2,6 +2,7 @@
 // The average of the still sensor, on a mount whose north is hidden.
 #include "tests/core/north/calibration_sun.h"
 #include "tests/core/north/calibration_swing.h"
+#include "tests/fakes/text_of.h"
 
 namespace boresight {
 namespace {
@@ -87,7 +88,7 @@ TEST(CalibrationSensor, IsNotAveragedWhileABodyIsFollowed)
     follow(rig);
     const auto refused = rig.ask(request::MeasureSensorOffset{});
     ASSERT_FALSE(refused);
-    EXPECT_EQ("the mount follows the Sun: hold it first", refused.error().text);
+    EXPECT_EQ("the mount follows the Sun: hold it first", textOf(refused.error()));
     ASSERT_TRUE(rig.ask(request::Hold{}));
     rig.run(Seconds(3.0));
     EXPECT_TRUE(rig.ask(request::MeasureSensorOffset{}));
@@ -100,7 +101,7 @@ TEST(CalibrationSensor, IsNotAveragedWhileTheMountMoves)
     rig.run(Seconds(2.0));
     const auto refused = rig.ask(request::MeasureSensorOffset{});
     ASSERT_FALSE(refused);
-    EXPECT_NE(std::string::npos, refused.error().text.find("still moves"));
+    EXPECT_NE(std::string::npos, textOf(refused.error()).find("still moves"));
 }
 
 // Both come from one busy moment: the follower has not seen yet that the mount was sent elsewhere.
@@ -111,7 +112,7 @@ TEST(CalibrationSensor, AnAverageRightAfterTheBodyWasLeftIsNoFault)
     follow(rig);
     ASSERT_TRUE(rig.control.request(request::PointAxes{{.azimuth = 200_deg, .elevation = 30_deg}}, kOperator));
     const auto measures = rig.desk.carryOut(request::MeasureSensorOffset{});
-    EXPECT_TRUE(measures || measures.error().text.find("follows the") == std::string::npos);
+    EXPECT_TRUE(measures || textOf(measures.error()).find("follows the") == std::string::npos);
     rig.run(Seconds(1.0));
     EXPECT_FALSE(rig.status().following);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/core/north/calibration_rig.h"
+#include "tests/fakes/text_of.h"
 
 // What an operator does with the Sun of a summer's day over the mast of calibration_rig.h.
 namespace boresight {
@@ -35,7 +36,7 @@ inline profile::Profile profileOverTheTop()
 inline void follow(CalibrationRig& rig, ephemeris::Body body = ephemeris::Body::Sun, bool overTheTop = false)
 {
     const auto followed = rig.ask(request::FollowBody{.body = body, .overTheTop = overTheTop});
-    ASSERT_TRUE(followed) << followed.error().text;
+    ASSERT_TRUE(followed) << textOf(followed.error());
     rig.run(Seconds(70.0));
     ASSERT_EQ(StationState::Track, rig.state());
 }
@@ -71,7 +72,7 @@ inline void takeSun(CalibrationRig& rig, double hour, bool overTheTop = false)
     follow(rig, ephemeris::Body::Sun, overTheTop);
     centre(rig);
     const auto taken = rig.ask(request::TakePoint{});
-    ASSERT_TRUE(taken) << taken.error().text;
+    ASSERT_TRUE(taken) << textOf(taken.error());
 }
 
 }  // namespace boresight

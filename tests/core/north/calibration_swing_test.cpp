@@ -3,6 +3,7 @@
 #include "tests/core/north/calibration_swing.h"
 
 #include "core/witness/sensor_curve.h"
+#include "tests/fakes/text_of.h"
 
 #include <algorithm>
 
@@ -258,7 +259,7 @@ TEST(CalibrationSwing, IsRefusedWithTheReason)
     rig.run(Seconds(3.0));
     const auto refused = rig.ask(kSweep);
     ASSERT_FALSE(refused);
-    EXPECT_NE(std::string::npos, refused.error().text.find("magnetometer"));
+    EXPECT_NE(std::string::npos, textOf(refused.error()).find("magnetometer"));
     rig.calibration->magnetometer = 3;
     rig.run(Seconds(3.0));
     ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
@@ -288,7 +289,7 @@ TEST(CalibrationSwing, IsRefusedWithTheBoomTooHigh)
         ASSERT_NEAR(elevation, rig.axes().elevation.degrees(), 0.1);
         const auto swing = rig.ask(kSweep);
         ASSERT_FALSE(swing);
-        EXPECT_NE(std::string::npos, swing.error().text.find("lower it"));
+        EXPECT_NE(std::string::npos, textOf(swing.error()).find("lower it"));
         EXPECT_FALSE(rig.ask(request::MeasureSensorOffset{}));
     }
 }

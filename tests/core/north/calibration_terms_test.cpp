@@ -2,6 +2,7 @@
 // Terms that are typed or read from a text, the text of those in force, and what is said of another drive or site.
 #include "core/alarms/catalogue.h"
 #include "tests/core/north/calibration_rig.h"
+#include "tests/fakes/text_of.h"
 
 #include <QTemporaryDir>
 
@@ -206,7 +207,7 @@ TEST(CalibrationTerms, WhatIsOutOfRangeIsNamedWithTheRange)
     ASSERT_FALSE(refused);
     EXPECT_EQ(ErrorCode::OutOfRange, refused.error().code);
     EXPECT_EQ("pointing.azimuth_offset_deg: 400 is outside -360…360; pointing.tilt_east_deg: -12 is outside -10…10",
-              refused.error().text);
+              textOf(refused.error()));
     wild = typed();
     wild.collimation = Angle::fromDegrees(std::numeric_limits<double>::quiet_NaN());
     EXPECT_FALSE(rig.ask(request::ProposeTerms{wild}));
@@ -232,8 +233,8 @@ TEST(CalibrationTerms, AProfileThatCouldNotBeLoadedIsRefused)
     rig.tick();
     const auto refused = rig.apply();
     ASSERT_FALSE(refused);
-    EXPECT_THAT(refused.error().text, HasSubstr("park would then be forbidden"));
-    EXPECT_THAT(refused.error().text, HasSubstr("set another one first"));
+    EXPECT_THAT(textOf(refused.error()), HasSubstr("park would then be forbidden"));
+    EXPECT_THAT(textOf(refused.error()), HasSubstr("set another one first"));
 }
 
 TEST(CalibrationTerms, TheSensorKeepsItsNorthAndThatIsSaid)
@@ -331,7 +332,7 @@ TEST(CalibrationTerms, ATextThatCannotBeReadIsRefusedWithTheLine)
     const auto refused =
         rig.ask(request::ImportTerms{.name = QStringLiteral("roof.terms"), .text = "azimuth_offset 37,4 deg\n"});
     ASSERT_FALSE(refused);
-    EXPECT_THAT(refused.error().text, HasSubstr("roof.terms:1: \"37,4\" is not a number"));
+    EXPECT_THAT(textOf(refused.error()), HasSubstr("roof.terms:1: \"37,4\" is not a number"));
     rig.tick();
     EXPECT_FALSE(rig.status().proposal);
 }

@@ -2,6 +2,7 @@
 #include "core/north/live_sensor.h"
 
 #include "tests/fakes/manual_clock.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +39,7 @@ struct LiveSensorRig
 
 std::string refusalOf(const Result<>& result)
 {
-    return result ? std::string() : result.error().text;
+    return result ? std::string() : textOf(result.error());
 }
 
 TEST(LiveSensor, ASensorCountsOnceItWasHeard)

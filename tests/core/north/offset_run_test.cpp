@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/north/offset_run.h"
 
+#include "tests/fakes/text_of.h"
+
 #include <gtest/gtest.h>
 
 namespace boresight {
@@ -53,7 +55,7 @@ TEST(OffsetRun, TheDeclinationIsPartOfNorth)
     const double addedBySensor = profile::SensorSettings{}.declinationInSensor.degrees();
     const OffsetRun run = withReadings(20, standingAt(100.0), 132.4 + addedBySensor);
     const auto offset = run.outcome({}, 5_deg);
-    ASSERT_TRUE(offset) << offset.error().text;
+    ASSERT_TRUE(offset) << textOf(offset.error());
     EXPECT_NEAR(37.4, offset->offset.value.degrees(), 1e-6);
     EXPECT_EQ(20U, offset->used);
     EXPECT_EQ(QStringLiteral("readings: 20"), run.text());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/north/scan_run.h"
 
+#include "tests/fakes/text_of.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -109,7 +111,7 @@ TEST(ScanRun, OnTheWayBackNothingIsListenedTo)
     EXPECT_FALSE(scan.heard(scanTime(now + 10.0)));
     EXPECT_TRUE(scan.done(scanTime(now + 5.0)));
     const auto peak = scan.outcome({.azimuth = 100_deg, .elevation = 0_deg});
-    ASSERT_TRUE(peak) << peak.error().text;
+    ASSERT_TRUE(peak) << textOf(peak.error());
     EXPECT_NEAR(101.0, peak->peak.azimuth.degrees(), 0.01);
     EXPECT_NEAR(-0.5, peak->peak.elevation.degrees(), 0.01);
 }

@@ -4,6 +4,7 @@
 #include "core/sim_sensor/simulated_source.h"
 #include "core/station/station.h"
 #include "tests/fakes/manual_clock.h"
+#include "tests/fakes/text_of.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QDir>
@@ -145,7 +146,7 @@ TEST(StationCalibration, TheSimulatedMountDoesNotTakeTheBusOfARealOne)
     real.sensor.source = profile::SensorSource::None;
     const auto refused = rig.ask(request::ApplyProfile{real});
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().text,
+    EXPECT_EQ(textOf(refused.error()),
               "The bus cannot change between simulated and real while the mount is connected. Press Reconnect, or "
               "restart Boresight.");
     EXPECT_FALSE(rig.saved);
@@ -167,7 +168,7 @@ TEST(StationCalibration, WhatIsFoundIsNotAppliedForAMountThatWaitsForItsReconnec
     ASSERT_TRUE(rig.ask(request::ApplyProfile{other}));
     const auto refused = rig.ask(request::ApplyCalibration{rig.calibration()->proposal->number});
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().text,
+    EXPECT_EQ(textOf(refused.error()),
               "This calibration belongs to the mount at socketcan:can0, but the bus of the profile is now "
               "socketcan:can1. Set the bus back, or press Reconnect and calibrate again.");
     EXPECT_EQ(*rig.saved, other);
@@ -188,7 +189,7 @@ TEST(StationCalibration, ASwingOfTheSimulatedMountFindsItsHiddenNorth)
     ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 60_deg, .elevation = 30_deg}}));
     rig.run(Seconds(30.0));
     const auto started = rig.ask(request::StartSwing{.rate = 5_deg_s, .headings = 0});
-    ASSERT_TRUE(started) << started.error().text;
+    ASSERT_TRUE(started) << textOf(started.error());
     rig.run(Seconds(60.0));
     EXPECT_EQ(StationState::Calibrate, rig.station->status().state);
     rig.run(Seconds(150.0));
@@ -331,7 +332,7 @@ void scanTheSun(CalibratedStation& rig)
     ASSERT_TRUE(rig.ask(request::FollowBody{.body = ephemeris::Body::Sun}));
     rig.run(Seconds(30.0));
     const auto started = rig.ask(request::StartCrossScan{.width = 8_deg, .body = ephemeris::Body::Sun});
-    ASSERT_TRUE(started) << started.error().text;
+    ASSERT_TRUE(started) << textOf(started.error());
 }
 
 // REQ-NORTH-38d

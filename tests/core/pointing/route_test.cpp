@@ -4,6 +4,7 @@
 #include "core/pointing/nearest_permitted.h"
 #include "tests/core/pointing/at.h"
 #include "tests/fakes/random_region.h"
+#include "tests/fakes/text_of.h"
 
 #include <queue>
 
@@ -164,11 +165,11 @@ TEST(Route, SaysWhatIsInTheWayWhenThereIsNone)
     const PermittedRegion wall({.keepOuts = {routeMast(90_deg)}}, {0_deg, 360_deg}, {0_deg, 90_deg});
     const auto way = route(wall, at(290, 10), at(340, 5), kSpeed);
     ASSERT_FALSE(way);
-    EXPECT_EQ(way.error().text,
+    EXPECT_EQ(textOf(way.error()),
               "there is no way from 290.0° 10.0° to 340.0° 5.0°: the keep-out \"routeMast\" is in between");
     const auto inside = route(wall, at(290, 10), at(315, 10), kSpeed);
     ASSERT_FALSE(inside);
-    EXPECT_EQ(inside.error().text, "azimuth 315.0° elevation 10.0° is in the keep-out \"routeMast\"");
+    EXPECT_EQ(textOf(inside.error()), "azimuth 315.0° elevation 10.0° is in the keep-out \"routeMast\"");
 }
 
 TEST(Route, LeadsOutOfAForbiddenPlaceFirst)
@@ -205,7 +206,7 @@ TEST(Route, FindsAWayWhereThereIsOne)
             }
             const auto way = route(region, from, to, kSpeed);
             if (!way) {
-                EXPECT_FALSE(flood.connects(from, to)) << way.error().text;
+                EXPECT_FALSE(flood.connects(from, to)) << textOf(way.error());
                 ++none;
                 continue;
             }
@@ -260,7 +261,7 @@ TEST(Route, GivesUpAfterSoManySteps)
     const PermittedRegion region({.keepOuts = {routeMast()}}, kRouteAzimuths, {0_deg, 90_deg});
     const auto none = route(region, at(290, 10), at(340, 5), kSpeed, Seconds(0.5), 10);
     ASSERT_FALSE(none);
-    EXPECT_EQ(none.error().text,
+    EXPECT_EQ(textOf(none.error()),
               "no way from 290.0° 10.0° to 340.0° 5.0° was found in time: there are too many keep-outs");
     EXPECT_TRUE(route(region, at(290, 10), at(300, 60), kSpeed, Seconds(0.5), 0)) << "a direct way needs no search";
     EXPECT_TRUE(route(region, at(290, 10), at(340, 5), kSpeed, Seconds(0.5), 1000));
@@ -294,7 +295,7 @@ TEST(Route, FindsItsWayAmongAsManyKeepOutsAsThereMayBe)
                 expectPermitted(region, from, *way);
                 ++found;
             } else {
-                EXPECT_EQ(way.error().text.find("in time"), std::string::npos) << way.error().text;
+                EXPECT_EQ(textOf(way.error()).find("in time"), std::string::npos) << textOf(way.error());
             }
         }
     }

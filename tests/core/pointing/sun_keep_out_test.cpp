@@ -4,6 +4,7 @@
 #include "core/pointing/permitted_region.h"
 #include "core/pointing/route.h"
 #include "core/units/angle_between.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -118,7 +119,7 @@ TEST(SunKeepOut, HoldsForStepsAndWays)
     EXPECT_FALSE(region.permits(AxisBox::between(before, behind)));
     EXPECT_EQ(region.obstacle({sun.azimuth, sun.elevation}).toStdString(), "the keep-out \"Sun\"");
     const auto way = route(region, before, behind, {.azimuth = 6_deg_s, .elevation = 6_deg_s});
-    ASSERT_TRUE(way) << way.error().text;
+    ASSERT_TRUE(way) << textOf(way.error());
     AxisPosition from = before;
     for (const AxisPosition& to : *way) {
         EXPECT_TRUE(region.permits(AxisBox::between(from, to)));

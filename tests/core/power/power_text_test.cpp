@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/power/power_text.h"
 
+#include "tests/fakes/text_of.h"
+
 #include <gtest/gtest.h>
 
 namespace boresight::power {
@@ -81,11 +83,11 @@ TEST(PowerText, WhatIsNotSureIsRefused)
 // REQ-POWER-02
 TEST(PowerText, TheReasonIsTold)
 {
-    EXPECT_EQ("there is no number in it", parsePower("S7").error().text);
-    EXPECT_EQ("which of its numbers is the power is not sure", parsePower("14.074 -73").error().text);
-    EXPECT_EQ("its unit is not dB", parsePower("5 mW").error().text);
-    EXPECT_EQ("its number cannot be read for sure", parsePower("- 73").error().text);
-    EXPECT_EQ("more than 500 dB is no power", parsePower("14074000").error().text);
+    EXPECT_EQ("there is no number in it", textOf(parsePower("S7").error()));
+    EXPECT_EQ("which of its numbers is the power is not sure", textOf(parsePower("14.074 -73").error()));
+    EXPECT_EQ("its unit is not dB", textOf(parsePower("5 mW").error()));
+    EXPECT_EQ("its number cannot be read for sure", textOf(parsePower("- 73").error()));
+    EXPECT_EQ("more than 500 dB is no power", textOf(parsePower("14074000").error()));
 }
 
 }  // namespace

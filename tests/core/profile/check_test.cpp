@@ -142,7 +142,8 @@ TEST(CrossCheck, TheMountParksWhereItMayBe)
     profile.limits.keepOuts = {{"mast", 350_deg, 10_deg, 20_deg, 40_deg}};
     const auto problems = crossCheck(profile);
     ASSERT_EQ(keysOf(problems), std::vector<std::string>{"park.elevation_deg"});
-    EXPECT_NE(problems.front().text.find("is in the keep-out \"mast\""), std::string::npos) << problems.front().text;
+    EXPECT_NE(problems.front().text.toStdString().find("is in the keep-out \"mast\""), std::string::npos)
+        << problems.front().text.toStdString();
     profile.limits.keepOuts.front().elevationMin = 30_deg;
     EXPECT_TRUE(crossCheck(profile).empty()) << "its edge is permitted";
 }
@@ -158,7 +159,7 @@ TEST(CrossCheck, TheMountParksWhereTheBeamMayBe)
     profile.pointing.azimuthOffset = 37.4_deg;
     const auto problems = crossCheck(profile);
     ASSERT_EQ(keysOf(problems), std::vector<std::string>{"park.elevation_deg"});
-    EXPECT_EQ(problems.front().text, "azimuth 37.4° elevation 20.0° is in the keep-out \"mast\"");
+    EXPECT_EQ(problems.front().text.toStdString(), "azimuth 37.4° elevation 20.0° is in the keep-out \"mast\"");
 }
 
 TEST(CrossCheck, AHorizonHasNoMorePointsThanCanBeChecked)
@@ -235,7 +236,7 @@ TEST(CrossCheck, KeepOutsHaveAMaximum)
     profile.limits.keepOuts.push_back({"one more", 100_deg, 110_deg, 40_deg, 50_deg});
     const auto problems = crossCheck(profile);
     ASSERT_EQ(keysOf(problems), std::vector<std::string>{"keep_out"});
-    EXPECT_EQ(problems.front().text, "33 keep-outs are more than 32");
+    EXPECT_EQ(problems.front().text.toStdString(), "33 keep-outs are more than 32");
 }
 
 // REQ-PROFILE-05b: The Sun is kept away from only where the site is given.

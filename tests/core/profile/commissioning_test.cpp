@@ -18,7 +18,7 @@ constexpr Angle kTiny = Angle::fromDegrees(1e-9);
 void expectMakesSense(const Profile& profile)
 {
     for (const Problem& problem : problemsOf(profile)) {
-        ADD_FAILURE() << problem.key << ": " << problem.text;
+        ADD_FAILURE() << problem.key << ": " << problem.text.toStdString();
     }
 }
 

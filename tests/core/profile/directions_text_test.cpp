@@ -2,6 +2,7 @@
 #include "core/profile/directions_text.h"
 
 #include "core/profile/profile_file.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,7 @@ const std::string kBus = "\n[bus]\nname = \"socketcan:can0\"  # on the roof\n";
 std::string confirmed(const std::string& toml)
 {
     const auto text = withDirectionsConfirmed(toml, "m.toml");
-    return text ? *text : text.error().text;
+    return text ? *text : textOf(text.error());
 }
 
 }  // namespace
@@ -39,7 +40,7 @@ TEST(DirectionsText, TheFileThatTheProgramWritesIsConfirmed)
     profile.bus = "socketcan:can0";
     profile.mount.directions = Directions::Unconfirmed;
     const auto text = withDirectionsConfirmed(toToml(profile), "m.toml");
-    ASSERT_TRUE(text) << text.error().text;
+    ASSERT_TRUE(text) << textOf(text.error());
     profile.mount.directions = Directions::Confirmed;
     EXPECT_EQ(*parseProfile(*text, "m.toml"), profile);
 }

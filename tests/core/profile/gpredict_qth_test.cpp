@@ -2,6 +2,7 @@
 #include "core/profile/gpredict_qth.h"
 
 #include "core/profile/small_file.h"
+#include "tests/fakes/text_of.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -29,7 +30,7 @@ constexpr const char* kHome =
 std::string errorOf(const char* text)
 {
     const auto station = parseQth(text, QStringLiteral("x"));
-    return station ? "accepted" : station.error().text;
+    return station ? "accepted" : textOf(station.error());
 }
 
 void write(const QString& path, const char* text)
@@ -45,7 +46,7 @@ void write(const QString& path, const char* text)
 TEST(GpredictQth, IsReadAsGpredictWritesIt)
 {
     const auto station = parseQth(kHome, QStringLiteral("home"));
-    ASSERT_TRUE(station) << station.error().text;
+    ASSERT_TRUE(station) << textOf(station.error());
     EXPECT_EQ(station->name, QStringLiteral("home"));
     EXPECT_EQ(station->location, QStringLiteral("Lisboa, Portugal"));
     EXPECT_EQ(station->site,
@@ -56,7 +57,7 @@ TEST(GpredictQth, OnlyItsGroupCounts)
 {
     const auto station = parseQth(
         "# LAT=1\n[OTHER]\nLAT=2\n[QTH]\r\n LAT = 3 \r\nLON=4\r\nLAT=5\nALT=6\n[QTH 2]\nLAT=7\n", QStringLiteral("x"));
-    ASSERT_TRUE(station) << station.error().text;
+    ASSERT_TRUE(station) << textOf(station.error());
     EXPECT_EQ(station->site.latitude, 5_deg);
     EXPECT_EQ(station->location, QString());
 }

@@ -3,6 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "core/pointing/skyline.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ std::string pointsOf(std::string_view text)
 {
     const auto horizon = parseHorizon(text, "h.txt");
     if (!horizon) {
-        return horizon.error().text;
+        return textOf(horizon.error());
     }
     std::string points;
     for (const pointing::HorizonPoint& point : horizon->points) {
@@ -53,7 +54,7 @@ TEST(HorizonText, SortsByAzimuth)
 TEST(HorizonText, OfOneAzimuthTheHighestElevationCounts)
 {
     const auto horizon = parseHorizon("10 0\n10 20\n30 20\n30 0\n0 5\n360 7\n50 1\n50 1\n", "h.txt");
-    ASSERT_TRUE(horizon) << horizon.error().text;
+    ASSERT_TRUE(horizon) << textOf(horizon.error());
     EXPECT_EQ(horizon->points, (std::vector<pointing::HorizonPoint>{
                                    {0_deg, 7_deg}, {10_deg, 20_deg}, {30_deg, 20_deg}, {50_deg, 1_deg}}));
     EXPECT_EQ(horizon->merged, 3) << "the same point again is nothing to tell of";
@@ -113,7 +114,7 @@ TEST(HorizonText, WritesItClosedThroughNorth)
               "# Horizon of mast?2: azimuth from north, elevation, in degrees; straight lines between\n"
               "0.0 15.25\n90.0 10.0\n270.0 20.5\n360.0 15.25\n");
     const auto again = parseHorizon(text, "h.txt");
-    ASSERT_TRUE(again) << again.error().text;
+    ASSERT_TRUE(again) << textOf(again.error());
     const pointing::Skyline before(horizon);
     const pointing::Skyline after(again->points);
     for (int azimuth = 0; azimuth < 360; ++azimuth) {

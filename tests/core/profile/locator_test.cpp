@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/profile/locator.h"
 
+#include "tests/fakes/text_of.h"
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -100,7 +102,7 @@ TEST(Locator, RefusesWhatIsNone)
                              "JN5x", "JN58yd", "JN58tY", "JN58td2a", "JN58td25uy", "JN58 t", "JN58t\xc3"}) {
         EXPECT_FALSE(fromLocator(text)) << text;
     }
-    EXPECT_EQ(fromLocator("JN58tz").error().text, "character 6 of a locator is one of a…x");
+    EXPECT_EQ(textOf(fromLocator("JN58tz").error()), "character 6 of a locator is one of a…x");
     EXPECT_FALSE(toLocator(at(90.1, 0)));
     EXPECT_FALSE(toLocator(at(std::numeric_limits<double>::quiet_NaN(), 0)));
     EXPECT_FALSE(toLocator(at(0, std::numeric_limits<double>::infinity())));

@@ -2,6 +2,7 @@
 #include "core/profile/profile_diff.h"
 
 #include "core/profile/profile_file.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,26 @@ using namespace boresight::profile;
 namespace {
 
 using Keys = std::vector<std::string>;
+
+// A change as gtest compares it.
+struct Told
+{
+    std::string key;
+    std::string before;
+    std::string after;
+    Applies applies = Applies::Now;
+
+    bool operator==(const Told&) const = default;
+};
+
+std::vector<Told> toldBetween(const Profile& from, const Profile& to)
+{
+    std::vector<Told> told;
+    for (const Change& change : changesBetween(from, to)) {
+        told.push_back({change.key, change.before.toStdString(), change.after.toStdString(), change.applies});
+    }
+    return told;
+}
 
 }  // namespace
 
@@ -24,8 +45,8 @@ TEST(ProfileDiff, TellsEachKeyWithBothValuesAndWhenItApplies)
     to.azimuth.geometry.travel.max = 270.5_deg;
     to.control.onExit = OnExit::Brake;
     to.rotctld.allow = {"10.0.0.0/8", "::1"};
-    EXPECT_EQ(changesBetween(from, to),
-              (std::vector<Change>{
+    EXPECT_EQ(toldBetween(from, to),
+              (std::vector<Told>{
                   {"mount.name", "\"Boresight mount\"", "\"West \\\"2\\\"\"", Applies::OnReconnect},
                   {"azimuth.travel_max_deg", "450.0 °", "270.5 °", Applies::OnReconnect},
                   {"control.on_exit", "\"hold\"", "\"brake\"", Applies::Now},
@@ -41,9 +62,9 @@ TEST(ProfileDiff, DoesNotSaySecrets)
     from.mqtt.user = "mount";
     Profile to = from;
     to.mqtt.password = "s3cret";
-    EXPECT_EQ(changesBetween(from, to), (std::vector<Change>{{"mqtt.password", "\"\"", "(hidden)", Applies::Now}}));
+    EXPECT_EQ(toldBetween(from, to), (std::vector<Told>{{"mqtt.password", "\"\"", "(hidden)", Applies::Now}}));
     from.mqtt.password = "s3cre7";
-    EXPECT_EQ(changesBetween(from, to), (std::vector<Change>{{"mqtt.password", "(hidden)", "(hidden)", Applies::Now}}));
+    EXPECT_EQ(toldBetween(from, to), (std::vector<Told>{{"mqtt.password", "(hidden)", "(hidden)", Applies::Now}}));
 }
 
 TEST(ProfileDiff, ListsAndTheSiteAreOneLineEach)
@@ -56,8 +77,8 @@ TEST(ProfileDiff, ListsAndTheSiteAreOneLineEach)
     to.limits.keepOuts = {{"mast", 340_deg, 10_deg, 40_deg, 90_deg}, {"roof", 50_deg, 60_deg, 40_deg, 90_deg}};
     to.presets = {{"north", {}}};
     to.site = {.known = true, .latitude = -33.9_deg, .longitude = 151.25_deg, .heightMetres = 12.0};
-    EXPECT_EQ(changesBetween(from, to),
-              (std::vector<Change>{
+    EXPECT_EQ(toldBetween(from, to),
+              (std::vector<Told>{
                   {"limits.horizon", "2 points", "3 points", Applies::Now},
                   {"keep_out", "\"mast\" (different), \"tree\"", "\"mast\" (different), \"roof\"", Applies::Now},
                   {"preset", "none", "\"north\"", Applies::Now},
@@ -65,9 +86,8 @@ TEST(ProfileDiff, ListsAndTheSiteAreOneLineEach)
               }));
     to = from;
     to.limits.horizon[1].elevation = -3.5_deg;
-    EXPECT_EQ(
-        changesBetween(from, to),
-        (std::vector<Change>{{"limits.horizon", "2 points, 1 different", "2 points, 1 different", Applies::Now}}));
+    EXPECT_EQ(toldBetween(from, to),
+              (std::vector<Told>{{"limits.horizon", "2 points, 1 different", "2 points, 1 different", Applies::Now}}));
 }
 
 // Every setting is seen, and taken over by its key alone.
@@ -110,7 +130,7 @@ TEST(ProfileDiff, WhatIsWrittenAlikeIsTheSame)
     from.park.azimuth = Angle::fromDegrees(0.1 + 0.2);
     from.limits.horizon = {{Angle::fromDegrees(0.1 + 0.2), -5_deg}};
     const auto read = parseProfile(toToml(from), "m.toml");
-    ASSERT_TRUE(read) << read.error().text;
+    ASSERT_TRUE(read) << textOf(read.error());
     EXPECT_TRUE(changesBetween(from, *read).empty());
 }
 

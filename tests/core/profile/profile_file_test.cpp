@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/profile/profile_file.h"
 
+#include "tests/fakes/text_of.h"
+
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
@@ -15,7 +17,7 @@ namespace {
 std::string errorsOf(std::string_view toml)
 {
     const auto profile = parseProfile(toml, "m.toml");
-    return profile ? "accepted" : profile.error().text;
+    return profile ? "accepted" : textOf(profile.error());
 }
 
 QByteArray contentOf(const QString& path)
@@ -31,7 +33,7 @@ QByteArray contentOf(const QString& path)
 TEST(ProfileFile, NothingButTheVersionIsTheReferenceMount)
 {
     const auto profile = parseProfile("version = 1\n", "m.toml");
-    ASSERT_TRUE(profile) << profile.error().text;
+    ASSERT_TRUE(profile) << textOf(profile.error());
     EXPECT_EQ(*profile, Profile{});
     EXPECT_EQ(profile->azimuth.geometry.toMotor(360_deg).turns(), 1.0);
     EXPECT_EQ(profile->azimuth.geometry.travel, (TravelRange{-90_deg, 450_deg}));
@@ -46,7 +48,7 @@ TEST(ProfileFile, TheDefaultFileReadsBackAsTheDefault)
 {
     const std::string text = toToml(Profile{});
     const auto profile = parseProfile(text, "m.toml");
-    ASSERT_TRUE(profile) << profile.error().text;
+    ASSERT_TRUE(profile) << textOf(profile.error());
     EXPECT_EQ(*profile, Profile{});
     EXPECT_NE(text.find("# Upper end of the permitted travel; 370° is not 10°.\n"
                         "# -3600.0…3600.0 °; default 450.0; applies on reconnect\n"
@@ -122,7 +124,7 @@ TEST(ProfileFile, EveryValueSurvivesTheRoundTrip)
                     .publish = Publish::On,
                     .prefix = "shack/mount"};
     const auto again = parseProfile(toToml(changed), "m.toml");
-    ASSERT_TRUE(again) << again.error().text;
+    ASSERT_TRUE(again) << textOf(again.error());
     EXPECT_EQ(*again, changed);
 }
 
@@ -291,7 +293,7 @@ TEST(ProfileFile, ANumberHasNoMoreDecimalsThanTheFile)
     EXPECT_EQ(errorsOf("version = 1\nelevation.travel_max_deg = 1e-320\n"),
               "m.toml:2: elevation.travel_min_deg: 0.00° is not below elevation.travel_max_deg (0.00°)");
     const auto profile = parseProfile("version = 1\npark.azimuth_deg = 12.3456789012345\n", "m.toml");
-    ASSERT_TRUE(profile) << profile.error().text;
+    ASSERT_TRUE(profile) << textOf(profile.error());
     EXPECT_EQ(profile->park.azimuth, Angle::fromDegrees(12.345678901));
     EXPECT_EQ(parseProfile(toToml(*profile), "m.toml"), profile);
 }
@@ -307,7 +309,7 @@ TEST(ProfileFile, BrokenSyntaxNamesItsLine)
 TEST(ProfileFile, TheDummyLikeProfileOfTheTestsIsValid)
 {
     const auto profile = loadProfile(QStringLiteral(BORESIGHT_TEST_DATA "/dummy-like.toml"));
-    ASSERT_TRUE(profile) << profile.error().text;
+    ASSERT_TRUE(profile) << textOf(profile.error());
     EXPECT_EQ(profile->azimuth.geometry.travel, (TravelRange{-180_deg, 450_deg}));
     EXPECT_EQ(profile->rotctld.outsideLimits, OutsideLimits::Refuse);
     EXPECT_EQ(profile->park, AxisPosition{});
@@ -329,7 +331,7 @@ TEST(ProfileFile, SavesAllOrNothing)
     const auto refused = saveProfile(profile, folder.filePath(QStringLiteral("absent/mount.toml")));
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::Io);
-    EXPECT_NE(refused.error().text.find("absent/mount.toml: "), std::string::npos);
+    EXPECT_NE(textOf(refused.error()).find("absent/mount.toml: "), std::string::npos);
     EXPECT_EQ(contentOf(path), first);
     EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1);  // no temporary file is left behind
 }

@@ -4,6 +4,7 @@
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_history.h"
 #include "core/profile/small_file.h"
+#include "tests/fakes/text_of.h"
 
 #include <QDir>
 #include <QFile>
@@ -32,21 +33,21 @@ protected:
     [[nodiscard]] QString added(const std::string& name) const
     {
         const auto path = store.add(named(name));
-        EXPECT_TRUE(path) << path.error().text;
+        EXPECT_TRUE(path) << textOf(path.error());
         return path.value_or(QString());
     }
 
     [[nodiscard]] std::string nameIn(const QString& file) const
     {
         const auto profile = loadProfile(file);
-        return profile ? profile->mount.name : profile.error().text;
+        return profile ? profile->mount.name : textOf(profile.error());
     }
 
     // The current one's path, or why there is none.
     [[nodiscard]] QString current() const
     {
         const auto found = store.findCurrent();
-        return found ? found->value_or(QStringLiteral("none")) : QString::fromStdString(found.error().text);
+        return found ? found->value_or(QStringLiteral("none")) : found.error().text;
     }
 
     // "one, two (current)"
@@ -173,7 +174,7 @@ TEST_F(ProfileStoreTest, DuplicatesUnderANewName)
     const auto one = store.add(profile);
     ASSERT_TRUE(one);
     const auto copy = store.duplicate(*one, QStringLiteral("copy of one"));
-    ASSERT_TRUE(copy) << copy.error().text;
+    ASSERT_TRUE(copy) << textOf(copy.error());
     profile.mount.name = "copy of one";
     EXPECT_EQ(loadProfile(*copy), profile);
     EXPECT_FALSE(store.duplicate(*one, QString()));
@@ -213,12 +214,12 @@ TEST_F(ProfileStoreTest, ExportsAndImportsTheSameFile)
 
     const ProfileStore other(path("elsewhere"));
     const auto imported = other.importFile(target);
-    ASSERT_TRUE(imported) << imported.error().text;
+    ASSERT_TRUE(imported) << textOf(imported.error());
     EXPECT_EQ(readFile(*imported), readFile(one));
     ASSERT_TRUE(writeFile(target, "version = 1\ncolour = 1\n"));
     const auto bad = other.importFile(target);
     ASSERT_FALSE(bad);
-    EXPECT_NE(bad.error().text.find("export.toml:2: colour: unknown key"), std::string::npos);
+    EXPECT_NE(textOf(bad.error()).find("export.toml:2: colour: unknown key"), std::string::npos);
 }
 
 // Also the version before, once there was a password in it, and a copy for others.
@@ -287,7 +288,7 @@ TEST_F(ProfileStoreTest, WritesNothingThatCannotBeReadAgain)
     bad.jog.slow = AngularRate::fromDegrees(-1.0);
     const auto saved = store.save(bad, file);
     ASSERT_FALSE(saved);
-    EXPECT_EQ(saved.error().text,
+    EXPECT_EQ(textOf(saved.error()),
               "jog.slow_deg_s: -1 is outside 0.001…360\n"
               "limits.horizon[2]: the azimuth 10.00° does not follow 10.00°; points ascend, each azimuth once");
     EXPECT_EQ(loadProfile(file), named("one"));

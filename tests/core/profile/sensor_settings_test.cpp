@@ -3,6 +3,7 @@
 #include "core/profile/profile_file.h"
 #include "core/profile/setting.h"
 #include "core/profile/unreliable_arcs.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -60,7 +61,7 @@ TEST(SensorSettings, SurviveTheRoundTrip)
                       .stillCurrent = 0.4,
                       .swingCurrent = 7.5};
     const auto again = parseProfile(toToml(profile), "m.toml");
-    ASSERT_TRUE(again) << again.error().text;
+    ASSERT_TRUE(again) << textOf(again.error());
     EXPECT_EQ(*again, profile);
 }
 

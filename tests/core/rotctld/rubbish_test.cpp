@@ -111,7 +111,7 @@ TEST(RotctldRubbishFuzz, RandomBytesMoveNothing)
         }
         run.feed(bytes);
         ASSERT_EQ(run.rotator.actions, 0) << "round " << round;
-        ASSERT_NE(run.session.ending(), "") << "round " << round;
+        ASSERT_FALSE(run.session.ending().isEmpty()) << "round " << round;
     }
 }
 

@@ -67,7 +67,7 @@ TEST(RotctldServer, AnswersInOneSegmentEach)
 TEST(RotctldServer, AnswersAtOnceWithoutDrive)
 {
     ServerFixture fixture;
-    fixture.rotator.fault = Error{.code = ErrorCode::NoAnswer, .text = "no drive answers"};
+    fixture.rotator.fault = Error{.code = ErrorCode::NoAnswer, .text = QStringLiteral("no drive answers")};
     const auto peer = fixture.connect();
     auto best = std::chrono::nanoseconds::max();
     for (int run = 0; run < 5; ++run) {
@@ -259,7 +259,7 @@ TEST(RotctldServer, ListsItsClients)
     const auto clients = fixture.server->clients();
     ASSERT_EQ(clients.size(), 2U);
     EXPECT_EQ(clients[0].program, "Gpredict or SatDump");
-    EXPECT_EQ(clients[0].lastCommand, "P 12.34 5.60");
+    EXPECT_EQ(clients[0].lastCommand.toStdString(), "P 12.34 5.60");
     EXPECT_EQ(clients[0].address, fixture.rotator.connected.at(clients[0].id));
     EXPECT_EQ(clients[1].oddCommands, 1U);
 }
@@ -307,13 +307,13 @@ TEST(RotctldServer, HangsUpOnOneClientOnRequest)
     one->ask("p\n", 2);
     other->ask("p\n", 2);
     const std::uint64_t id = fixture.server->clients().at(0).id;
-    EXPECT_TRUE(fixture.server->disconnect(id, "disconnected by the operator"));
+    EXPECT_TRUE(fixture.server->disconnect(id, QStringLiteral("disconnected by the operator")));
     EXPECT_EQ(fixture.goneReason(), "disconnected by the operator");
     one->send("P 90 45\n");
     EXPECT_EQ(one->receiveUntilClosed(), "");
     EXPECT_EQ(fixture.rotator.actions, 0) << "what it says behind that is not heard";
     EXPECT_EQ(fixture.server->clients().size(), 1U);
-    EXPECT_FALSE(fixture.server->disconnect(id, "again"));
+    EXPECT_FALSE(fixture.server->disconnect(id, QStringLiteral("again")));
     EXPECT_EQ(other->ask("p\n", 2), "0.00\n0.00\n");
 }
 
@@ -373,7 +373,7 @@ TEST(RotctldServer, TellsHowAClientBehaves)
     }
     EXPECT_DOUBLE_EQ(fixture.server->clients().at(0).commandsPerSecond, 2.0);
     EXPECT_FALSE(fixture.server->clients().at(0).lastMotion);
-    fixture.rotator.fault = Error{.code = ErrorCode::Refused, .text = "another client has control"};
+    fixture.rotator.fault = Error{.code = ErrorCode::Refused, .text = QStringLiteral("another client has control")};
     for (const char* const azimuth : {"10.00", "16.00", "22.00", "28.00"}) {
         EXPECT_EQ(peer->ask("P " + std::string(azimuth) + " 5.00\n"), "RPRT -9\n");
         fixture.elapse(10s);

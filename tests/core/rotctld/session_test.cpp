@@ -76,14 +76,14 @@ TEST_F(RotctldSession, HandsTheRotatorsErrorsOn)
                                                                   {ErrorCode::Busy, "RPRT -9\n"},
                                                                   {ErrorCode::NotAvailable, "RPRT -11\n"}}};
     for (const auto& [code, reply] : codes) {
-        rotator.fault = Error{.code = code, .text = "for the test"};
+        rotator.fault = Error{.code = code, .text = QStringLiteral("for the test")};
         EXPECT_EQ(answer("P 10 5\n"), reply);
         EXPECT_EQ(answer("K\n"), reply);
         EXPECT_EQ(answer("M UP 5\n"), reply);
         EXPECT_EQ(answer("p\n"), reply);
         EXPECT_EQ(answer("+p\n"), std::string("get_pos:\n") + reply);
     }
-    EXPECT_EQ(session.ending(), "");
+    EXPECT_TRUE(session.ending().isEmpty());
 }
 
 // REQ-ROTCTLD-08: Clients cannot change limits or anything else of the profile.
@@ -121,7 +121,7 @@ TEST_F(RotctldSession, RunsNothingBehindAPauseOfWhoLeft)
     EXPECT_EQ(answer("\\pause 60\nK\n"), "");
     session.endOfInput();
     EXPECT_EQ(answer(""), "");
-    EXPECT_EQ(session.ending(), "closed the connection during its own pause");
+    EXPECT_EQ(session.ending().toStdString(), "closed the connection during its own pause");
     EXPECT_EQ(rotator.actions, 0);
 }
 
@@ -129,7 +129,7 @@ TEST_F(RotctldSession, BoundsWhatWaitsBehindAPause)
 {
     EXPECT_EQ(answer("\\pause 60\n"), "");
     EXPECT_EQ(answer(std::string(5000, 'p')), "");
-    EXPECT_EQ(session.ending(), "sent more than 4096 bytes during its own pause");
+    EXPECT_EQ(session.ending().toStdString(), "sent more than 4096 bytes during its own pause");
 }
 
 TEST_F(RotctldSession, CountsAndTellsOddCommands)
@@ -138,10 +138,10 @@ TEST_F(RotctldSession, CountsAndTellsOddCommands)
     EXPECT_EQ(session.habits().oddCommands(), 4U);
     ASSERT_EQ(rotator.remarks.size(), 3U);  // then only counted
     EXPECT_EQ(rotator.remarks[0], "unknown command \"Z what\"");
-    EXPECT_EQ(session.habits().lastCommand(), "v FOO");
+    EXPECT_EQ(session.habits().lastCommand().toStdString(), "v FOO");
     EXPECT_EQ(answer("0\n0\n0\n0\n0\np\n0\n"), "0.00\n0.00\n");  // a good one in between starts the count anew
     EXPECT_EQ(answer("0\n0\n0\n0\n0\n0\n0\np\n"), "");
-    EXPECT_EQ(session.ending(), "sent 8 unknown commands in a row");
+    EXPECT_EQ(session.ending().toStdString(), "sent 8 unknown commands in a row");
     EXPECT_TRUE(session.dropped());
 }
 

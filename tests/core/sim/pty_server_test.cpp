@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sim_bus/pty_server.h"
 
+#include "tests/fakes/text_of.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QFile>
@@ -52,7 +53,7 @@ protected:
     void SetUp() override
     {
         auto created = PtyServer::create(link, pair, clock);
-        ASSERT_TRUE(created) << created.error().text;
+        ASSERT_TRUE(created) << textOf(created.error());
         server = std::move(*created);
     }
 
@@ -120,7 +121,7 @@ TEST_F(PtyServerTest, TakesOverALinkLeftBehindButNoFile)
     ASSERT_TRUE(QFile(file).open(QIODevice::WriteOnly));
     const auto refused = PtyServer::create(file, pair, clock);
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().text.find("file"), std::string::npos);
+    EXPECT_NE(textOf(refused.error()).find("file"), std::string::npos);
     EXPECT_TRUE(QFileInfo(file).isFile());
 }
 

@@ -4,6 +4,7 @@
 #include "core/moteus/codec.h"
 #include "core/sim/reference_mount.h"
 #include "tests/fakes/manual_clock.h"
+#include "tests/fakes/text_of.h"
 
 #include <QObject>
 
@@ -22,7 +23,7 @@ using sim::FaultKind;
 CanFrame encoded(const moteus::Request& request)
 {
     const Result<CanFrame> frame = moteus::encode(request);
-    EXPECT_TRUE(frame) << (frame ? "" : frame.error().text);
+    EXPECT_TRUE(frame) << (frame ? "" : textOf(frame.error()));
     return frame.value_or(CanFrame{});
 }
 

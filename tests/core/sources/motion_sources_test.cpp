@@ -218,7 +218,7 @@ TEST(MotionSources, EachRefusesClientsWithoutTheAuthority)
 TEST(MotionSources, EachRefusesWithDrivesThatAreNotFit)
 {
     const auto unfit = [](StationRig& rig) {
-        rig.mount.setFitness(failure(ErrorCode::Refused, std::string("not fit")));
+        rig.mount.setFitness(failure(ErrorCode::Refused, QStringLiteral("not fit")));
         return true;
     };
     expectRefusals(unfit, kOperator);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/adapters.h"
 
+#include "tests/fakes/text_of.h"
+
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
@@ -79,7 +81,8 @@ TEST(Adapters, AnotherUsbDeviceIsNotScanned)
 {
     const auto refused = mayBeScanned(kRadio);
     ASSERT_FALSE(refused.has_value());
-    EXPECT_THAT(refused.error().text, testing::HasSubstr("/dev/ttyUSB0 is another USB device (0403:6001 FTDI, FT232R"));
+    EXPECT_THAT(textOf(refused.error()),
+                testing::HasSubstr("/dev/ttyUSB0 is another USB device (0403:6001 FTDI, FT232R"));
     EXPECT_TRUE(mayBeScanned(kFdcanusb).has_value());
     SerialPortFacts nameless = kRadio;
     nameless.vendor = 0x0483;

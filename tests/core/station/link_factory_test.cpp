@@ -4,6 +4,7 @@
 #include "core/sim_bus/simulated_link.h"
 #include "core/survey/protections.h"
 #include "tests/fakes/manual_clock.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -97,7 +98,7 @@ TEST(LinkMaker, ARealBusIsMadeByItsNameAndNonsenseSaysSoWhenItIsOpened)
     EXPECT_EQ(nonsense->status().state, LinkState::Lost);
     const Result<> opened = nonsense->open();
     ASSERT_FALSE(opened);
-    EXPECT_NE(opened.error().text.find("rubbish"), std::string::npos);
+    EXPECT_NE(textOf(opened.error()).find("rubbish"), std::string::npos);
     EXPECT_FALSE(nonsense->send({}));
 }
 

@@ -15,7 +15,7 @@ using Rig = LinkedStation;
 TEST(Station, ABusThatDoesNotOpenIsAnAlarmAndIsTriedAgain)
 {
     Rig rig;
-    rig.link->openError = "no such adapter";
+    rig.link->openError = QStringLiteral("no such adapter");
     rig.station->openAll();
     rig.run(5);
     auto alarms = rig.station->status().alarms;

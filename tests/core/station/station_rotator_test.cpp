@@ -2,6 +2,7 @@
 #include "core/station/station_rotator.h"
 
 #include "tests/core/control/station_rig.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -75,7 +76,7 @@ TEST(StationRotator, RefuseMeansTheAdvertisedNumbers)
     EXPECT_TRUE(rig.pointTo(450.00001, 0.0));
     EXPECT_EQ(rig.pointTo(450.1, 0.0).error().code, ErrorCode::OutOfRange);
     EXPECT_EQ(rig.pointTo(10.0, 90.5).error().code, ErrorCode::OutOfRange);
-    EXPECT_EQ(rig.pointTo(10.0, 90.5).error().text, "elevation 90.50° above limit 90.00°");
+    EXPECT_EQ(textOf(rig.pointTo(10.0, 90.5).error()), "elevation 90.50° above limit 90.00°");
 }
 
 TEST(StationRotator, MoveRunsAtAShareOfTheFastestJogRate)
@@ -148,9 +149,9 @@ TEST(StationRotator, ComingAndGoingDoesNotHideWhyAClientWasDropped)
     for (std::uint64_t i = 10; i < 60; ++i) {
         const rotctld::Client passer{.id = i, .address = "127.0.0.1:" + std::to_string(40000 + i)};
         rig.rotator.clientConnected(passer);
-        rig.rotator.clientGone(passer, "closed the connection");
+        rig.rotator.clientGone(passer, QStringLiteral("closed the connection"));
     }
-    rig.rotator.clientRemark(kRotatorGpredict, "dropped: sent 4096 bytes without a line end");
+    rig.rotator.clientRemark(kRotatorGpredict, QStringLiteral("dropped: sent 4096 bytes without a line end"));
     EXPECT_EQ(rig.lastLog(), "dropped: sent 4096 bytes without a line end");
 }
 
@@ -223,7 +224,7 @@ TEST(StationRotator, AClientThatReadsOnIsContentWithThePathOfItsStream)
     RotatorRig rig;
     EXPECT_EQ(afterSilence(rig, kRotatorGpredict), StationState::Track);
     EXPECT_NEAR(rig.elevationDegrees(), 10.0 + 0.5 * (10.0 + 4.8), 0.1);
-    rig.rotator.clientGone(kRotatorGpredict, "closed");
+    rig.rotator.clientGone(kRotatorGpredict, QStringLiteral("closed"));
     rig.settle();
     EXPECT_NEAR(rig.elevationDegrees(), 14.5, 0.001);
 }

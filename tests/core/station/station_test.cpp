@@ -3,6 +3,7 @@
 
 #include "core/sim_bus/simulated_link.h"
 #include "tests/core/station/linked_station.h"
+#include "tests/fakes/text_of.h"
 
 #include <QDeadlineTimer>
 #include <QFile>
@@ -286,7 +287,7 @@ TEST(Station, AppliedSettingsAreInForceAndShownAsTheObjectThatIsObeyed)
     ASSERT_FALSE(rig.updates.empty());
     const Answer& answer = rig.updates.back().answers.back();
     ASSERT_TRUE(answer.error);
-    EXPECT_NE(answer.error->text.find("mast"), std::string::npos) << answer.error->text;
+    EXPECT_NE(textOf(*answer.error).find("mast"), std::string::npos) << textOf(*answer.error);
 }
 
 TEST(Station, ReconnectEndsInTheOrderlyWayAndAsksForTheNextStation)
@@ -329,7 +330,7 @@ TEST(Station, ReconnectToARealMountRefusesAProfileForASimulation)
     ASSERT_EQ(rig.updates.back().answers.size(), 1U);
     const auto& error = rig.updates.back().answers.front().error;
     ASSERT_TRUE(error);
-    EXPECT_NE(error->text.find("only simulated"), std::string::npos) << error->text;
+    EXPECT_NE(textOf(*error).find("only simulated"), std::string::npos) << textOf(*error);
     EXPECT_TRUE(wanted.isEmpty());
     EXPECT_EQ(rig.station->status().state, StationState::Standby) << "the mount of before stays connected";
 }

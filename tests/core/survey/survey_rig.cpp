@@ -2,6 +2,7 @@
 #include "tests/core/survey/survey_rig.h"
 
 #include "tests/core/survey/finding_name.h"
+#include "tests/fakes/text_of.h"
 
 #include <algorithm>
 #include <map>
@@ -86,7 +87,7 @@ sim::PairSettings freshFromTheBox()
 std::string obstacle(const DriveSurvey& survey)
 {
     const Result<> fit = survey.fitToMove();
-    return fit ? std::string() : fit.error().text;
+    return fit ? std::string() : textOf(fit.error());
 }
 
 std::vector<std::string> causes(const DriveSurvey& survey)

@@ -244,7 +244,7 @@ TEST(SensorWatch, TheDeclinationOfTheSiteCountsOnceItIsKnown)
     EXPECT_NEAR(rig.watch.status().direction->azimuth.degrees(), 80.0, 1e-9);
     EXPECT_NEAR(rig.watch.status().declination.degrees(), -14.93, 1e-9);
     EXPECT_THAT(rig.watch.status().declinationText.toStdString(), HasSubstr("magnetic model"));
-    rig.watch.setSiteDeclination(failure(ErrorCode::NoDevice, "WMM.COF: no such file"));
+    rig.watch.setSiteDeclination(failure(ErrorCode::NoDevice, QStringLiteral("WMM.COF: no such file")));
     rig.run(2.0);
     EXPECT_NEAR(rig.watch.status().direction->azimuth.degrees(), 100.0, 1e-9) << "not known is not 0";
 }
@@ -269,7 +269,7 @@ TEST(SensorWatch, TellsTheMagneticModelAndWhatIsWrongWithTheDeclination)
     EXPECT_EQ(QString(), rig.watch.status().declinationDoubt);
     rig.watch.setSiteDeclination(12_deg, QStringLiteral("WMM-2020, 2020.0 to 2025.0"), QStringLiteral("it has ended"));
     EXPECT_EQ(QStringLiteral("it has ended"), rig.watch.status().declinationDoubt);
-    rig.watch.setSiteDeclination(failure(ErrorCode::NoDevice, "WMM.COF: no such file"));
+    rig.watch.setSiteDeclination(failure(ErrorCode::NoDevice, QStringLiteral("WMM.COF: no such file")));
     EXPECT_EQ(QStringLiteral("WMM.COF: no such file"), rig.watch.status().declinationDoubt);
     EXPECT_EQ(QString(), rig.watch.status().declinationModel);
 }

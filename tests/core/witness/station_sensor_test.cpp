@@ -5,6 +5,7 @@
 #include "core/station/station.h"
 #include "tests/core/geomagnetism/synthetic_model.h"
 #include "tests/fakes/manual_clock.h"
+#include "tests/fakes/text_of.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -146,7 +147,7 @@ TEST(StationSensor, ADifferenceThatTheFoundNorthExplainsIsNoAlarm)
     ASSERT_THAT(rig.alarms(), HasSubstr("The orientation sensor and the axes differ by"));
     ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
     const auto asked = rig.ask(request::MeasureSensorOffset{});
-    ASSERT_TRUE(asked) << asked.error().text;
+    ASSERT_TRUE(asked) << textOf(asked.error());
     rig.run(30.0);
     ASSERT_TRUE(rig.station->status().calibration->proposal)
         << rig.station->status().calibration->progress.outcome.toStdString();

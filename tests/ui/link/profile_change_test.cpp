@@ -81,7 +81,7 @@ TEST_F(ProfileChangeTest, ABusThatLeavesTheSimulationIsAReconnect)
     change.ask(button, [](profile::Profile& edited) { edited.bus = "socketcan:can1"; });
     ASSERT_TRUE(std::holds_alternative<request::Reconnect>(asked.request));
     EXPECT_EQ(std::get<request::Reconnect>(asked.request).profile.bus, "socketcan:can1");
-    desk.take({{asked.id, Error{ErrorCode::Refused, "the mount moves"}}});
+    desk.take({{asked.id, Error{ErrorCode::Refused, QStringLiteral("the mount moves")}}});
     EXPECT_FALSE(draft.hasEdits()) << "what is refused leaves no edit behind";
     EXPECT_FALSE(button.isWaiting());
 }

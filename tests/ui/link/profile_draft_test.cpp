@@ -90,7 +90,7 @@ TEST_F(ProfileDraftTest, ARefusalGoesToTheAskerAndTheEditsStay)
 {
     setParkAzimuth(12_deg);
     apply();
-    desk.take({{requests.back().id, Error{ErrorCode::Refused, "the mount is in motion"}}});
+    desk.take({{requests.back().id, Error{ErrorCode::Refused, QStringLiteral("the mount is in motion")}}});
     ASSERT_EQ(answers.size(), 1u);
     EXPECT_EQ(answers[0]->text, "the mount is in motion");
     EXPECT_TRUE(draft.hasEdits());
@@ -284,7 +284,7 @@ TEST_F(ProfileDraftTest, ABusTypedByHandLeavesTheSimulationWhole)
     asked.bus = "socketcan:can0";
     asked.park.azimuth = 12_deg;
     EXPECT_EQ(std::get<request::Reconnect>(requests.back().request).profile, asked);
-    desk.take({{requests.back().id, Error{ErrorCode::Refused, "the mount moves"}}});
+    desk.take({{requests.back().id, Error{ErrorCode::Refused, QStringLiteral("the mount moves")}}});
     EXPECT_TRUE(draft.hasEdits()) << "a refusal leaves them";
     apply();
     accept();

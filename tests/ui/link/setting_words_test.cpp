@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/link/setting_words.h"
 
+#include "tests/fakes/text_of.h"
+
 #include <gtest/gtest.h>
 
 namespace boresight::ui {
@@ -61,7 +63,7 @@ TEST(SettingWords, WhatIsNoValueIsRefusedWithTheReason)
         Profile profile;
         const auto taken = putTyped(*findSetting(key), QString::fromUtf8(typed), profile);
         ASSERT_FALSE(taken) << key << " " << typed;
-        EXPECT_TRUE(taken.error().text.starts_with(std::string(key) + ": ")) << taken.error().text;
+        EXPECT_TRUE(textOf(taken.error()).starts_with(std::string(key) + ": ")) << textOf(taken.error());
         EXPECT_EQ(profile, Profile());
     }
 }

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+
+#include <string>
+
+namespace boresight {
+
+// What an error says, in the form that gtest compares and prints.
+[[nodiscard]] inline std::string textOf(const Error& error)
+{
+    return error.text.toStdString();
+}
+
+}  // namespace boresight
