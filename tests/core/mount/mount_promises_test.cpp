@@ -7,6 +7,7 @@
 #include "core/sources/motion_sources.h"
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/manual_clock.h"
+#include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
 
@@ -514,7 +515,7 @@ TEST(MountPort, APairOffersWhatOneOfItsDriversOffers)
     bench.run(Seconds(1.0));
     const auto refused = bench.ask(request::ChooseTurn{Axis::Azimuth, 10_deg});
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().text.find("No moteus turns this axis"), std::string::npos) << refused.error().text;
+    EXPECT_NE(textOf(refused.error()).find("No moteus turns this axis"), std::string::npos) << textOf(refused.error());
     const DrivesStatus drives = *bench.control().status().drives;
     EXPECT_FALSE(drives.azimuth.present);
     EXPECT_TRUE(drives.elevation.present);
@@ -623,7 +624,7 @@ TEST(OneAxis, TheCrashStopOfItIsProvenAlone)
     ASSERT_TRUE(bench.goTo(0.0, 45.0));
     bench.run(Seconds(15.0));
     const Result<> proving = bench.ask(request::ProveCrashStop{AngularRate::fromDegrees(2.0)});
-    ASSERT_TRUE(proving) << proving.error().text;
+    ASSERT_TRUE(proving) << textOf(proving.error());
     bench.run(Seconds(10.0));
     EXPECT_FALSE(rig.mount.proofRunning());
     const DrivesStatus drives = *rig.control.status().drives;

@@ -5,6 +5,7 @@
 #include "core/mqtt/broker_client.h"
 #include "core/sim_bus/simulated_link.h"
 #include "tests/fakes/manual_clock.h"
+#include "tests/fakes/text_of.h"
 
 #include <QTemporaryDir>
 
@@ -124,7 +125,7 @@ TEST(MountFactory, OneDriveIsAMountWithOneAxis)
         EXPECT_EQ(made.can().has(Axis::Elevation), !azimuth);
         made.run(Seconds(8.0));
         EXPECT_TRUE(made.driver().answers());
-        EXPECT_TRUE(made.driver().fitness()) << made.driver().fitness().error().text;
+        EXPECT_TRUE(made.driver().fitness()) << textOf(made.driver().fitness().error());
         EXPECT_EQ(made.drives().survey, SurveyState::Done);
         EXPECT_TRUE(made.drives().strangers.empty());
     }
@@ -143,7 +144,7 @@ TEST(MountFactory, TwoKindsOfDriversAreOneMount)
         EXPECT_EQ(made.line().kind, QStringLiteral("CAN")) << "the other one has none";
         made.run(Seconds(8.0));
         EXPECT_TRUE(made.driver().answers());
-        EXPECT_TRUE(made.driver().fitness()) << made.driver().fitness().error().text;
+        EXPECT_TRUE(made.driver().fitness()) << textOf(made.driver().fitness().error());
         EXPECT_TRUE(made.drives().strangers.empty());
     }
 }

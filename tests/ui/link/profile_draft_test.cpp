@@ -2,6 +2,7 @@
 #include "ui/link/profile_draft.h"
 
 #include "core/profile/profile_diff.h"
+#include "tests/fakes/text_of.h"
 
 #include <QSignalSpy>
 
@@ -92,7 +93,7 @@ TEST_F(ProfileDraftTest, ARefusalGoesToTheAskerAndTheEditsStay)
     apply();
     desk.take({{requests.back().id, Error{ErrorCode::Refused, QStringLiteral("the mount is in motion")}}});
     ASSERT_EQ(answers.size(), 1u);
-    EXPECT_EQ(answers[0]->text, "the mount is in motion");
+    EXPECT_EQ(textOf(*answers[0]), "the mount is in motion");
     EXPECT_TRUE(draft.hasEdits());
     EXPECT_EQ(draft.whyNoApply(), QString());
     EXPECT_FALSE(draft.whyNoUndo().isEmpty());
@@ -107,7 +108,7 @@ TEST_F(ProfileDraftTest, WhatTheLiveCheckFindsIsNotSent)
     apply();
     EXPECT_TRUE(requests.empty());
     ASSERT_EQ(answers.size(), 1u);
-    EXPECT_NE(answers[0]->text.find("id (Elevation axis)"), std::string::npos);
+    EXPECT_NE(textOf(*answers[0]).find("id (Elevation axis)"), std::string::npos);
     draft.edit([](Profile& p) { p.elevation.id = p.azimuth.id + 1; });
     EXPECT_TRUE(draft.problems().empty());
     EXPECT_FALSE(draft.hasEdits());
@@ -145,7 +146,7 @@ TEST_F(ProfileDraftTest, AChangeAppliedAloneLeavesTheEditsEdits)
     draft.applyAlone(addPreset, &desk, answered);  // the same name twice
     EXPECT_EQ(requests.size(), 1u);
     ASSERT_EQ(answers.size(), 2u);
-    EXPECT_NE(answers[1]->text.find("is there already"), std::string::npos);
+    EXPECT_NE(textOf(*answers[1]).find("is there already"), std::string::npos);
 }
 
 TEST_F(ProfileDraftTest, RevertDropsTheEdits)
