@@ -94,7 +94,7 @@ TEST(Language, TextsAreEnglishWithoutATranslationAndAfterIt)
     {
         const Translation portuguese(QStringLiteral("pt"));
         EXPECT_EQ(Text::tr("the horizon"), QStringLiteral("horizonte"));
-        EXPECT_EQ(failure(ErrorCode::Io, Text::tr("the horizon")).value().text, "horizonte");
+        EXPECT_EQ(failure(ErrorCode::Io, Text::tr("the horizon")).value().text, QStringLiteral("horizonte"));
     }
     {
         const Translation english(QStringLiteral("en"));
