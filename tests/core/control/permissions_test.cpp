@@ -209,7 +209,7 @@ INSTANTIATE_TEST_SUITE_P(Permissions, PermissionsIn,
                                            Scene{"unfit", unfit}, Scene{"unconfirmed", unconfirmed},
                                            Scene{"homeBelowTheHorizon", homeBelowTheHorizon},
                                            Scene{"turnUnknown", turnUnknown}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& one) { return std::string(one.param.name); });
 
 TEST(Permissions, OfAStationThatNobodyKnowsForbidEverything)
 {

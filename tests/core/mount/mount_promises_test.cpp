@@ -454,7 +454,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Kind{"SimpleAzimuthOnly", [] { return simpleBench(true, false); }},
                     Kind{"SimpleElevationOnly", [] { return simpleBench(false, true); }},
                     Kind{"Pair", [] { return std::make_unique<PairBench>(); }}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& one) { return std::string(one.param.name); });
 
 // REQ-MOUNT-07: Two axes on two drivers are one mount. A trouble of one driver stops both axes, and neither driver
 // turns the axis of the other.

@@ -255,7 +255,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Scene{"swingingWithAPoint", swingingWithAPoint}, Scene{"withAProposal", withAProposal},
                       Scene{"onTheWayWithAProposal", onTheWayWithAProposal}, Scene{"applied", applied},
                       Scene{"appliedAndChangedByHand", appliedAndChangedByHand}, Scene{"undone", undone}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& one) { return std::string(one.param.name); });
 
 TEST(CalibrationPermissions, ThePointOfABodyIsTakenAsItWasPublished)
 {
