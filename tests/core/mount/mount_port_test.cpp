@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/mount/mount_bench.h"
+#include "tests/fakes/text_of.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+namespace boresight {
+namespace {
+
+// REQ-MOUNT-07: Two axes on two drivers are one mount. A trouble of one driver stops both axes, and neither driver
+// turns the axis of the other.
+TEST(MountPort, ATroubleOfOneOfTwoDriversStopsBothAxes)
+{
+    PairBench bench;
+    bench.run(Seconds(1.0));
+    ASSERT_TRUE(bench.goTo(90.0, 60.0));
+    bench.run(Seconds(3.0));
+    bench.setElevationLine(false);
+    bench.run(Seconds(4.0));
+    EXPECT_TRUE(bench.control().faultLatched());
+    EXPECT_TRUE(bench.stands(Seconds(3.0)));
+    bench.setElevationLine(true);
+    bench.run(Seconds(1.0));
+    EXPECT_TRUE(bench.stands(Seconds(3.0)));
+    ASSERT_TRUE(bench.ask(request::Rearm{}));
+    bench.run(Seconds(1.0));
+    EXPECT_TRUE(bench.stands(Seconds(3.0)));
+    ASSERT_TRUE(bench.goTo(90.0, 60.0));
+    bench.run(Seconds(25.0));
+    EXPECT_EQ(bench.control().state(), StationState::Hold);
+    EXPECT_FALSE(bench.turnedForeignAxes());
+}
+
+// REQ-MOUNT-07
+TEST(MountPort, ATroubleOfAnotherKindOfDriverStopsBothAxes)
+{
+    for (const Axis moteus : kAxes) {
+        MixedBench bench(moteus);
+        bench.run(Seconds(1.0));
+        ASSERT_TRUE(bench.goTo(90.0, 60.0));
+        bench.run(Seconds(3.0));
+        bench.setBoxLine(false);
+        bench.run(Seconds(4.0));
+        EXPECT_TRUE(bench.control().faultLatched());
+        EXPECT_TRUE(bench.stands(Seconds(3.0)));
+        bench.setBoxLine(true);
+        bench.run(Seconds(2.0));
+        EXPECT_TRUE(bench.stands(Seconds(3.0)));
+        ASSERT_TRUE(bench.ask(request::Rearm{}));
+        bench.run(Seconds(1.0));
+        EXPECT_TRUE(bench.stands(Seconds(3.0)));
+        ASSERT_TRUE(bench.goTo(90.0, 60.0));
+        bench.run(Seconds(25.0));
+        EXPECT_EQ(bench.control().state(), StationState::Hold);
+        EXPECT_FALSE(bench.turnedForeignAxes());
+    }
+}
+
+// REQ-MOUNT-09: What one of two drivers offers besides moving can be had, for its axis. What two offer can not.
+TEST(MountPort, APairOffersWhatOneOfItsDriversOffers)
+{
+    MixedBench bench(Axis::Elevation);
+    ASSERT_NE(bench.control().mount().service(), nullptr);
+    PairBench simple;
+    EXPECT_EQ(simple.control().mount().service(), nullptr);
+    bench.run(Seconds(1.0));
+    const auto refused = bench.ask(request::ChooseTurn{Axis::Azimuth, 10_deg});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(textOf(refused.error()).find("No moteus turns this axis"), std::string::npos) << textOf(refused.error());
+    const DrivesStatus drives = *bench.control().status().drives;
+    EXPECT_FALSE(drives.azimuth.present);
+    EXPECT_TRUE(drives.elevation.present);
+}
+
+// REQ-MOUNT-02: The set-points are never faster than the rotator, whatever the profile permits.
+TEST(MountPort, SetPointsAreNoFasterThanTheRotator)
+{
+    profile::Profile fast;
+    fast.azimuth.limits.speed = AngularRate::fromDegrees(20.0);
+    fast.elevation.limits.speed = AngularRate::fromDegrees(20.0);
+    SimpleBench bench({}, fast);
+    bench.run(Seconds(1.0));
+    ASSERT_TRUE(bench.goTo(150.0, 80.0));
+    for (int i = 0; i < 500; ++i) {
+        bench.tick();
+        const AxisStatus azimuth = bench.control().status().azimuth;
+        ASSERT_LE(azimuth.commandedRate.value_or(AngularRate{}), SimpleBox::kSpeed);
+        ASSERT_LT(abs(azimuth.commanded.value_or(bench.truth().azimuth) - bench.truth().azimuth), 2_deg) << i;
+    }
+}
+
+// Story: a rotator of whole degrees rounded its set-point to the degree beyond a limit of 60.7°.
+// REQ-MOUNT-08: A rotator that goes in steps stays inside a travel and inside limits that end between two of them.
+TEST(MountPort, ARotatorOfStepsStaysInsideLimitsBetweenTwoSteps)
+{
+    profile::Profile profile = slowProfile();
+    profile.azimuth.geometry.travel = {.min = 5.4_deg, .max = 60.6_deg};
+    profile.limits.elevation = {.min = 10.4_deg, .max = 60.7_deg};
+    SimpleBench bench({}, profile);
+    bench.run(Seconds(1.0));
+    EXPECT_FALSE(bench.goTo(30.0, 60.7));
+    for (const auto& [rate, end] :
+         {std::pair{-5.0, AxisPosition{6_deg, 11_deg}}, std::pair{5.0, AxisPosition{60_deg, 60_deg}}}) {
+        const AngularRate both = AngularRate::fromDegrees(rate);
+        ASSERT_TRUE(bench.ask(request::Move{{.azimuth = both, .elevation = both}}));
+        for (int i = 0; i < 1000; ++i) {
+            bench.tick();
+            ASSERT_TRUE(profile.azimuth.geometry.travel.contains(bench.truth().azimuth)) << i;
+            ASSERT_TRUE(profile.limits.elevation.contains(bench.truth().elevation)) << i;
+        }
+        bench.expectAt(end, end, Angle::fromDegrees(1e-6));
+    }
+}
+
+}  // namespace
+}  // namespace boresight

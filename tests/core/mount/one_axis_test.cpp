@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/mount/mount_bench.h"
+#include "tests/fakes/text_of.h"
+
+#include <gtest/gtest.h>
+
+namespace boresight {
+namespace {
+
+using profile::AxisDriver;
+
+// REQ-MOUNT-03: A mount with one axis needs no answer, no wrap and no arming of the other one. That one is shown as
+// missing, and can not be jogged. What is asked of it is ignored, and 0 is reported for it.
+TEST(OneAxis, WhatIsAskedOfTheMissingAxisIsIgnored)
+{
+    for (const Axis missing : kAxes) {
+        SimpleBench bench({.azimuth = missing != Axis::Azimuth, .elevation = missing != Axis::Elevation});
+        bench.run(Seconds(1.0));
+        const AxisPosition before = bench.truth();
+        ASSERT_TRUE(bench.ask(request::PointAxes{{120_deg, 40_deg}}));
+        bench.run(Seconds(30.0));
+        bench.expectAt({120_deg, 40_deg}, before, bench.resolution() / 2.0);
+        EXPECT_EQ(bench.control().state(), StationState::Hold);
+        const SkyPointing direction = bench.control().direction().value_or(SkyPointing{-1_deg, -1_deg});
+        EXPECT_EQ(missing == Axis::Azimuth ? direction.azimuth : direction.elevation, 0_deg);
+        EXPECT_NEAR(missing == Axis::Azimuth ? direction.elevation.degrees() : direction.azimuth.degrees(),
+                    missing == Axis::Azimuth ? 40.0 : 120.0, 1e-6);
+    }
+}
+
+// REQ-MOUNT-10: Of an axis that no moteus turns nothing is asked, commanded, kept or believed, whoever answers under
+// its id. The crash-stop proof is of the other one.
+TEST(OneAxis, NothingOfADriveUnderTheIdOfTheMissingAxisCounts)
+{
+    StationRig foreign;  // has drives for both axes
+    foreign.run(Seconds(0.1));
+    for (const Axis missing : kAxes) {
+        const bool azimuth = missing != Axis::Azimuth;
+        const Axis there = azimuth ? Axis::Azimuth : Axis::Elevation;
+        MoteusBench bench(slowProfile(azimuth ? AxisDriver::Moteus : AxisDriver::None,
+                                      azimuth ? AxisDriver::None : AxisDriver::Moteus));
+        StationRig& rig = bench.rig();
+        const AxisPosition before = bench.truth();
+        bench.run(Seconds(1.0));
+        ASSERT_TRUE(bench.goTo(120.0, 40.0));
+        for (int i = 0; i < 1500; ++i) {
+            bench.tick();
+            const auto frames = rig.mount.frames();
+            ASSERT_EQ(frames.size(), 1U);
+            ASSERT_EQ(moteus::fromCanId(frames.front().id).destination, rig.profile.axis(there).id);
+            const CanFrame question = foreign.mount.frames()[index(missing)];
+            rig.mount.take(foreign.drive(missing).answer(question, rig.clock.now()).value());
+        }
+        EXPECT_TRUE(rig.drive(missing).seen.empty());
+        bench.expectAt({120_deg, 40_deg}, before, bench.resolution());
+        EXPECT_EQ(rig.mount.report(missing).place, 0_deg);
+        EXPECT_FALSE(rig.mount.memory().turns[index(missing)]);
+        EXPECT_TRUE(rig.mount.memory().turns[index(there)]);
+        EXPECT_FALSE(rig.mount.chooseWrap(missing, 0_deg, QStringLiteral("operator")));
+        const DrivesStatus drives = *rig.control.status().drives;
+        EXPECT_EQ(drives.azimuth.present, azimuth);
+        EXPECT_EQ(drives.elevation.present, !azimuth);
+    }
+}
+
+// REQ-MOUNT-10
+TEST(OneAxis, TheCrashStopOfItIsProvenAlone)
+{
+    MoteusBench bench(slowProfile(AxisDriver::None, AxisDriver::Moteus));
+    StationRig& rig = bench.rig();
+    bench.run(Seconds(1.0));
+    ASSERT_TRUE(bench.goTo(0.0, 45.0));
+    bench.run(Seconds(15.0));
+    const Result<> proving = bench.ask(request::ProveCrashStop{AngularRate::fromDegrees(2.0)});
+    ASSERT_TRUE(proving) << textOf(proving.error());
+    bench.run(Seconds(10.0));
+    EXPECT_FALSE(rig.mount.proofRunning());
+    const DrivesStatus drives = *rig.control.status().drives;
+    EXPECT_EQ(drives.proofText, QStringLiteral("done"));
+    EXPECT_FALSE(drives.azimuth.crashStop);
+    EXPECT_TRUE(drives.elevation.crashStop);
+    EXPECT_TRUE(rig.drive(Axis::Azimuth).seen.empty());
+}
+
+// REQ-MOUNT-03
+TEST(OneAxis, TheMissingAxisIsShownAsMissingAndCanNotBeJogged)
+{
+    SimpleBench bench({.azimuth = true, .elevation = false});
+    bench.run(Seconds(1.0));
+    const StationStatus status = bench.control().status();
+    EXPECT_EQ(status.elevation.state, AxisState::Missing);
+    EXPECT_NE(status.azimuth.state, AxisState::Missing);
+    EXPECT_FALSE(status.capabilities.has(Axis::Elevation));
+    EXPECT_EQ(status.permissions.reason(Action::JogUp), QStringLiteral("This mount has no elevation axis."));
+    EXPECT_EQ(status.permissions.reason(Action::StepDown), QStringLiteral("This mount has no elevation axis."));
+    EXPECT_TRUE(status.permissions.allows(Action::JogLeft)) << status.permissions.reason(Action::JogLeft).toStdString();
+}
+
+// REQ-MOUNT-04: Nobody knows where the beam of a mount with one axis is in the other angle: a keep-out holds for all of
+// it, and no horizon holds an azimuth back.
+TEST(OneAxis, AKeepOutHoldsForTheWholeOfTheMissingAngle)
+{
+    profile::Profile profile = slowProfile();
+    profile.limits.horizon = {{.azimuth = 0_deg, .elevation = 15_deg}};
+    profile.limits.keepOuts = {
+        {.name = "mast", .azimuthFrom = 80_deg, .azimuthTo = 100_deg, .elevationMin = 20_deg, .elevationMax = 40_deg}};
+    SimpleBench bench({.azimuth = true, .elevation = false}, profile);
+    bench.run(Seconds(1.0));
+    EXPECT_FALSE(bench.goTo(90.0, 0.0));
+    ASSERT_TRUE(bench.goTo(60.0, 0.0));
+    bench.run(Seconds(20.0));
+    EXPECT_NEAR(bench.truth().azimuth.degrees(), 60.0, 0.5);
+    ASSERT_TRUE(bench.ask(request::Move{{.azimuth = AngularRate::fromDegrees(5.0)}}));
+    bench.run(Seconds(10.0));
+    EXPECT_LE(bench.truth().azimuth, 80.5_deg);
+    EXPECT_GE(bench.truth().azimuth, 79_deg) << "it went that far";
+}
+
+// REQ-MOUNT-04
+TEST(OneAxis, AKeepOutHoldsAtAllAzimuthsWithoutOne)
+{
+    profile::Profile profile = slowProfile();
+    profile.limits.keepOuts = {
+        {.name = "wire", .azimuthFrom = 80_deg, .azimuthTo = 100_deg, .elevationMin = 50_deg, .elevationMax = 55_deg}};
+    SimpleBench bench({.azimuth = false, .elevation = true}, profile);
+    bench.run(Seconds(1.0));
+    EXPECT_FALSE(bench.goTo(0.0, 52.0));
+    EXPECT_FALSE(bench.goTo(0.0, 80.0)) << "there is no way around it";
+    EXPECT_TRUE(bench.goTo(0.0, 45.0));
+}
+
+}  // namespace
+}  // namespace boresight
