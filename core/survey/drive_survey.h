@@ -78,8 +78,8 @@ public:
 private:
     struct Side
     {
-        Axis axis;
-        int id;
+        Axis axis = Axis::Azimuth;
+        int id = 0;
         AxisSurvey drive;
         std::optional<DriveFacts> facts{};
     };
