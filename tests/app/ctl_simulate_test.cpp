@@ -34,6 +34,8 @@ struct Truth
     int azimuthMode = -1;
 };
 
+constexpr int kPositionMode = 10;
+
 double number(const QString& line, const char* key)
 {
     const QRegularExpression pattern(QStringLiteral("\\b%1=(\\S+)").arg(QLatin1String(key)));
@@ -81,6 +83,17 @@ protected:
             return !all.empty() && condition(all.back());
         });
         return came ? std::optional(truths().back()) : std::nullopt;
+    }
+
+    // Between two lines, a tenth of a second on an idle machine. Frames that came meanwhile are taken for new ones.
+    [[nodiscard]] double longestPause() const
+    {
+        const std::vector<Truth> all = truths();
+        double longest = 0.0;
+        for (std::size_t i = 1; i < all.size(); ++i) {
+            longest = std::max(longest, all[i].time - all[i - 1].time);
+        }
+        return longest;
     }
 
     QTemporaryDir folder;
@@ -262,10 +275,20 @@ TEST_F(SimulateTest, AxisStopsWhenTheServiceIsKilledInMotion)
     ASSERT_TRUE(fakes::waitUntil([&] { return service.errors().contains(QStringLiteral("both drives answer")); }));
     const QString address = service.lines().constLast().mid(listening.size());
 
-    fakes::Program client(rotctl, {QStringLiteral("-m"), QStringLiteral("2"), QStringLiteral("-r"), address,
-                                   QStringLiteral("P"), QStringLiteral("90"), QStringLiteral("45")});
-    ASSERT_EQ(client.waitForEnd(), 0) << client.errors().toStdString();
-    const auto moving = waitForTruth([](const Truth& now) { return now.azimuth > 10.0 && now.azimuthRate > 8.0; });
+    const auto ask = [&](const QStringList& command) {
+        fakes::Program client(
+            rotctl, QStringList{QStringLiteral("-m"), QStringLiteral("2"), QStringLiteral("-r"), address} + command);
+        return client.waitForEnd();
+    };
+    const QStringList go{QStringLiteral("P"), QStringLiteral("90"), QStringLiteral("45")};
+    ASSERT_EQ(ask(go), 0);
+    // Where a busy machine ran neither program for longer than the drives' watchdog, they have stopped: once more.
+    const auto moving = waitForTruth([&](const Truth& now) {
+        if (now.azimuthMode != kPositionMode && ask({QStringLiteral("R"), QStringLiteral("1")}) == 0) {
+            static_cast<void>(ask(go));
+        }
+        return now.azimuth > 10.0 && now.azimuthRate > 8.0;
+    });
     ASSERT_TRUE(moving) << "the axis never moved";
     QElapsedTimer sinceMoving;
     sinceMoving.start();
@@ -275,13 +298,14 @@ TEST_F(SimulateTest, AxisStopsWhenTheServiceIsKilledInMotion)
     const double gone = 1.0e-3 * static_cast<double>(sinceMoving.elapsed());
     const auto still = waitForTruth([&](const Truth& now) { return now.time > moving->time + gone + 0.25; });
     ASSERT_TRUE(still);
-    EXPECT_LT(still->azimuth - moving->azimuth, (gone + 0.2) * moving->azimuthRate) << "degrees run on";
+    const double allowed = gone + 0.2 + longestPause();
+    EXPECT_LT(still->azimuth - moving->azimuth, allowed * moving->azimuthRate) << "degrees run on";
     // What is left is the axis settling in its backlash: measured 0.2 °/s and 0.04° back.
     EXPECT_LT(std::abs(still->azimuthRate), 0.05 * moving->azimuthRate);
     const auto later = waitForTruth([&](const Truth& now) { return now.time > still->time + 1.0; });
     ASSERT_TRUE(later);
     EXPECT_NEAR(later->azimuth, still->azimuth, 0.05);
-    EXPECT_NE(later->azimuthMode, 10);
+    EXPECT_NE(later->azimuthMode, kPositionMode);
 }
 
 }  // namespace
