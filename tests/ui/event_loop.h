@@ -15,6 +15,7 @@ inline constexpr int kPatienceMs = 60'000;  // only a failing test needs as much
 inline void settle()
 {
     constexpr int kAnimatedMs = 2'000;  // what is animated is never done
+
     for (int round = 0; round < 2; ++round) {  // what is deleted may leave something to be laid out
         QCoreApplication::processEvents(QEventLoop::AllEvents, kAnimatedMs);
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);

@@ -16,8 +16,8 @@
 #include <string_view>
 #include <vector>
 
-// A shown and active window at 1024×700 with a clock turned by hand, and everything it asks of the station. Its beat, its
-// dead-man and what else it times run by that clock, too.
+// A shown and active window at 1024×700 with a clock turned by hand, and everything it asks of the station. Its beat,
+// its dead-man and what else it times run by that clock, too.
 namespace boresight::ui {
 
 class WindowFixture : public ::testing::Test

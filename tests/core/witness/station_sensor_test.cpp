@@ -253,8 +253,7 @@ TEST(StationSensor, TheDeclinationOfASiteThatIsLeftIsForgotten)
     profile.sensor.declinationFile = file.fileName().toStdString();
     SensedRig rig(profile);
     rig.run(kSurvey);
-    ASSERT_TRUE(
-        fakes::waitUntil([&] { return !rig.sensor().declinationText.contains(QStringLiteral("not known")); }))
+    ASSERT_TRUE(fakes::waitUntil([&] { return !rig.sensor().declinationText.contains(QStringLiteral("not known")); }))
         << rig.sensor().declinationText.toStdString();
     profile.site.latitude = 40_deg;
     ASSERT_TRUE(rig.ask(request::ApplyProfile{profile}));

@@ -100,7 +100,10 @@ protected:
         }
         return false;
     }
-    void run(Seconds time) { (void)until([] { return false; }, time); }
+    void run(Seconds time)
+    {
+        (void)until([] { return false; }, time);
+    }
     void markPlace()
     {
         origin = {.azimuth = link->truth(Axis::Azimuth).angle, .elevation = link->truth(Axis::Elevation).angle};

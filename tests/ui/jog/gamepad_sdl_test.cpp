@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/jog/gamepad.h"
-
 #include "tests/ui/event_loop.h"
+#include "ui/jog/gamepad.h"
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -73,8 +72,8 @@ TEST_F(GamepadSdlTest, IsFoundReadAndMissedWhenItGoes)
     EXPECT_TRUE(becomes([this] { return name->isEmpty(); }));
 }
 
-// The look runs on the window's thread once a second, the reading every 20 ms. The best of many runs: what holds up does
-// so each time, what else this computer has to do not.
+// The look runs on the window's thread once a second, the reading every 20 ms. The best of many runs: what holds up
+// does so each time, what else this computer has to do not.
 TEST_F(GamepadSdlTest, NeitherLookingNorReadingHoldsTheWindowUp)
 {
     qint64 best = std::numeric_limits<qint64>::max();
