@@ -7,13 +7,12 @@
 #include "core/profile/profile_history.h"
 #include "core/profile/profile_store.h"
 #include "tests/fakes/text_of.h"
+#include "tests/fakes/wait_until.h"
 
 #include <QDir>
 #include <QDirIterator>
-#include <QEventLoop>
 #include <QFile>
 #include <QTemporaryDir>
-#include <QTimer>
 
 #include <gtest/gtest.h>
 
@@ -523,18 +522,13 @@ TEST(ProfileSaver, SaysWhyItCouldNot)
     Rig rig;
     rig.options.profile = realMount();
     rig.options.profilePath = rig.folder.filePath(QStringLiteral("gone.toml"));
-    ProfileSaver saver(rig.options);
-    QEventLoop loop;
     QString reason;
-    QObject::connect(&saver, &ProfileSaver::failed, &loop, [&](const QString& text) {
-        reason = text;
-        loop.quit();
-    });
-    QTimer::singleShot(5000, &loop, &QEventLoop::quit);
+    ProfileSaver saver(rig.options);
+    QObject::connect(&saver, &ProfileSaver::failed, [&reason](const QString& text) { reason = text; });
     profile::Profile wanted = realMount();
     wanted.jog.slow = 0.7_deg_s;
     saver.save(wanted);
-    loop.exec();
+    ASSERT_TRUE(fakes::waitUntil([&reason] { return !reason.isEmpty(); }));
     EXPECT_TRUE(reason.contains(QStringLiteral("gone.toml"))) << reason.toStdString();
 }
 

@@ -5,10 +5,10 @@
 #include "core/moteus_mount/moteus_connection.h"
 #include "core/profile/setting.h"
 #include "core/station/link_factory.h"
+#include "tests/fakes/wait_until.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ protected:
     {
         QSignalSpy finished(&thread, &StationThread::finished);
         Q_EMIT thread.shutDownRequested();
-        EXPECT_TRUE(finished.count() > 0 || finished.wait());
+        EXPECT_TRUE(finished.count() > 0 || finished.wait(60'000));
     }
 
     std::unique_ptr<Station> station(const profile::Profile& profile)
@@ -59,7 +59,7 @@ protected:
     void ask(const Request& request) { Q_EMIT thread.requested({.id = ++lastId, .request = request}); }
     bool shows(const std::string& name)
     {
-        return QTest::qWaitFor([&] { return inForce && inForce->mount.name == name; });
+        return fakes::waitUntil([&] { return inForce && inForce->mount.name == name; });
     }
 
     QTemporaryDir folder;
@@ -83,7 +83,7 @@ TEST_F(StationThreadTest, AReconnectRunsTheOtherMountInItsPlace)
     EXPECT_TRUE(finished.isEmpty()) << "the window would close";
 
     ask(request::TakeAuthority{});
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !answers.empty() && answers.back().requestId == lastId; }))
+    EXPECT_TRUE(fakes::waitUntil([this] { return !answers.empty() && answers.back().requestId == lastId; }))
         << "the requests reach the station that runs";
     ask(request::Reconnect{mount("Roof")});
     EXPECT_TRUE(shows("Roof")) << "and back";
@@ -105,12 +105,12 @@ TEST_F(StationThreadTest, TheNextStationListensWhereTheOldOneDid)
 {
     QSignalSpy started(&thread, &StationThread::started);
     thread.start();
-    ASSERT_TRUE(started.wait());
+    ASSERT_TRUE(started.wait(60'000));
     const QString listening = started.front().at(0).toString();
     profile::Profile next = mount("Field");
     next.rotctld.listen = *profile::parseListenAddress(listening.toStdString());
     ask(request::Reconnect{next});
-    ASSERT_TRUE(started.wait());
+    ASSERT_TRUE(started.wait(60'000));
     EXPECT_EQ(started.back().at(0).toString(), listening);
     EXPECT_EQ(started.back().at(1).toString(), QString());
 }
@@ -125,7 +125,7 @@ TEST_F(StationThreadTest, AMountWhoseBusCanNotBeUsedIsShownAndTheOtherOneComesBa
         field.bus = bus;
         ask(request::Reconnect{field});
         ASSERT_TRUE(shows("Field")) << bus;
-        EXPECT_TRUE(QTest::qWaitFor([&] { return !alarms.empty(); })) << bus;
+        EXPECT_TRUE(fakes::waitUntil([&] { return !alarms.empty(); })) << bus;
         EXPECT_EQ(alarms.front().severity, Severity::Alarm);
         EXPECT_FALSE(alarms.front().what.isEmpty());
         EXPECT_TRUE(alarms.front().remedy.contains(QStringLiteral("another mount")));
@@ -141,7 +141,7 @@ TEST_F(StationThreadTest, NothingIsBegunAnewOnceTheProgramIsToEnd)
     QSignalSpy finished(&thread, &StationThread::finished);
     ask(request::Reconnect{mount("Field")});
     Q_EMIT thread.shutDownRequested();  // comes to a station that is ending already
-    ASSERT_TRUE(finished.wait());
+    ASSERT_TRUE(finished.wait(60'000));
     EXPECT_EQ(built, 0);
 }
 

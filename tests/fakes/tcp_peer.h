@@ -28,7 +28,8 @@ public:
     bool send(std::string_view bytes, std::chrono::milliseconds patience = std::chrono::seconds(30));
     void endSending();
     void reset();  // closes with RST
-    // Reads until `enough` likes what has come and then nothing for `quiet`; at most `patience` for the first part.
+    // Reads until `enough` likes what has come and then nothing for `quiet`; at most `patience` for the first part, and
+    // many looks.
     std::string receive(const Enough& enough, std::chrono::milliseconds quiet, std::chrono::milliseconds patience);
     std::string receiveLines(int count);  // until so many line feeds have come
     // One command, and the reply of so many lines.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/ui/event_loop.h"
 #include "ui/kit/value_label.h"
 
 #include <QFileDialog>
@@ -44,7 +45,7 @@ T& findSeen(const QWidget& in, const char* name)
 // In time.
 inline bool says(const QWidget& in, const char* words)
 {
-    return QTest::qWaitFor([&] {
+    return comesTrue([&] {
         for (const ValueLabel* const label : in.findChildren<ValueLabel*>()) {
             if (label->isVisible() && label->text().contains(QString::fromUtf8(words))) {
                 return true;

@@ -101,7 +101,7 @@ void PictureBook::take(const QString& scene)
     for (const View& view : kViews) {
         SCOPED_TRACE(scene.toStdString() + " " + view.name);
         window.resize(view.size);
-        QTest::qWait(1);  // laid out
+        settle();  // laid out
         // Buttons and labels have the room they ask for, or the window would have had to grow.
         EXPECT_EQ(window.width(), view.size.width());
         EXPECT_EQ(window.height(), view.size.height());

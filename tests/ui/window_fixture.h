@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/fakes/hand_turned_timers.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/ui/find_widget.h"
 #include "tests/ui/sample_status.h"
@@ -15,7 +16,8 @@
 #include <string_view>
 #include <vector>
 
-// A shown and active window at 1024×700 with a clock turned by hand, and everything it asks of the station.
+// A shown and active window at 1024×700 with a clock turned by hand, and everything it asks of the station. Its beat,
+// its dead-man and what else it times run by that clock, too.
 namespace boresight::ui {
 
 class WindowFixture : public ::testing::Test
@@ -28,7 +30,7 @@ protected:
         window.resize(1024, 700);
         window.QWidget::show();
         window.activateWindow();
-        EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
+        EXPECT_TRUE(becomesActive(window));
         give(samples::update(samples::idle()));
     }
 
@@ -40,6 +42,7 @@ protected:
     static constexpr std::string_view kPanels = "123456789";
 
     void give(const StationUpdate& update) { window.showUpdate(update); }
+    void elapse(Seconds time) { timers.elapse(time); }
 
     template <class T>
     T* named(const char* name)
@@ -65,6 +68,7 @@ protected:
     fakes::ManualClock clock;
     std::vector<NumberedRequest> requests;
     MainWindow window;
+    fakes::HandTurnedTimers timers{window, clock};
 };
 
 }  // namespace boresight::ui

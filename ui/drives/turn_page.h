@@ -52,7 +52,7 @@ private:
     StationStatus m_status;
     std::optional<Axis> m_axis;  // the question shown; empty while none is open
     TurnChoice m_choice;
-    QTimer m_fresh;  // runs while the question is too new to be answered
+    QTimer m_fresh{this};  // runs while the question is too new to be answered
     QLabel* m_title;
     TurnBar* m_bar;
     QPlainTextEdit* m_evidence;

@@ -48,8 +48,8 @@ private:
     double m_stickAzimuth = 0.0;
     double m_stickElevation = 0.0;
     AngularRate m_rate;
-    QTimer m_repeat;
-    QTimer m_bounce;
+    QTimer m_repeat{this};
+    QTimer m_bounce{this};
 };
 
 }  // namespace boresight::ui

@@ -44,7 +44,7 @@ private:
     ValueLabel& m_notice;
     QString m_what;
     std::map<JogDirection, JogButton*> m_buttons;
-    DeadMan m_deadMan;
+    DeadMan m_deadMan{this};
 };
 
 }  // namespace boresight::ui

@@ -43,7 +43,7 @@ private:
     QString m_help;
     QString m_reason;
     bool m_held = false;
-    QTimer m_bounce;  // runs after the key was released
+    QTimer m_bounce{this};  // runs after the key was released
 };
 
 }  // namespace boresight::ui

@@ -75,7 +75,7 @@ private:
     std::map<JogDirection, JogButton*> m_buttons;
     CommandButton* m_hold;
     ValueLabel* m_caption;
-    DeadMan m_deadMan;
+    DeadMan m_deadMan{this};
     StationStatus m_status;
     AngularRate m_rate;
     Angle m_step;

@@ -136,7 +136,7 @@ private:
     QString m_stateDir;
     std::optional<SkyPointing> m_picked;
     QString m_forbidden;  // why the mount may not point there
-    QTimer m_beat;
+    QTimer m_beat{this};
     int m_beats = 0;
     bool m_mayClose = false;
 };

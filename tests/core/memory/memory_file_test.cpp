@@ -372,7 +372,7 @@ TEST_F(MemoryFileTest, LivesInAnotherThreadThanTheOneThatMadeIt)
     QObject::connect(&file, &MemoryFile::saved, &file, [&station] { station.quit(); });  // said in the station's thread
     station.start();
     QMetaObject::invokeMethod(&file, [&file] { file.save(at(7.0)); });
-    ASSERT_TRUE(station.wait(10000));
+    ASSERT_TRUE(station.wait(60'000));
     EXPECT_EQ(load().memory, at(7.0));
 }
 

@@ -57,12 +57,12 @@ private:
     int m_turns = 0;
 };
 
-// The longest stall in the best of several runs: what blocks does so each time, what else this computer has to do not.
+// The longest stall in the best of many runs: what blocks does so each time, what else this computer has to do not.
 template <class Scenario>
 [[nodiscard]] std::chrono::milliseconds stallOf(Scenario scenario)
 {
     auto best = std::chrono::milliseconds::max();
-    for (int run = 0; run < 5 && best >= kLongestStall; ++run) {
+    for (int run = 0; run < 30 && best >= kLongestStall; ++run) {
         LoopWatch watch;
         scenario(watch);
         best = std::min(best, watch.longest());

@@ -3,17 +3,18 @@
 
 #include "core/can/port_holder.h"
 #include "core/sim/simulated_sensor.h"
+#include "tests/fakes/hand_turned_timers.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/program.h"
 #include "tests/fakes/pseudo_terminal.h"
+#include "tests/fakes/wait_until.h"
 
 #include <QAbstractEventDispatcher>
+#include <QCoreApplication>
 #include <QFile>
 #include <QSemaphore>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QThreadPool>
-#include <QTimer>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -30,8 +31,10 @@ const QByteArray kSerialSourceSentence = "$PATRK,1771493857399,ms,47.33,dd,19.13
 
 struct SerialSourceTest : testing::Test
 {
+    static constexpr std::chrono::milliseconds kSilence{300};
+
     SerialSourceTest()
-        : source({.port = terminal.path(), .firstRetry = 20ms, .longestRetry = 80ms, .silence = 300ms}, clock)
+        : source({.port = terminal.path(), .firstRetry = 20ms, .longestRetry = 80ms, .silence = kSilence}, clock)
     {
         QObject::connect(&source, &SensorSource::received, &source, [this](const Orientation& value) {
             values.push_back(value);
@@ -43,22 +46,31 @@ struct SerialSourceTest : testing::Test
 
     [[nodiscard]] bool hears(std::size_t count)
     {
-        return QTest::qWaitFor([&] { return values.size() >= count; });
+        return fakes::waitUntil([&] { return values.size() >= count; });
     }
     [[nodiscard]] bool becomes(bool open)
     {
-        return QTest::qWaitFor([&] { return source.status().open == open; });
+        return fakes::waitUntil([&] { return source.status().open == open; });
     }
     [[nodiscard]] bool complains(const char* of)
     {
-        return QTest::qWaitFor([&] { return source.status().problem.contains(QLatin1String(of)); });
+        return fakes::waitUntil([&] { return says(of); });
     }
+
+    // A line that is no sentence, and has been read.
+    void chat(const QByteArray& line)
+    {
+        const auto before = source.status().counts.chatter;
+        terminal.write(line + "\r\n");
+        ASSERT_TRUE(fakes::waitUntil([&] { return source.status().counts.chatter > before; }));
+    }
+    [[nodiscard]] bool says(const char* of) const { return source.status().problem.contains(QLatin1String(of)); }
 
     // Whoever has the port, it is known now, and told to those who asked.
     static void letLookUpsEnd()
     {
-        ASSERT_TRUE(QThreadPool::globalInstance()->waitForDone(10000));
-        QTest::qWait(0);
+        ASSERT_TRUE(QThreadPool::globalInstance()->waitForDone(60'000));
+        QCoreApplication::processEvents();
     }
 
     fakes::ManualClock clock;
@@ -109,7 +121,7 @@ TEST_F(SerialSourceTest, HearsSentencesOfAPort)
     EXPECT_EQ(values[0].arrival, clock.now());
     EXPECT_NEAR(values[0].heading.angle().degrees(), 47.33, 1e-9);
     EXPECT_EQ(countsThen[0], 1U) << "the counts are right when a value is told";
-    ASSERT_TRUE(QTest::qWaitFor([&] { return source.status().counts.allRefused() == 1; }));
+    ASSERT_TRUE(fakes::waitUntil([&] { return source.status().counts.allRefused() == 1; }));
     EXPECT_EQ(source.status().counts.chatter, 1U);
     EXPECT_EQ(source.status().problem, QString());
     EXPECT_EQ(terminal.takeWritten(), QByteArray()) << "nothing is ever sent to the sensor";
@@ -141,18 +153,18 @@ TEST_F(SerialSourceTest, ALostPortIsFoundAgain)
     int heard = 0;
     QObject::connect(&linked, &SensorSource::received, &linked, [&heard] { ++heard; });
     linked.open();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return linked.status().open; }));
+    ASSERT_TRUE(fakes::waitUntil([&] { return linked.status().open; }));
     terminal.write(kSerialSourceSentence);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return heard == 1; }));
+    ASSERT_TRUE(fakes::waitUntil([&] { return heard == 1; }));
     terminal.unplug();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !linked.status().open; }));
+    ASSERT_TRUE(fakes::waitUntil([&] { return !linked.status().open; }));
     EXPECT_TRUE(linked.status().problem.contains(QLatin1String("is gone"))) << qPrintable(linked.status().problem);
 
     fakes::PseudoTerminal other;
     ASSERT_TRUE(QFile::remove(link) && QFile::link(other.path(), link));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return linked.status().open; })) << qPrintable(linked.status().problem);
+    ASSERT_TRUE(fakes::waitUntil([&] { return linked.status().open; })) << qPrintable(linked.status().problem);
     other.write(kSerialSourceSentence);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return heard == 2; }));
+    ASSERT_TRUE(fakes::waitUntil([&] { return heard == 2; }));
     EXPECT_EQ(linked.status().problem, QString());
 }
 
@@ -161,9 +173,10 @@ TEST_F(SerialSourceTest, OneTroubleIsToldOnceHoweverOftenItIsTried)
     SerialSource absent({.port = QStringLiteral("/nowhere/sensor"), .firstRetry = 10ms, .longestRetry = 20ms}, clock);
     int told = 0;
     QObject::connect(&absent, &SensorSource::statusChanged, &absent, [&told] { ++told; });
+    fakes::HandTurnedTimers timers(absent, clock);
     absent.open();
     EXPECT_TRUE(absent.status().problem.contains(QLatin1String("is not there")));
-    QTest::qWait(150);
+    timers.elapse(1s);
     EXPECT_EQ(told, 1);
     absent.close();
     EXPECT_EQ(absent.status().problem, QString());
@@ -171,20 +184,25 @@ TEST_F(SerialSourceTest, OneTroubleIsToldOnceHoweverOftenItIsTried)
 
 TEST_F(SerialSourceTest, SaysWhatComesInPlaceOfSentences)
 {
+    fakes::HandTurnedTimers timers(source, clock);
     source.open();
-    EXPECT_TRUE(complains("nothing comes"));
+    ASSERT_TRUE(becomes(true));
+    timers.elapse(kSilence);
+    EXPECT_TRUE(says("nothing comes"));
     terminal.write("Initial begin() failed!\r\n");
     source.close();
     source.open();
     ASSERT_TRUE(becomes(true));
-    terminal.write("Initial begin() failed!\r\n");
-    EXPECT_TRUE(complains("Initial begin() failed!"));
+    chat("Initial begin() failed!");
+    timers.elapse(kSilence);
+    EXPECT_TRUE(says("Initial begin() failed!"));
     source.close();
     source.open();
     ASSERT_TRUE(becomes(true));
-    terminal.write(QByteArray("\xfe\x80\x99\r\n\xff", 6));
-    EXPECT_TRUE(complains("sensor.baud (115200)"));
-    terminal.write("\r\n" + kSerialSourceSentence);
+    chat("\xfe\x80\x99");
+    timers.elapse(kSilence);
+    EXPECT_TRUE(says("sensor.baud (115200)"));
+    terminal.write("\xff\r\n" + kSerialSourceSentence);
     ASSERT_TRUE(hears(1));
     EXPECT_EQ(source.status().problem, QString());
 }
@@ -192,26 +210,33 @@ TEST_F(SerialSourceTest, SaysWhatComesInPlaceOfSentences)
 // Story: the box was switched on without its chip; the line still said that nothing comes.
 TEST_F(SerialSourceTest, WhatComesInPlaceOfSentencesIsLookedAtAgain)
 {
+    fakes::HandTurnedTimers timers(source, clock);
     source.open();
-    EXPECT_TRUE(complains("nothing comes"));
-    QTimer firmware;
-    firmware.callOnTimeout([this] { terminal.write("Initial begin() failed!\r\n"); });
-    firmware.start(50ms);
-    EXPECT_TRUE(complains("Initial begin() failed!"));
-    firmware.stop();
-    EXPECT_TRUE(complains("nothing comes"));
+    ASSERT_TRUE(becomes(true));
+    timers.elapse(kSilence);
+    EXPECT_TRUE(says("nothing comes"));
+    for (int look = 0; look < 2; ++look) {
+        chat("Initial begin() failed!");
+        timers.elapse(kSilence);
+    }
+    EXPECT_TRUE(says("Initial begin() failed!"));
+    timers.elapse(2 * kSilence);
+    EXPECT_TRUE(says("nothing comes"));
 }
 
 TEST_F(SerialSourceTest, ChatterWithANumberInItIsNotToldEachTime)
 {
-    int number = 0;
-    QTimer clockText;
-    clockText.callOnTimeout([&] { terminal.write("round trip " + QByteArray::number(++number) + " ms\r\n"); });
-    clockText.start(50ms);
+    fakes::HandTurnedTimers timers(source, clock);
     source.open();
-    EXPECT_TRUE(complains("round trip"));
+    ASSERT_TRUE(becomes(true));
+    chat("round trip 0 ms");
+    timers.elapse(kSilence);
+    EXPECT_TRUE(says("round trip"));
     changes.clear();
-    QTest::qWait(1500);
+    for (int number = 1; number <= 5; ++number) {
+        chat("round trip " + QByteArray::number(number) + " ms");
+        timers.elapse(kSilence);
+    }
     EXPECT_TRUE(changes.empty());
 }
 
@@ -221,8 +246,13 @@ TEST_F(SerialSourceTest, ClosedItHearsNothing)
     ASSERT_TRUE(becomes(true));
     source.close();
     EXPECT_FALSE(source.status().open);
+    SerialSource other({.port = terminal.path()}, clock);
+    bool heard = false;
+    QObject::connect(&other, &SensorSource::received, [&heard] { heard = true; });
+    other.open();
+    ASSERT_TRUE(fakes::waitUntil([&other] { return other.status().open; }));
     terminal.write(kSerialSourceSentence);
-    QTest::qWait(50);
+    ASSERT_TRUE(fakes::waitUntil([&heard] { return heard; }));
     EXPECT_TRUE(values.empty());
 }
 
@@ -233,7 +263,7 @@ TEST_F(SerialSourceTest, ClosedByWhoTookAValueItTellsNoMoreOfTheSamePiece)
     ASSERT_TRUE(becomes(true));
     terminal.write(kSerialSourceSentence + kSerialSourceSentence + kSerialSourceSentence);
     ASSERT_TRUE(hears(1));
-    QTest::qWait(20);
+    QCoreApplication::processEvents();
     EXPECT_EQ(values.size(), 1U);
     EXPECT_FALSE(source.status().open);
 }
@@ -257,7 +287,7 @@ TEST_F(SerialSourceTest, WhoHasThePortIsLookedUpBesideTheThread)
         QStringLiteral("/bin/sh"),
         {QStringLiteral("-c"), QStringLiteral("echo has it; exec sleep 60 <'%1'").arg(terminal.path())});
     ASSERT_TRUE(holder.waitForLine(QStringLiteral("has it")));
-    ASSERT_TRUE(QTest::qWaitFor(
+    ASSERT_TRUE(fakes::waitUntil(
         [&] { return portHolder(terminal.path()).value_or(QString()).startsWith(QLatin1String("sleep")); }));
     source.open();
     EXPECT_TRUE(changes.empty()) << "open() does not wait for the answer";
@@ -280,7 +310,7 @@ TEST_F(SerialSourceTest, DeletedWhileThePortIsLookedAtItWaitsForNothing)
     QSemaphore deleted;
     std::atomic<int> inTime = 0;
     for (int thread = 0; thread < threads; ++thread) {
-        pool.start([&] { inTime += deleted.tryAcquire(1, 5000) ? 1 : 0; });
+        pool.start([&] { inTime += deleted.tryAcquire(1, 30'000) ? 1 : 0; });
     }
     auto other = std::make_unique<SerialSource>(SerialSettings{.port = terminal.path()}, clock);
     other->open();
@@ -294,7 +324,7 @@ TEST_F(SerialSourceTest, WhatIsNoPortIsNoPort)
 {
     SerialSource file({.port = QStringLiteral("/dev/null")}, clock);
     file.open();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !file.status().problem.isEmpty(); }));
+    EXPECT_TRUE(fakes::waitUntil([&] { return !file.status().problem.isEmpty(); }));
     EXPECT_FALSE(file.status().open);
 }
 

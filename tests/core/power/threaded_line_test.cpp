@@ -40,7 +40,7 @@ TEST(ThreadedLine, IsServedWhileItsOwnerDoesNotRun)
     std::vector<Value> values;
     QObject::connect(&line, &ThreadedLine::received, [&values](const Value& value) { values.push_back(value); });
     pollfd request{.fd = listener, .events = POLLIN, .revents = 0};
-    ASSERT_EQ(poll(&request, 1, 10'000), 1);
+    ASSERT_EQ(poll(&request, 1, 60'000), 1);
     const FileDescriptor program(accept4(listener, nullptr, nullptr, SOCK_CLOEXEC));
     ASSERT_TRUE(program.isOpen());
     EXPECT_FALSE(line.isOpen()) << "its report is still on the way";

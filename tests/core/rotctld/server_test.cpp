@@ -62,7 +62,7 @@ TEST(RotctldServer, AnswersInOneSegmentEach)
     EXPECT_LT(std::ranges::max(peer->segments()), 128U);
 }
 
-// The best of several: who waits for a drive does so each time.
+// The best of many: who waits for a drive does so each time, what else this computer has to do not.
 // REQ-ROTCTLD-02
 TEST(RotctldServer, AnswersAtOnceWithoutDrive)
 {
@@ -70,7 +70,7 @@ TEST(RotctldServer, AnswersAtOnceWithoutDrive)
     fixture.rotator.fault = Error{.code = ErrorCode::NoAnswer, .text = QStringLiteral("no drive answers")};
     const auto peer = fixture.connect();
     auto best = std::chrono::nanoseconds::max();
-    for (int run = 0; run < 5; ++run) {
+    for (int run = 0; run < 50 && best >= 50ms; ++run) {
         const auto begin = std::chrono::steady_clock::now();
         EXPECT_EQ(peer->ask("p\n"), "RPRT -6\n");
         EXPECT_EQ(peer->ask("P 10 5\n"), "RPRT -6\n");

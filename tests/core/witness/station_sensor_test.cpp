@@ -6,10 +6,10 @@
 #include "tests/core/geomagnetism/synthetic_model.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/text_of.h"
+#include "tests/fakes/wait_until.h"
 
 #include <QFile>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <gmock/gmock.h>
 
@@ -253,8 +253,7 @@ TEST(StationSensor, TheDeclinationOfASiteThatIsLeftIsForgotten)
     profile.sensor.declinationFile = file.fileName().toStdString();
     SensedRig rig(profile);
     rig.run(kSurvey);
-    ASSERT_TRUE(
-        QTest::qWaitFor([&] { return !rig.sensor().declinationText.contains(QStringLiteral("not known")); }, 5000))
+    ASSERT_TRUE(fakes::waitUntil([&] { return !rig.sensor().declinationText.contains(QStringLiteral("not known")); }))
         << rig.sensor().declinationText.toStdString();
     profile.site.latitude = 40_deg;
     ASSERT_TRUE(rig.ask(request::ApplyProfile{profile}));
@@ -275,7 +274,7 @@ TEST(StationSensor, AMagneticModelThatCannotBeReadIsTold)
         rig.run(0.02);
         return log.open(QIODevice::ReadOnly) && log.readAll().contains("/nowhere/WMM.COF");
     };
-    EXPECT_TRUE(QTest::qWaitFor(told));
+    EXPECT_TRUE(fakes::waitUntil(told));
     EXPECT_THAT(rig.sensor().declinationText.toStdString(), HasSubstr("not known"));
 }
 

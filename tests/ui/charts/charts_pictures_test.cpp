@@ -28,7 +28,7 @@ protected:
 
     void readTheErrorAt(int column)
     {
-        QTest::qWait(1);
+        settle();
         StripChart& error = window.findChild<StripCharts*>()->strip(Strip::Error);
         QTest::mouseMove(&error, QPoint(error.canvas().left() + column, 60));
     }

@@ -24,7 +24,7 @@ protected:
     ChartsTest()
     {
         openPanel('2');
-        QTest::qWait(1);
+        settle();
     }
 
     StripCharts& charts() { return *window.findChild<StripCharts*>(); }
@@ -58,7 +58,7 @@ protected:
     void pointAt(Strip which, int column)
     {
         QTest::mouseMove(&strip(which), QPoint(strip(which).canvas().left() + column, 60));
-        QTest::qWait(1);
+        settle();
     }
 
     const Trace& trace(Strip which, std::size_t number) { return strip(which).frame().traces.at(number); }
@@ -165,12 +165,10 @@ TEST_F(ChartsTest, SilenceIsAGapAndNeverALine)
 TEST_F(ChartsTest, OldDataMoveAwayFromNow)
 {
     tick(10.0, 10.0, 500);
-    clock.advance(6s);
-    const auto behind = [this] {
-        const StripFrame& frame = strip(Strip::Position).frame();
-        return frame.firstColumn + frame.columns - 1 - frame.traces.at(1).columns.back().column;
-    };
-    EXPECT_TRUE(QTest::qWaitFor([&] { return behind() >= strip(Strip::Position).columns() / 10 - 1; }));
+    elapse(6s);
+    const StripFrame& frame = strip(Strip::Position).frame();
+    const auto behind = frame.firstColumn + frame.columns - 1 - frame.traces.at(1).columns.back().column;
+    EXPECT_GE(behind, strip(Strip::Position).columns() / 10 - 1);
     EXPECT_TRUE(strip(Strip::Position).caption().endsWith(QStringLiteral("actual –")));
 }
 
@@ -279,7 +277,7 @@ TEST_F(ChartsTest, LargeTheyTakeThePlaceOfTheSkyAndCoverNothing)
     auto* const stop = window.findChild<StopButton*>();
     const QRect place(sky->mapTo(&window, QPoint(0, 0)), sky->size());
     QTest::keyClick(&window, Qt::Key_L, Qt::ControlModifier);
-    QTest::qWait(1);
+    settle();
     EXPECT_FALSE(sky->isVisible());
     EXPECT_EQ(QRect(charts().mapTo(&window, QPoint(0, 0)), charts().size()), place);
     EXPECT_EQ(window.size(), QSize(1024, 700));
@@ -289,7 +287,7 @@ TEST_F(ChartsTest, LargeTheyTakeThePlaceOfTheSkyAndCoverNothing)
     EXPECT_EQ(asked<request::Stop>().size(), 1U);
     openPanel('2');
     press("Charts back to this panel");
-    QTest::qWait(1);
+    settle();
     EXPECT_TRUE(sky->isVisible());
     EXPECT_TRUE(charts().isVisible());
     EXPECT_FALSE(QRect(charts().mapTo(&window, QPoint(0, 0)), charts().size()).intersects(place));

@@ -30,7 +30,7 @@ TEST_F(DrivesTest, NoSettingValueOrVerdictIsCutOff)
     open<ProtectionPanel>();
     for (const StationStatus& status : {samples::idle(), samples::factoryDrives(), samples::reading()}) {
         give(samples::update(status));
-        QTest::qWait(1);
+        settle();
         for (int row = 0; row < model().rowCount(); ++row) {
             for (const int column : {ProtectionModel::Setting, ProtectionModel::Wanted, ProtectionModel::FoundAzimuth,
                                      ProtectionModel::FoundElevation, ProtectionModel::Verdict}) {

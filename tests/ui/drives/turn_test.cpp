@@ -36,9 +36,11 @@ protected:
     TurnPage& page() { return *window.findChild<TurnPage*>(); }
     CommandButton& answer() { return *named<CommandButton>("It stands there"); }
     QLineEdit& field() { return *named<QLineEdit>("Angle read off the mount"); }
-    bool answerable()
+    bool answerable()  // not at once
     {
-        return QTest::qWaitFor([this] { return answer().isEnabled(); });
+        const bool atOnce = answer().isEnabled();
+        elapse(Seconds(0.8));
+        return !atOnce && answer().isEnabled();
     }
     QRadioButton* place(const char* angle)
     {
@@ -213,7 +215,8 @@ TEST_F(TurnTest, UnwindingIsADeadManAtItsOwnRate)
     give(samples::update(fewPlaces()));
     auto* const back = named<QPushButton>("Turn counter-clockwise at 2.0°/s while held");
     QTest::mousePress(back, Qt::LeftButton);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return asked<request::Jog>().size() >= 4; }));
+    elapse(3 * kJogRepeat);
+    ASSERT_EQ(asked<request::Jog>().size(), 4u);
     EXPECT_EQ(asked<request::Jog>().back().rates, (AxisRates{-2_deg_s, 0_deg_s}));
     QTest::mouseRelease(back, Qt::LeftButton);
     EXPECT_EQ(asked<request::Jog>().back().rates, AxisRates{});

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the first start to the first safe move: the real window, the real station, the simulated mount with its physics.
-// The clock is turned by hand, in step with the real time that the dead-man needs.
+// The clock is turned by hand, also that of the window's dead-man.
 #include "core/moteus_mount/moteus_connection.h"
 #include "core/sim_bus/simulated_link.h"
 #include "core/station/link_factory.h"
 #include "core/station/station.h"
+#include "tests/fakes/hand_turned_timers.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/ui/find_widget.h"
 #include "ui/guide/guide_page.h"
@@ -25,7 +26,6 @@ namespace boresight::ui {
 namespace {
 
 constexpr Seconds kTick{0.02};
-constexpr int kTickMs = 20;
 
 profile::Profile fresh()
 {
@@ -45,7 +45,7 @@ protected:
         window.resize(1024, 700);
         window.show();
         window.activateWindow();
-        EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
+        EXPECT_TRUE(becomesActive(window));
         connectTo(fresh());
     }
 
@@ -81,6 +81,7 @@ protected:
         station->updateTaken();
         station->publish();
         QTest::qWait(0);
+        timers.runDue();
         farthest = {
             .azimuth = std::max(farthest.azimuth, abs(link->truth(Axis::Azimuth).angle - origin.azimuth)),
             .elevation = std::max(farthest.elevation, abs(link->truth(Axis::Elevation).angle - origin.elevation))};
@@ -99,12 +100,9 @@ protected:
         }
         return false;
     }
-    void runInRealTime(Seconds time)
+    void run(Seconds time)
     {
-        for (Seconds waited{0.0}; waited < time; waited += kTick) {
-            QTest::qWait(kTickMs);
-            tick();
-        }
+        (void)until([] { return false; }, time);
     }
     void markPlace()
     {
@@ -135,7 +133,7 @@ protected:
         auto& button = inGuide<JogButton>(name);
         EXPECT_TRUE(button.isEnabled()) << name << ": " << button.toolTip().toStdString();
         QTest::mousePress(&button, Qt::LeftButton);
-        runInRealTime(time);
+        run(time);
         QTest::mouseRelease(&button, Qt::LeftButton);
     }
     bool fit()
@@ -155,6 +153,7 @@ protected:
     AxisPosition farthest;
     AngularRate fastest;
     MainWindow window;
+    fakes::HandTurnedTimers timers{window, clock};
     std::unique_ptr<Station> station;  // goes before the window
 };
 
@@ -170,7 +169,7 @@ TEST_F(GuideWalk, FromTheFirstStartToTheFirstSafeMove)
 
     // Nothing but the small slow move is possible.
     station->request({.id = 900, .request = request::PointSky{{.azimuth = 113_deg, .elevation = 10_deg}}});
-    runInRealTime(Seconds(0.2));
+    run(Seconds(0.2));
     EXPECT_LT(farthest.azimuth, 0.05_deg);
     hold("Turn azimuth on at 1.0°/s while held", Seconds(3.0));
     hold("Raise elevation at 1.0°/s while held", Seconds(3.0));

@@ -89,15 +89,17 @@ protected:
 TEST_F(GamepadTest, AHeldDeadManRepeatsTheStickAndReleaseEndsWithZero)
 {
     push();
-    ASSERT_TRUE(QTest::qWaitFor([this] { return jogs().size() >= 4; }));
+    elapse(3 * kJogRepeat);
+    ASSERT_EQ(jogs().size(), 4u);
     EXPECT_EQ(jogs().back().rates, (AxisRates{2_deg_s, -2_deg_s}));
     jog().takeGamepad(held(0.6, 0.0));
-    ASSERT_TRUE(QTest::qWaitFor([this] { return jogs().back().rates.elevation == 0_deg_s; }));
+    elapse(kJogRepeat);
+    EXPECT_EQ(jogs().back().rates.elevation, 0_deg_s);
     EXPECT_NEAR(jogs().back().rates.azimuth.degrees(), 0.5, 1e-9);
     jog().takeGamepad({.right = 1.0, .up = -1.0});
     EXPECT_TRUE(ended());
     const std::size_t before = jogs().size();
-    QTest::qWait(3 * static_cast<int>(kJogRepeat.count()));
+    elapse(3 * kJogRepeat);
     EXPECT_EQ(jogs().size(), before);
 }
 
@@ -131,7 +133,7 @@ TEST_F(GamepadTest, UnpluggingWindowPanelRefusalAndStopEndItUntilAFreshPress)
         QWidget other;
         other.show();
         other.activateWindow();
-        ASSERT_TRUE(QTest::qWaitForWindowActive(&other));
+        ASSERT_TRUE(becomesActive(other));
     });
 }
 

@@ -28,19 +28,16 @@ protected:
     JogPad& pad() { return window.findChild<JogPanel*>()->pad(); }
     JogButton& button(JogDirection direction) { return pad().button(direction); }
     std::vector<request::Jog> jogs() const { return asked<request::Jog>(); }
-    bool jogsReach(std::size_t count)
-    {
-        return QTest::qWaitFor([this, count] { return jogs().size() >= count; });
-    }
     bool lastJogIsZero() const { return !jogs().empty() && jogs().back().rates == AxisRates{}; }
     bool jogEnds()  // a key is let go a moment later
     {
-        return QTest::qWaitFor([this] { return lastJogIsZero(); });
+        elapse(kJogRepeat);
+        return lastJogIsZero();
     }
     void expectQuiet()
     {
         const std::size_t before = jogs().size();
-        QTest::qWait(3 * static_cast<int>(kJogRepeat.count()));
+        elapse(3 * kJogRepeat);
         EXPECT_EQ(jogs().size(), before);
     }
     void arm() { QTest::mouseClick(&pad(), Qt::LeftButton, {}, QPoint(20, 20)); }
@@ -61,7 +58,8 @@ protected:
 TEST_F(JogTest, AHeldButtonRepeatsAndReleaseEndsWithZero)
 {
     QTest::mousePress(&button(JogDirection::Right), Qt::LeftButton);
-    ASSERT_TRUE(jogsReach(4));
+    elapse(3 * kJogRepeat);
+    ASSERT_EQ(jogs().size(), 4u);
     EXPECT_EQ(jogs().front().rates, (AxisRates{2_deg_s, 0_deg_s}));
     EXPECT_EQ(jogs().back().rates, (AxisRates{2_deg_s, 0_deg_s}));
     QTest::mouseRelease(&button(JogDirection::Right), Qt::LeftButton);
@@ -116,10 +114,10 @@ TEST_F(JogTest, LosingTheWindowThePanelOrThePermissionEndsIt)
         QWidget other;
         other.show();
         other.activateWindow();
-        ASSERT_TRUE(QTest::qWaitForWindowActive(&other));
+        ASSERT_TRUE(becomesActive(other));
     });
     window.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    ASSERT_TRUE(becomesActive(window));
     holdThen("another panel", [&] { window.findChild<QTabWidget*>()->setCurrentIndex(1); });
     window.findChild<QTabWidget*>()->setCurrentIndex(0);
     holdThen("STOP", [&] { give(samples::update(samples::stopped())); });
@@ -175,9 +173,8 @@ TEST_F(JogTest, AKeyThatBouncesIsHeld)
     press(Qt::Key_Right);
     for (int i = 0; i < 20; ++i) {
         release(Qt::Key_Right);
-        QCoreApplication::sendPostedEvents();  // and no timer
         press(Qt::Key_Right);
-        QTest::qWait(10);
+        elapse(Seconds(0.01));
     }
     for (const request::Jog& jog : jogs()) {
         EXPECT_EQ(jog.rates, (AxisRates{2_deg_s, 0_deg_s}));
@@ -221,7 +218,8 @@ TEST_F(JogTest, TwoKeysMoveBothAxesUntilTheLastIsReleased)
     press(Qt::Key_Right);
     EXPECT_EQ(jogs().back().rates, (AxisRates{2_deg_s, 2_deg_s}));
     release(Qt::Key_Up);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return jogs().back().rates == AxisRates{2_deg_s, 0_deg_s}; }));
+    elapse(kJogRepeat);
+    EXPECT_EQ(jogs().back().rates, (AxisRates{2_deg_s, 0_deg_s}));
     release(Qt::Key_Right);
     EXPECT_TRUE(jogEnds());
 }
@@ -260,7 +258,7 @@ TEST_F(JogTest, StepModeMovesOneStepPerPress)
     QTest::mouseClick(named<ChoiceButton>("One step is 5° (Ctrl + arrow)"), Qt::LeftButton);
     QTest::mouseClick(named<ChoiceButton>("Step mode: a press moves one step only"), Qt::LeftButton);
     QTest::mousePress(&button(JogDirection::Down), Qt::LeftButton);
-    QTest::qWait(2 * static_cast<int>(kJogRepeat.count()));
+    elapse(2 * kJogRepeat);
     QTest::mouseRelease(&button(JogDirection::Down), Qt::LeftButton);
     EXPECT_TRUE(jogs().empty());
     ASSERT_EQ(asked<request::Nudge>().size(), 1u);

@@ -46,7 +46,7 @@ protected:
     {
         panel.show();
         panel.activateWindow();
-        ASSERT_TRUE(QTest::qWaitForWindowActive(&panel));
+        ASSERT_TRUE(becomesActive(panel));
     }
     template <class T>
     T& on(const LogPage& page)
@@ -175,7 +175,7 @@ TEST_F(LogTest, OpensAtTheNewestLineAndStaysThereUntilScrolledAway)
     EXPECT_EQ(bar.value(), bar.maximum());
     const auto add = [this](std::uint64_t number) {
         panel.append({samples::logEntry(number, Severity::Advisory, QStringLiteral("operator"), QStringLiteral("x"))});
-        QTest::qWait(1);
+        settle();
     };
     add(61);
     EXPECT_EQ(bar.value(), bar.maximum());
@@ -207,7 +207,7 @@ TEST_F(LogTest, SavesTheShownLinesToAFileOrSaysWhyNot)
     const auto saveAs = [this](const QString& path) {
         press(events(), "File …");
         chooseFile(panel, path);
-        EXPECT_TRUE(QTest::qWaitFor([this] { return panel.findChild<QFileDialog*>() == nullptr; }));
+        EXPECT_TRUE(comesTrue([this] { return panel.findChild<QFileDialog*>() == nullptr; }));
     };
     saveAs(folder.filePath(QStringLiteral("nowhere/night.txt")));
     EXPECT_TRUE(outcome().startsWith(QStringLiteral("Not written: "))) << outcome().toStdString();

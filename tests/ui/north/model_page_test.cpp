@@ -193,7 +193,7 @@ TEST_F(NorthTest, TermsAreExchangedWithAFile)
     choose("Type the terms, or exchange them with a file");
     click("Export terms");
     chooseFile(folder.filePath(QStringLiteral("roof")));
-    ASSERT_TRUE(QTest::qWaitFor([this] { return window.findChild<QFileDialog*>() == nullptr; }));
+    ASSERT_TRUE(comesTrue([this] { return window.findChild<QFileDialog*>() == nullptr; }));
     QFile file(folder.filePath(QStringLiteral("roof.txt")));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly)) << "the suffix is that of the filter";
     const std::string written = file.readAll().toStdString();
@@ -258,7 +258,7 @@ TEST_F(NorthTest, TheArrowsOfTheResidualsPointWhereTheBeamLooks)
 {
     show(CalibrationStep::Model, samples::sixPoints());
     choose("The points, and how far each is off");
-    QTest::qWait(1);
+    settle();
     const auto& sky = *window.findChild<ResidualSky*>();
     PointStatus point;
     point.truth = {180_deg, 45_deg};

@@ -140,7 +140,7 @@ TEST_F(NorthTest, TheDeviationCurveLiesWhereItsSamplesAreAndShowsBothWays)
 {
     const StationStatus status = samples::swung();
     show(CalibrationStep::Swing, status);
-    QTest::qWait(1);
+    settle();
     auto& plot = *window.findChild<DeviationPlot*>();
     const SwingOutcome& swing = *status.calibration->swing;
     ASSERT_FALSE(swing.fit.samples.empty());

@@ -24,7 +24,7 @@ protected:
         openPanel('9');
         window.findChild<CalibrationPanel*>()->go(step);
         give(samples::update(status));
-        QTest::qWait(1);
+        settle();
     }
     bool offers(const QString& words)
     {

@@ -86,7 +86,7 @@ TEST_F(ProfilePageTest, APasswordIsNotSeenOverTheShoulder)
     EXPECT_EQ(editor->text(), QStringLiteral("s3cret"));
     EXPECT_FALSE(editor->displayText().contains(QStringLiteral("s3cret")));
     QTest::keyClick(editor, Qt::Key_Return);
-    ASSERT_TRUE(QTest::qWaitFor([&editor] { return !editor; })) << "the editor stays open";
+    ASSERT_TRUE(comesTrue([&editor] { return !editor; })) << "the editor stays open";
     EXPECT_EQ(firstCell(SettingTree::Value), QStringLiteral("(hidden) (was not given)"));
     edit("mqtt.user", "mount");
     press("Apply");
@@ -140,13 +140,13 @@ TEST_F(ProfilePageTest, SwitchingAsksWithTheDifferencesAndIsOneRequest)
     give(samples::acceptance(withProfile(roof), requests.back().id));
     EXPECT_FALSE(page().isAsking());
     put(field);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return mounts()->currentText() == QLatin1String("Field (in force)"); }));
+    EXPECT_TRUE(comesTrue([this] { return mounts()->currentText() == QLatin1String("Field (in force)"); }));
 }
 
 TEST_F(ProfilePageTest, TheSettingsHaveTheRoomThatNothingElseNeeds)
 {
     const auto rows = [this] {
-        QTest::qWait(1);
+        settle();
         const QModelIndex first = tree()->model()->index(0, 0);
         return tree()->viewport()->height() / tree()->visualRect(first).height();
     };
@@ -197,7 +197,7 @@ TEST_F(ProfilePageTest, AnUnreadableMountSaysWhyAndIsNotOffered)
     file.close();
     openPanel('1');
     openPanel('8');
-    ASSERT_TRUE(QTest::qWaitFor([this] { return mounts()->findText(QStringLiteral("▲ Field")) >= 0; }));
+    ASSERT_TRUE(comesTrue([this] { return mounts()->findText(QStringLiteral("▲ Field")) >= 0; }));
     mounts()->setCurrentText(QStringLiteral("▲ Field"));
     EXPECT_TRUE(says("Field.toml:3: park.azimuth"));
     EXPECT_FALSE(named<CommandButton>("Switch …")->isEnabled());

@@ -23,7 +23,7 @@ TEST_F(ProfilePageTest, AMountIsDuplicatedAsItIsApplied)
     ASSERT_TRUE(asks());
     type("Name of the new mount", "Garden");
     ASSERT_TRUE(says("\"Garden\" is kept"));
-    ASSERT_TRUE(QTest::qWaitFor([this] { return mounts()->count() == 3; }));
+    ASSERT_TRUE(comesTrue([this] { return mounts()->count() == 3; }));
     EXPECT_GE(mounts()->findText(QStringLiteral("Garden")), 0);
     const auto kept = store.list();
     ASSERT_EQ(kept.size(), 3u);
@@ -41,7 +41,7 @@ TEST_F(ProfilePageTest, AnotherMountIsRenamedInItsFileThisOneByAnEdit)
     type("New name of the mount", "Meadow");
     ASSERT_TRUE(says("called \"Meadow\" now"));
     EXPECT_EQ(profile::loadProfile(fieldFile)->mount.name, "Meadow");
-    ASSERT_TRUE(QTest::qWaitFor([this] { return mounts()->findText(QStringLiteral("Meadow")) >= 0; }));
+    ASSERT_TRUE(comesTrue([this] { return mounts()->findText(QStringLiteral("Meadow")) >= 0; }));
     choose("Roof");
     fromMenu("Rename …");
     type("New name of the mount", "Tower");
@@ -61,7 +61,7 @@ TEST_F(ProfilePageTest, OnlyAMountThatIsNotInForceIsRemovedAndItsFileIsKept)
     ASSERT_TRUE(asks());
     press("Remove");
     ASSERT_TRUE(says("\"Field\" is removed"));
-    EXPECT_TRUE(QTest::qWaitFor([this] { return mounts()->count() == 1; }));
+    EXPECT_TRUE(comesTrue([this] { return mounts()->count() == 1; }));
     EXPECT_TRUE(QFile::exists(fieldFile + QStringLiteral(".removed")));
 }
 

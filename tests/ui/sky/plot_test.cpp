@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pointing/sun_keep_out.h"
+#include "tests/ui/event_loop.h"
 #include "tests/ui/sample_status.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/value_label.h"
@@ -65,7 +66,7 @@ protected:
     {
         plot.resize(500, 520);
         plot.show();
-        EXPECT_TRUE(QTest::qWaitForWindowExposed(&plot));
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&plot, kPatienceMs));
     }
     SkyMarkers& markers() { return *plot.findChild<SkyMarkers*>(); }
     QColor pixel(QPointF at) { return plot.grab().toImage().pixelColor(at.toPoint()); }

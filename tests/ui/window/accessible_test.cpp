@@ -45,13 +45,13 @@ protected:
         for (const char panel : std::string(kPanels)) {
             SCOPED_TRACE(std::string("panel ") + panel);
             openPanel(panel);
-            QTest::qWait(1);
+            settle();
             check(window);
         }
         give(samples::update(samples::asking(Axis::Azimuth, 3, 180_deg, true)));
         {
             SCOPED_TRACE("panel 9");
-            QTest::qWait(1);
+            settle();
             check(window);
         }
         give(samples::update(samples::freshMount()));
@@ -59,7 +59,7 @@ protected:
         for (StepButton* const step : window.findChildren<StepButton*>()) {
             SCOPED_TRACE(step->accessibleName().toStdString());
             QTest::mouseClick(step, Qt::LeftButton);
-            QTest::qWait(1);
+            settle();
             check(window);
         }
         QTest::keyClick(&window, Qt::Key_F3);
@@ -120,12 +120,12 @@ TEST_F(AccessibleTest, ThePlotIsToldInNumbers)
     QAccessibleInterface* const plot = QAccessible::queryAccessibleInterface(window.findChild<PolarPlot*>());
     EXPECT_EQ(plot->role(), QAccessible::Chart);
     EXPECT_FALSE(plot->text(QAccessible::Name).isEmpty());
-    const auto words = [plot] { return plot->text(QAccessible::Description); };  // once a second
+    elapse(Seconds(1.0));
+    const QString words = plot->text(QAccessible::Description);
     const StationStatus status = samples::tracking(330);
     for (const auto& direction : {status.actual, status.target}) {
         const QString azimuth = QString::number(direction->azimuth.degrees(), 'f', 1);
-        EXPECT_TRUE(QTest::qWaitFor([&] { return words().contains(azimuth); }))
-            << azimuth.toStdString() << " in " << words().toStdString();
+        EXPECT_TRUE(words.contains(azimuth)) << azimuth.toStdString() << " in " << words.toStdString();
     }
 }
 

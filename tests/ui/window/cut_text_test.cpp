@@ -35,7 +35,7 @@ protected:
 
     void expectWhole(const QWidget& root)
     {
-        QTest::qWait(1);  // laid out
+        settle();  // laid out
         ASSERT_TRUE(root.isVisible());
         int texts = 0;
         for (const ValueLabel* const label : root.findChildren<ValueLabel*>()) {
@@ -157,9 +157,9 @@ TEST_P(CutTextTest, WhatAClientMayDoIsWholeWheneverItChanges)
         client = {.id = client.id, .address = client.address, .program = client.program};
     }
     give(samples::update(status));
-    QTest::qWait(1);
+    settle();
     give(samples::update(samples::fighting()));  // the same clients, other words
-    QTest::qWait(1);
+    settle();
     const auto* const table = window.findChild<QTableView*>(QStringLiteral("clients"));
     ASSERT_NE(table, nullptr);
     const QHeaderView& header = *table->horizontalHeader();

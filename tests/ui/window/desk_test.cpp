@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/fakes/hand_turned_timers.h"
 #include "tests/system/simulated_station.h"
 #include "tests/ui/find_widget.h"
 #include "ui/hold/jog_button.h"
@@ -36,10 +37,11 @@ protected:
         window.resize(1024, 700);
         window.show();
         window.activateWindow();
-        EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
+        EXPECT_TRUE(becomesActive(window));
         rig.onTick = [this] {
             leftmost = std::min(leftmost, rig.truth(Axis::Azimuth));
             rig.station->publish();  // its own timer runs by this computer's time
+            timers.runDue();
         };
         rig.station->updateTaken();
         rig.run(Seconds(0.5));
@@ -71,14 +73,6 @@ protected:
     QString refusal() { return named<ValueLabel>("Refused").text(); }
     JogButton& button(JogDirection direction) { return window.findChild<JogPanel*>()->pad().button(direction); }
 
-    // The mouse, held: this computer's time goes on for the dead-man's repeats, and twice as fast for the mount.
-    void holdFor(Seconds mountTime)
-    {
-        for (Seconds gone{0.0}; gone < mountTime; gone += SimulatedStation::kTick) {
-            QTest::qWait(10);
-            rig.tick();
-        }
-    }
     void dragOnThePlot(SkyPointing from, SkyPointing to)
     {
         auto& plot = *window.findChild<PolarPlot*>();
@@ -96,6 +90,7 @@ protected:
 
     SimulatedStation rig{limitedProfile()};
     MainWindow window{rig.clock, {}};
+    fakes::HandTurnedTimers timers{window, rig.clock};
     double leftmost = 1e9;  // the true azimuth
 };
 
@@ -128,7 +123,7 @@ TEST_F(DeskTest, AnAzimuthLimitDraggedOnThePlotIsEnforcedAfterApply)
     ASSERT_TRUE(rig.settle());
     QTest::keyClick(&named<RateSlider>("Jog rate"), Qt::Key_End);
     QTest::mousePress(&button(JogDirection::Left), Qt::LeftButton);
-    holdFor(Seconds(4.0));
+    rig.run(Seconds(4.0));
     QTest::mouseRelease(&button(JogDirection::Left), Qt::LeftButton);
     ASSERT_TRUE(rig.settle());
     EXPECT_NEAR(rig.truth(Axis::Azimuth), limit.degrees(), 0.2) << "the jog ended at the edge";
@@ -150,7 +145,7 @@ TEST_F(DeskTest, AJogEndsWithTheHandTheFocusTheWindowAndTheMouseLeaving)
         QWidget other;
         other.show();
         other.activateWindow();
-        ASSERT_TRUE(QTest::qWaitForWindowActive(&other));
+        ASSERT_TRUE(becomesActive(other));
     };
     const std::pair<const char*, std::function<void()>> ends[] = {
         {"release", [&right] { QTest::mouseRelease(&right, Qt::LeftButton); }},
@@ -160,16 +155,16 @@ TEST_F(DeskTest, AJogEndsWithTheHandTheFocusTheWindowAndTheMouseLeaving)
     for (const auto& [what, end] : ends) {
         QTest::keyClick(&window, Qt::Key_1, Qt::ControlModifier);
         window.activateWindow();
-        ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+        ASSERT_TRUE(becomesActive(window));
         const double before = rig.truth(Axis::Azimuth);
         QTest::mousePress(&right, Qt::LeftButton);
-        holdFor(Seconds(1.0));
+        rig.run(Seconds(1.0));
         EXPECT_GT(rig.truth(Axis::Azimuth), before + 1.0) << what;
         EXPECT_EQ(rig.status().state, StationState::Jog) << what;
         end();
         rig.run(Seconds(0.6));  // 2°/s is braked in 0.2 s, and the antenna swings
         const double stood = rig.truth(Axis::Azimuth);
-        holdFor(Seconds(1.0));
+        rig.run(Seconds(1.0));
         EXPECT_NEAR(rig.truth(Axis::Azimuth), stood, 0.02) << what;
         EXPECT_EQ(rig.status().state, StationState::Hold) << what;
         QTest::mouseRelease(&right, Qt::LeftButton);

@@ -61,7 +61,7 @@ protected:
 
     void expectRoom(const std::string& where)
     {
-        QTest::qWait(1);  // laid out
+        settle();  // laid out
         const QSize least = window.minimumSizeHint();
         EXPECT_LE(least.width(), 1024) << where;
         EXPECT_LE(least.height(), 700) << where;
@@ -127,7 +127,7 @@ TEST_P(FontsTest, EveryStepOfTheGuideHasRoom)
 TEST_P(FontsTest, LargeNumbersAreDrawnWhole)
 {
     give(samples::update(samples::tracking(330)));
-    QTest::qWait(1);
+    settle();
     for (const ValueLabel* const label : window.findChild<AxisReadout*>()->findChildren<ValueLabel*>()) {
         const QRect digits = label->fontMetrics().tightBoundingRect(QStringLiteral("0123456789"));
         const double baseLine = (label->height() - label->fontMetrics().height()) / 2.0 + label->fontMetrics().ascent();
@@ -140,7 +140,7 @@ TEST_P(FontsTest, LargeNumbersAreDrawnWhole)
 TEST_P(FontsTest, WordsAreDrawnWhole)
 {
     give(samples::update(samples::faulted()));
-    QTest::qWait(1);
+    settle();
     int words = 0;
     for (const ValueLabel* const label : window.findChildren<ValueLabel*>()) {
         if (label->isVisible() && !fonts::isOfNumbers(label->font())) {

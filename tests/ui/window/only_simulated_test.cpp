@@ -48,7 +48,7 @@ TEST_F(OnlySimulatedTest, TheQuestionBeforeASwitchSaysThatTheOtherBusIsNotUsed)
 {
     openPanel('8');
     auto* const mounts = named<QComboBox>("Mounts that are kept");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return mounts->count() == 2; }));
+    ASSERT_TRUE(comesTrue([&] { return mounts->count() == 2; }));
     mounts->setCurrentIndex(mounts->findText(QStringLiteral("Field")));
     QTest::mouseClick(named<CommandButton>("Switch …"), Qt::LeftButton);
     const QString says = QStringLiteral(
@@ -62,7 +62,7 @@ TEST_F(OnlySimulatedTest, TheQuestionBeforeASwitchSaysThatTheOtherBusIsNotUsed)
         }
         return false;
     };
-    EXPECT_TRUE(QTest::qWaitFor(isAsked));
+    EXPECT_TRUE(comesTrue(isAsked));
 }
 
 TEST_F(OnlySimulatedTest, TheTagSaysHowLongAndTheGuideOffersNoAdapter)

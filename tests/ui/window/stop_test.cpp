@@ -38,7 +38,7 @@ TEST_F(StopTest, IsWholeAndUncoveredInEveryPanelAndLargeEnough)
     std::size_t presses = 0;
     for (const char panel : kPanels) {
         openPanel(panel);
-        QTest::qWait(1);
+        settle();
         const QRect place(stop().mapTo(&window, QPoint()), stop().size());
         EXPECT_TRUE(window.rect().contains(place));
         EXPECT_GE(place.width(), 150);
@@ -56,7 +56,7 @@ TEST_F(StopTest, IsThereAndWorksInEveryQuestionDialogAndPrompt)
 {
     std::size_t expected = 0;
     const auto expectStopWorks = [&](const std::string& where) {
-        QTest::qWait(1);
+        settle();
         EXPECT_EQ(window.size(), QSize(1024, 700)) << where;
         const QRect place(stop().mapToGlobal(QPoint()), stop().size());
         EXPECT_EQ(window.childAt(stop().mapTo(&window, stop().rect().center())), &stop()) << where;
@@ -128,7 +128,7 @@ TEST_F(StopTest, StaysInPlaceWhenQuestionsAppear)
     auto* const sky = window.findChild<SkyMarkers*>();
     QTest::mouseClick(sky, Qt::LeftButton, {}, sky->projection().zenith.toPoint());
     window.close();
-    QTest::qWait(1);
+    settle();
     EXPECT_EQ(stop().mapTo(&window, QPoint()), before);
     EXPECT_EQ(window.size(), QSize(1024, 700));
 }
@@ -151,7 +151,7 @@ TEST_F(StopTest, PauseAndF12ReachThroughModalDialogsMenusAndFields)
     QMessageBox modal(&window);
     modal.setModal(true);
     modal.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&modal));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&modal, kPatienceMs));
     QTest::keyClick(&modal, Qt::Key_Pause);
     QTest::keyClick(&modal, Qt::Key_F12);
     EXPECT_EQ(stops(), 2u);
@@ -182,7 +182,7 @@ TEST_F(StopTest, EscStopsUnlessAMenuOrDialogIsOpen)
 
     QTest::keyClick(&window, Qt::Key_F1);
     auto* const help = window.findChild<HelpPage*>();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(help));
+    ASSERT_TRUE(becomesActive(*help));
     const auto* const readout = window.findChild<AxisReadout*>();
     EXPECT_GE(help->frameGeometry().top(), readout->mapToGlobal(readout->rect().bottomLeft()).y())
         << "neither STOP nor the numbers are covered";
@@ -231,8 +231,10 @@ TEST_F(StopTest, AnUnansweredStopIsAnAlarmAfterASecond)
 {
     give(samples::update(samples::tracking(1)));
     QTest::keyClick(&window, Qt::Key_F12);
-    clock.advance(Seconds(1.1));
-    EXPECT_TRUE(QTest::qWaitFor([this] { return text("Worst alarm").contains(QLatin1String("not confirmed")); }));
+    elapse(Seconds(0.9));
+    EXPECT_FALSE(text("Worst alarm").contains(QLatin1String("not confirmed")));
+    elapse(Seconds(0.2));
+    EXPECT_TRUE(text("Worst alarm").contains(QLatin1String("not confirmed")));
     give(samples::update(samples::tracking(2)));  // the station talks, but does not stop
     EXPECT_TRUE(text("Worst alarm").contains(QLatin1String("not confirmed")));
     give(samples::update(samples::stopped()));

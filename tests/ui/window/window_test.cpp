@@ -106,10 +106,10 @@ TEST_F(WindowTest, OldNumbersAreDimmedWithTheirAgeThenNotShown)
 TEST_F(WindowTest, ASilentStationAgesTheScreenByItself)
 {
     give(samples::update(samples::tracking(100)));
-    clock.advance(Seconds(1.0));
-    EXPECT_TRUE(QTest::qWaitFor([this] { return text("Detail of azimuth") == QLatin1String("age 1.0 s"); }));
-    clock.advance(Seconds(1.5));
-    EXPECT_TRUE(QTest::qWaitFor([this] { return text("State of azimuth") == QLatin1String("NO DATA"); }));
+    elapse(Seconds(1.0));
+    EXPECT_EQ(text("Detail of azimuth"), QStringLiteral("age 1.0 s"));
+    elapse(Seconds(1.5));
+    EXPECT_EQ(text("State of azimuth"), QStringLiteral("NO DATA"));
     EXPECT_TRUE(text("Worst alarm").contains(QLatin1String("No status from the station for 2.5 s")));
     give(samples::update(samples::tracking(100)));
     EXPECT_EQ(text("State of azimuth"), QStringLiteral("MOVING"));
@@ -357,7 +357,7 @@ TEST_F(WindowTest, ClosingAStandingMountDoesNotAsk)
 TEST_F(WindowTest, EveryControlHasANameAndATouchableSize)
 {
     const auto expectUsable = [this] {
-        QTest::qWait(1);
+        settle();
         for (const QAbstractButton* const button : window.findChildren<QAbstractButton*>()) {
             if (button->isVisible() && button->inherits("QTabBar") == false &&
                 !button->parentWidget()->inherits("QTabWidget") &&  // the Guide's corner: as high as the tabs
@@ -381,7 +381,7 @@ TEST_F(WindowTest, ALargeScreenGivesThePanelsAThirdAndTheJogButtonsNoMoreThanAHa
 {
     window.resize(3840, 2160);
     openPanel('1');
-    QTest::qWait(1);
+    settle();
     const auto* const panels = window.findChild<PanelTabs*>();
     EXPECT_GT(panels->width(), window.width() / 4);
     EXPECT_LT(panels->width(), window.width() / 2);
