@@ -5522,8 +5522,8 @@ do eixo</translation>
         <translation>termina o movimento, e a montagem mantém</translation>
     </message>
     <message>
-        <source>the newest client has control</source>
-        <translation>o cliente mais recente tem o controlo</translation>
+        <source>the client that sent last has control</source>
+        <translation>o cliente que enviou por último tem o controlo</translation>
     </message>
     <message>
         <source>it has control</source>
