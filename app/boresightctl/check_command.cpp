@@ -10,6 +10,20 @@
 namespace boresight::ctl {
 namespace {
 
+// "azimuth id 1".
+std::string driverText(const std::string& axis, const profile::AxisSettings& settings)
+{
+    switch (settings.driver) {
+        case profile::AxisDriver::Moteus:
+            return axis + " id " + std::to_string(settings.id);
+        case profile::AxisDriver::Simple:
+            return axis + " simple";
+        case profile::AxisDriver::None:
+            break;
+    }
+    return "no " + axis;
+}
+
 ExitStatus run(Arguments arguments)
 {
     if (arguments.size() != 1) {
@@ -28,8 +42,8 @@ ExitStatus run(Arguments arguments)
         app::printError(QStringLiteral("%1: %2").arg(toQString(path), fits.error().text));
         return kFoundWrong;
     }
-    print(path + ": in order: \"" + profile->mount.name + "\", bus " + profile->bus + ", azimuth id " +
-          std::to_string(profile->azimuth.id) + ", elevation id " + std::to_string(profile->elevation.id) + '\n');
+    print(path + ": in order: \"" + profile->mount.name + "\", bus " + profile->bus + ", " +
+          driverText("azimuth", profile->azimuth) + ", " + driverText("elevation", profile->elevation) + '\n');
     for (const profile::Advice& advice : profile::adviceOn(*profile)) {
         print(advice.key + ": " + advice.what.toStdString() + ". " + advice.remedy.toStdString() + '\n');
     }

@@ -17,16 +17,22 @@ ExitStatus fail(const Error& error)
     return kFoundWrong;
 }
 
+// Of each axis that the mount has.
 std::string question(const profile::Profile& profile)
 {
-    const auto speed = [](const profile::AxisSettings& axis) { return formatFixed(axis.limits.speed.degrees(), 1); };
+    std::string speeds;
+    std::string seen;
+    const auto add = [&](const profile::AxisSettings& axis, const std::string& name, const std::string& what) {
+        if (axis.driver != profile::AxisDriver::None) {
+            speeds += (speeds.empty() ? "" : " and ") + formatFixed(axis.limits.speed.degrees(), 1) + " °/s in " + name;
+            seen += "  " + what + '\n';
+        }
+    };
+    add(profile.azimuth, "azimuth", "azimuth:   to the right (M 16) the beam turns clockwise, seen from above");
+    add(profile.elevation, "elevation", "elevation: up (M 2) the beam rises");
     return "Mount \"" + profile.mount.name + "\", bus " + profile.bus +
-           ".\nAfter this Boresight moves the mount to every place of its travel, at up to " + speed(profile.azimuth) +
-           " °/s in azimuth and " + speed(profile.elevation) +
-           " °/s in elevation.\nConfirm only what a person at the mast has seen:\n"
-           "  azimuth:   to the right (M 16) the beam turns clockwise, seen from above\n"
-           "  elevation: up (M 2) the beam rises\n"
-           "Type yes if both axes turn so: ";
+           ".\nAfter this Boresight moves the mount to every place of its travel, at up to " + speeds +
+           ".\nConfirm only what a person at the mast has seen:\n" + seen + "Type yes if the mount turns so: ";
 }
 
 bool isConfirmedByHand(const profile::Profile& profile)
@@ -72,12 +78,12 @@ ExitStatus run(Arguments arguments)
 const Subcommand kConfirmDirectionsCommand{
     .name = "confirm-directions",
     .arguments = "PROFILE",
-    .summary = "Write into a profile that both axes turn the way it says",
+    .summary = "Write into a profile that each axis turns the way it says",
     .details = R"(Before, Boresight moves a real mount at most 2° at 5 °/s. For a boresightd without a window:
   1. Start boresightd with this profile, and stand where you see the antenna.
   2. rotctl -m 2 -r localhost:4533, and in it: M 16 20 (right), M 2 20 (up). The mount stops by itself.
   3. An axis that turned the other way: change its sign in the profile, and begin again.
-  4. Both turned as they should: this command, then start boresightd again.
+  4. Each turned as it should: this command, then start boresightd again.
 It asks before it writes. Comments and everything else in the file stay.
 Exit status: 0 the directions are confirmed, 1 they are not: the file is unchanged.
 

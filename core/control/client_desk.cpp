@@ -106,7 +106,7 @@ QString ClientDesk::leadObstacle(const ClientStatus& client) const
         return {};
     }
     if (view.profile.rotctld.lead == profile::Lead::Last) {
-        return Text::tr("the newest client has control");
+        return Text::tr("the client that sent last has control");
     }
     return client.leading ? Text::tr("it has control") : QString();
 }

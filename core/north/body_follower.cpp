@@ -90,8 +90,8 @@ Result<> BodyFollower::permitsAround(Body body, const std::vector<calibration::S
     return itself.and_then([&] { return direction(body); }).and_then([&](const SkyPointing& here) -> Result<> {
         for (const calibration::SkyOffset& place : places) {
             if (const auto may = m_control.reaches(beside(fromSide(here, fromBehind), place)); !may) {
-                return failure(may.error().code, Text::tr("around the %1 not all is permitted, %2: scan less wide, or "
-                                                          "when the %1 stands elsewhere")
+                return failure(may.error().code, Text::tr("Scan less wide, or when the %1 stands elsewhere. Not every "
+                                                          "place around it is permitted: %2")
                                                      .arg(bodyName(body), may.error().text));
             }
         }

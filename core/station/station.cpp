@@ -182,7 +182,8 @@ void Station::tellOpenPort()
 
 void Station::tellStart()
 {
-    const auto answers = [this](Axis axis) { return m_mount->driver().report(axis).answers; };
+    const MountDriver& mount = m_mount->driver();
+    const auto answers = [&mount](Axis axis) { return mount.capabilities().has(axis) && mount.report(axis).answers; };
     const bool drives = std::ranges::any_of(kAxes, answers);
     const auto patience = drives ? std::chrono::milliseconds(kSurveyPatience) : kStartPatience;
     if (!m_startTold && (m_control.measured() || m_clock.now() - m_opened > patience)) {

@@ -4285,8 +4285,8 @@ do eixo</translation>
         <translation>o lugar de estacionar ficaria então proibido, %1: defina outro primeiro (separador Montagem, Perfil, &quot;park&quot;), depois aplique</translation>
     </message>
     <message>
-        <source>around the %1 not all is permitted, %2: scan less wide, or when the %1 stands elsewhere</source>
-        <translation>à volta de %1 nem tudo é permitido, %2: faça uma varredura menos larga, ou quando %1 estiver noutro lugar</translation>
+        <source>Scan less wide, or when the %1 stands elsewhere. Not every place around it is permitted: %2</source>
+        <translation>Faça uma varredura menos larga, ou quando %1 estiver noutro lugar. Nem todos os lugares à volta são permitidos: %2</translation>
     </message>
     <message>
         <source>the %1 is elsewhere all at once: the clock of this computer or the site was changed; the mount holds, follow it again if that is right</source>
@@ -5522,8 +5522,8 @@ do eixo</translation>
         <translation>termina o movimento, e a montagem mantém</translation>
     </message>
     <message>
-        <source>the newest client has control</source>
-        <translation>o cliente mais recente tem o controlo</translation>
+        <source>the client that sent last has control</source>
+        <translation>o cliente que enviou por último tem o controlo</translation>
     </message>
     <message>
         <source>it has control</source>

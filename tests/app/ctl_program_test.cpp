@@ -191,6 +191,15 @@ TEST_F(ProfileFile, DirectionsAreConfirmedByTypingYes)
     EXPECT_THAT(confirm("").output, HasSubstr("confirmed already"));
 }
 
+// Story: it asked of a mount with one axis how the other one turns.
+TEST_F(ProfileFile, OnlyTheDirectionsOfItsAxesAreConfirmed)
+{
+    write("version = 1\n[bus]\nname = \"socketcan:can0\"\n[azimuth]\ndriver = \"none\"\n");
+    const Outcome refused = confirm("no\n");
+    EXPECT_THAT(refused.output, HasSubstr("at up to 8.0 °/s in elevation.\n"));
+    EXPECT_THAT(refused.output, Not(HasSubstr("M 16")));
+}
+
 TEST_F(ProfileFile, TheDefaultProfileIsCommentedAndInOrder)
 {
     const Outcome standard = ctl(words("profile --default"));
@@ -200,6 +209,16 @@ TEST_F(ProfileFile, TheDefaultProfileIsCommentedAndInOrder)
     EXPECT_EQ(checked.status, 0) << checked.errors;
     EXPECT_THAT(checked.output,
                 HasSubstr("in order: \"Boresight mount\", bus simulated, azimuth id 1, elevation id 2"));
+}
+
+// Story: check named the id of a controller that the mount does not have.
+TEST_F(ProfileFile, CheckNamesTheDriverOfEachAxis)
+{
+    const Outcome checked =
+        ctl({QStringLiteral("check"), write("version = 1\n[bus]\nname = \"socketcan:can0\"\n[elevation]\ndriver = "
+                                            "\"none\"\n")});
+    EXPECT_EQ(checked.status, 0) << checked.errors;
+    EXPECT_THAT(checked.output, HasSubstr("bus socketcan:can0, azimuth id 1, no elevation\n"));
 }
 
 TEST(Scan, ListsTheSimulatedPair)

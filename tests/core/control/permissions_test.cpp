@@ -327,6 +327,10 @@ TEST(Permissions, AClientIsToldWhyControlCannotBeGivenToIt)
     ASSERT_TRUE(rig.ask(request::GiveLead{.clientId = 1}));
     EXPECT_EQ(obstacle(1), "it has control");
     EXPECT_EQ(obstacle(2), "");
+    // Story: it named the newest client, and a client that connects later has no control before it sends a target.
+    rig.profile.rotctld.lead = profile::Lead::Last;
+    rig.setProfile(rig.profile);
+    EXPECT_EQ(obstacle(2), "the client that sent last has control");
     rig.profile.rotctld.lead = profile::Lead::Locked;
     rig.profile.rotctld.lockedTo = "10.0.0.7";
     rig.setProfile(rig.profile);

@@ -247,6 +247,24 @@ TEST(Station, SaysThatItHasStartedWhenThereIsAPositionOrNoneToExpect)
     EXPECT_EQ(started.size(), 1);
 }
 
+// Story: the axis that the mount does not have counted as one that answers, so the start waited for the drive check.
+TEST(Station, SaysThatItHasStartedWhereTheOnlyDriveIsSilent)
+{
+    fakes::ManualClock clock;
+    const QTemporaryDir stateDir;
+    const MountMaker mount =
+        moteusRotator(std::make_unique<fakes::FakeCanLink>(),
+                      {.stateDir = stateDir.path(), .simulation = Simulation::Reference, .axes = axesIf(true, false)});
+    Station station(anyPort(), mount, stateDir.path(), clock);
+    QSignalSpy started(&station, &Station::started);
+    station.openAll();
+    for (int i = 0; i < 30; ++i) {
+        clock.advance(Seconds(0.02));
+        station.tick();
+    }
+    EXPECT_EQ(started.size(), 1);
+}
+
 TEST(Station, FinishesAfterTheMountStandsStill)
 {
     SurveyedRig rig;
