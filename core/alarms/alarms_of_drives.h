@@ -74,7 +74,7 @@ inline constexpr std::array kDriveAlarms{
                .severity = Severity::Alarm,
                .what = QT_TRANSLATE_NOOP("Text", "No reply from the %1"),
                .action = QT_TRANSLATE_NOOP(
-                   "Text", "Boresight ended the motion. If the drive has power, its watchdog stops it within %2 s"),
+                   "Text", "Boresight ended the motion. If the drive has power, its watchdog brakes it after %2 s"),
                .remedy = "%3",
                .symptom = true,
                .examples = {"azimuth drive", "0.2", "Check the supply, the CAN cable and the adapter, then re-arm"}},

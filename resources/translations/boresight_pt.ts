@@ -4978,8 +4978,8 @@ do eixo</translation>
         <translation>Verifique o modo e a falha, procure outro programa que o comande, e rearme</translation>
     </message>
     <message>
-        <source>Boresight ended the motion. If the drive has power, its watchdog stops it within %2 s</source>
-        <translation>O Boresight terminou o movimento. Se o acionamento tiver energia, o seu watchdog para-o dentro de %2 s</translation>
+        <source>Boresight ended the motion. If the drive has power, its watchdog brakes it after %2 s</source>
+        <translation>O Boresight terminou o movimento. Se o acionamento tiver energia, o seu watchdog trava-o após %2 s</translation>
     </message>
     <message>
         <source>Boresight sends no motion commands</source>

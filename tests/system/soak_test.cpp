@@ -13,13 +13,7 @@
 namespace boresight::system_test {
 namespace {
 
-#ifdef BORESIGHT_SANITIZED
-constexpr double kUsualHours = 0.15;
-constexpr bool kMemoryIsOurs = false;  // the sanitizers keep what was freed
-#else
 constexpr double kUsualHours = 1.25;
-constexpr bool kMemoryIsOurs = true;
-#endif
 
 // The log of events fills up to its 2000 entries, which takes some hours.
 constexpr std::size_t kMemoryBound = 256 * 1024;
@@ -71,7 +65,7 @@ void expectNothingBad(const SoakFindings& findings)
     EXPECT_LT(findings.fastest, 1.1);
     EXPECT_LT(findings.astray, 0.3_deg);
     EXPECT_LT(findings.movedUnarmed, 0.2_deg);
-    if (kMemoryIsOurs && findings.memory.size() > 1) {
+    if (findings.memory.size() > 1) {
         EXPECT_LT(findings.memory.back(), findings.memory.front() + kMemoryBound);
     }
 }

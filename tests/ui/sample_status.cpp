@@ -221,7 +221,7 @@ StationStatus disconnected()
     for (const char* const drive : {"azimuth drive", "elevation drive"}) {
         addAlarm(
             status, Severity::Alarm, QStringLiteral("No reply from the %1.").arg(QLatin1String(drive)),
-            QStringLiteral("Boresight ended the motion. If the drive has power, its watchdog stops it within 0.1 s."),
+            QStringLiteral("Boresight ended the motion. If the drive has power, its watchdog brakes it after 0.1 s."),
             QStringLiteral("Check the supply, the CAN cable and the adapter, then re-arm."));
     }
     return status;

@@ -142,8 +142,9 @@ QString settingName(const std::string& key)
     if (found != std::end(kNames)) {
         return SettingWords::tr(found->name);
     }
-    const QStringList parts = QString::fromStdString(key).split(QLatin1Char('.'));
-    return parts.size() == 2 ? QStringLiteral("%1 (%2)").arg(parts[1], groupTitle(parts[0])) : parts[0];
+    const QString whole = QString::fromStdString(key);
+    const auto dot = whole.indexOf(QLatin1Char('.'));
+    return dot < 0 ? whole : QStringLiteral("%1 (%2)").arg(whole.mid(dot + 1), groupTitle(whole.left(dot)));
 }
 
 QString typedText(const Setting& setting, const profile::Profile& profile)

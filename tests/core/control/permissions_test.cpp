@@ -234,18 +234,6 @@ TEST(Permissions, ThereIsNoWayOnAtTheEndOfTheTravel)
     EXPECT_TRUE(may.allows(Action::StepDown));
 }
 
-TEST(Permissions, ALimitOfAnUnknownTurnBlocksNoWay)
-{
-    StationRig rig;
-    rig.run(Seconds(0.1));
-    ASSERT_TRUE(rig.ask(request::PointAxes{{450_deg, 30_deg}}));
-    rig.settle();
-    ASSERT_NE(rig.control.status().permissions.reason(Action::JogRight), QString());
-    rig.mount.driveRestarted(Axis::Azimuth);
-    const Permissions may = rig.control.status().permissions;
-    EXPECT_EQ(may.reason(Action::JogRight), may.reason(Action::JogLeft));
-}
-
 TEST(Permissions, AJogIsSlowWhereSomebodyMustWatch)
 {
     StationRig rig;

@@ -207,6 +207,32 @@ TEST(StationTurns, JoggedBackThePlacesAreThoseOfNow)
     EXPECT_GE(rig.question()->candidates.front(), -15_deg);
 }
 
+// What is reported is a place at the upper end of a travel shorter than 3.6°.
+TEST(StationTurns, ALimitOfAnUnknownTurnBlocksNoWay)
+{
+    profile::Profile profile;
+    profile.elevation.geometry.travel = {.min = 0_deg, .max = 3.5_deg};
+    const auto waysAt = [&](StationRig& rig) {
+        rig.elevation.position = profile.elevation.geometry.toMotor(3.48_deg).turns();
+        rig.run(Seconds(0.5));
+        EXPECT_NEAR(rig.control.status().elevation.actual->degrees(), 3.48, 1e-3);
+        return rig.control.status().permissions;
+    };
+    StationRig known(profile);
+    const Permissions before = waysAt(known);
+    EXPECT_FALSE(before.allows(Action::JogUp));
+    EXPECT_TRUE(before.allows(Action::JogDown)) << before.reason(Action::JogDown).toStdString();
+
+    StationRig asked(profile, {.problem = QStringLiteral("The journal file is missing."),
+                               .standingAt = {0_deg, std::nullopt},
+                               .looked = now()});
+    asked.elevation.home = HomeState::Rotor;
+    const Permissions may = waysAt(asked);
+    ASSERT_TRUE(asked.control.status().drives->elevation.turnQuestion);
+    EXPECT_TRUE(may.allows(Action::JogUp)) << may.reason(Action::JogUp).toStdString();
+    EXPECT_TRUE(may.allows(Action::JogDown)) << may.reason(Action::JogDown).toStdString();
+}
+
 // Story: told a place beyond its own bounds, a drive that held clamped to the bound without a ramp: it yanked the axis.
 TEST(StationTurns, BeyondItsBoundsADriveIsToldItsPlaceOnlyWhenItIsOff)
 {

@@ -228,6 +228,7 @@ public:
         m_box.setPower(connected, m_clock.now());
     }
     void setBoxLine(bool connected) { m_box.setPower(connected, m_clock.now()); }
+    void setMoteusLine(bool connected) { drive().silent = !connected; }
     // What one of them has turned, or was ordered to, of the axis that is the other's.
     [[nodiscard]] bool turnedForeignAxes() const
     {

@@ -59,6 +59,24 @@ TEST(MountPort, ATroubleOfAnotherKindOfDriverStopsBothAxes)
     }
 }
 
+// REQ-MOUNT-07
+TEST(MountPort, ATroubleOfTheMoteusStopsTheOtherKindOfDriverToo)
+{
+    for (const Axis moteus : kAxes) {
+        MixedBench bench(moteus);
+        bench.run(Seconds(1.0));
+        ASSERT_TRUE(bench.goTo(90.0, 60.0));
+        bench.run(Seconds(3.0));
+        bench.setMoteusLine(false);
+        bench.run(Seconds(4.0));
+        EXPECT_TRUE(bench.control().faultLatched());
+        EXPECT_TRUE(bench.stands(Seconds(3.0)));
+        bench.setMoteusLine(true);
+        bench.run(Seconds(2.0));
+        EXPECT_TRUE(bench.stands(Seconds(3.0)));
+    }
+}
+
 // REQ-MOUNT-09: What one of two drivers offers besides moving can be had, for its axis. What two offer can not.
 TEST(MountPort, APairOffersWhatOneOfItsDriversOffers)
 {

@@ -17,7 +17,7 @@ inline void setHour(CalibrationRig& rig, double hour)
 // After a swing that has found north to a degree or two.
 struct SwungRig : CalibrationRig
 {
-    SwungRig()
+    explicit SwungRig(const profile::Profile& settings = calibratedProfile()) : CalibrationRig({}, settings)
     {
         profile::Profile swung = profile;
         swung.pointing.azimuthOffset = Angle::fromDegrees(36.0);

@@ -77,10 +77,11 @@ TEST(CalibrationSwing, GoesOnWhereOnlyALimitIsSet)
 // Minutes of turning are not lost for a few replies.
 TEST(CalibrationSwing, OutlastsAStallOfThisComputer)
 {
-    CalibrationRig rig;
+    CalibrationRig rig({}, calibratedAtFullRate());
     swingHalfWay(rig);
     rig.azimuth.mute = rig.elevation.mute = true;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.16));
+    EXPECT_FALSE(rig.mount.seen());
     rig.azimuth.mute = rig.elevation.mute = false;
     rig.runOut();
     EXPECT_FALSE(rig.status().progress.failed) << rig.status().progress.outcome.toStdString();

@@ -29,6 +29,8 @@ TEST(SettingWords, ASettingIsNamedAsItIsFoundOnTheScreen)
     EXPECT_EQ(settingName("limits.elevation_max_deg"), QStringLiteral("highest elevation"));
     EXPECT_EQ(settingName("keep_out"), QStringLiteral("keep-outs"));
     EXPECT_EQ(settingName("azimuth.id"), QStringLiteral("id (Azimuth axis)"));
+    EXPECT_EQ(settingName("limits.horizon[2].azimuth_deg"),
+              QStringLiteral("horizon[2].azimuth_deg (Limits of operation)"));
 }
 
 TEST(SettingWords, WhatIsShownCanBeTypedAgain)
