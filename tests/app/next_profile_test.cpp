@@ -109,6 +109,34 @@ TEST(NextProfile, AChangedProfileIsSimulatedAnew)
     EXPECT_EQ(old->pointing, wanted.pointing);
 }
 
+// Story: of a mount that was changed and simulated in turns, only the last simulation but one was still there.
+TEST(NextProfile, EverySimulationOfAProfileThatHasChangedIsKept)
+{
+    ProfileRig rig;
+    rig.keep(realMount());
+    rig.simulate();
+    for (const auto speed : {0.7_deg_s, 0.8_deg_s}) {
+        profile::Profile wanted = rig.first();
+        wanted.pointing.azimuthOffset = 37.4_deg;
+        EXPECT_EQ(rig.save(wanted), QString());
+        profile::Profile changed = realMount();
+        changed.jog.slow = speed;
+        ASSERT_TRUE(profile::saveProfile(changed, rig.options.profilePath));
+    }
+    EXPECT_EQ(rig.first().jog.slow, 0.8_deg_s);
+    const QString old = rig.state() + QStringLiteral("/simulated/Roof.toml.old");
+    const auto eldest = profile::loadProfile(old);
+    const auto second = profile::loadProfile(old + QLatin1Char('2'));
+    ASSERT_TRUE(eldest && second);
+    EXPECT_EQ(eldest->pointing.azimuthOffset, 37.4_deg);
+    EXPECT_EQ(eldest->jog.slow, realMount().jog.slow);
+    EXPECT_EQ(second->jog.slow, 0.7_deg_s);
+    // There is nothing to be kept of a simulation in which nothing was set.
+    ASSERT_TRUE(profile::saveProfile(realMount(), rig.options.profilePath));
+    EXPECT_EQ(rig.first(), realMount());
+    EXPECT_FALSE(QFile::exists(old + QLatin1Char('3')));
+}
+
 // Two files may have the same mount's name, and so the same file of the simulation.
 // REQ-PROFILE-17a
 TEST(NextProfile, TheSimulationOfAnotherFileIsNotThisOnes)
