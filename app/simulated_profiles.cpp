@@ -11,6 +11,18 @@
 #include <QFile>
 
 namespace boresight::app {
+namespace {
+
+QString freeNameFor(const QString& file)
+{
+    QString old = file + QStringLiteral(".old");
+    for (int number = 2; QFile::exists(old); ++number) {
+        old = file + QStringLiteral(".old%1").arg(number);
+    }
+    return old;
+}
+
+}  // namespace
 
 QString SimulatedProfiles::fileOf(const profile::Profile& own) const
 {
@@ -28,10 +40,9 @@ Result<profile::Profile> SimulatedProfiles::open(const profile::Profile& own, co
         return kept;
     }
     QDir().mkpath(m_folder);
-    if (QFile::exists(file)) {  // not as MOUNT.toml~, which the next change would overwrite
-        const QString old = file + QStringLiteral(".old");
-        QFile::remove(old);
-        QFile::rename(file, old);
+    const bool isUnchanged = origin && kept && profile::changedKeys(profile::withoutBus(*origin), *kept).empty();
+    if (!isUnchanged) {
+        QFile::rename(file, freeNameFor(file));  // not as MOUNT.toml~, which the next change would overwrite
     }
     // The origin comes last: without it the copy is made again.
     return profile::saveProfile(profile::withoutBus(fresh), file)

@@ -160,7 +160,7 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
         station->wantRealTime();
         return station;
     };
-    const auto build = [&](const profile::Profile& wanted) { return make(saver.next(wanted), std::nullopt); };
+    const auto build = [&](const profile::Profile& profile) { return make(profile, std::nullopt); };
     app::StationThread station(make(saver.first(), options.standingAt), build);
     ui::MainWindow window(clock, windowSettings(options, layout));
     app::HostSearch search(makeLink);
@@ -172,6 +172,8 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
     }
     connectHost(window.host(), search);
     QObject::connect(&station, &app::StationThread::profileApplied, &saver, &app::ProfileSaver::save);
+    QObject::connect(&station, &app::StationThread::nextWanted, &saver, &app::ProfileSaver::findNext);
+    QObject::connect(&saver, &app::ProfileSaver::nextFound, &station, &app::StationThread::begin);
     QObject::connect(&saver, &app::ProfileSaver::failed, &window, &ui::MainWindow::warn);
     app::UnixSignals signals;
     QObject::connect(&signals, &app::UnixSignals::endRequested, &station, &app::StationThread::shutDownRequested);

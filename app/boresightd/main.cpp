@@ -9,6 +9,7 @@
 #include "core/station/station.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QThreadPool>
 
 #include <cstdio>
@@ -36,12 +37,26 @@ Result<app::Options> readOptions()
                             QStringLiteral("Boresight without a screen: rotctld server for a moteus antenna mount."));
 }
 
-// The file is read on another thread: a slow disk must not keep the drives waiting.
-void reload(Station& station, QThreadPool& reader)
+// Without --profile the window may have made another mount the current one meanwhile.
+Result<profile::Profile> readAgain(const app::Options& started)
+{
+    return readOptions().and_then([&](const app::Options& now) -> Result<profile::Profile> {
+        if (!started.isFirstStart() && QFileInfo(now.profilePath) != QFileInfo(started.profilePath)) {
+            return failure(
+                ErrorCode::Refused,
+                QStringLiteral("boresightd runs with %1, which is not the current mount any more: restart it")
+                    .arg(started.profilePath));
+        }
+        return now.profile;
+    });
+}
+
+// The file is read on another thread: a slow disk must not keep the drives waiting. `started` outlives the reader.
+void reload(Station& station, const app::Options& started, QThreadPool& reader)
 {
     app::notifyService("RELOADING=1");
-    reader.start([&station] {
-        const auto read = readOptions().map([](const app::Options& options) { return options.profile; });
+    reader.start([&station, &started] {
+        const auto read = readAgain(started);
         const auto take = [&station, read] {
             station.reload(read);
             app::notifyService("READY=1");
@@ -63,7 +78,7 @@ int run(QCoreApplication& application, const app::Options& options)
     app::ServiceWatchdog watchdog;
     QObject::connect(&station, &Station::ticked, &application, [&watchdog, &clock] { watchdog.feed(clock.now()); });
     app::UnixSignals signals(app::HangUp::Reloads);
-    QObject::connect(&signals, &app::UnixSignals::reloadRequested, &station, [&] { reload(station, reader); });
+    QObject::connect(&signals, &app::UnixSignals::reloadRequested, &station, [&] { reload(station, options, reader); });
     QObject::connect(&station, &Station::started, &application, [&](const QString& listening, const QString& problem) {
         if (listening.isEmpty()) {
             application.exit(complain(problem));

@@ -28,8 +28,8 @@
 #include <vector>
 
 // The station as a running thing: StationControl with a mount, a timer, the rotctld server, a log file and a feed of
-// updates. Built on the main thread, then moved to the station thread before start(); from there on all is called
-// there, from other threads by queued signals. It decides nothing about motion itself.
+// updates. Building it reads files. Built on the station thread, or moved there before start(); from there on all is
+// called there, from other threads by queued signals. It decides nothing about motion itself.
 // More than 15 members: the parts that it makes and connects.
 namespace boresight {
 

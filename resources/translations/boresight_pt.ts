@@ -5761,6 +5761,10 @@ do eixo</translation>
         <source>reconnects to the mount &quot;%1&quot;</source>
         <translation>religa-se à montagem &quot;%1&quot;</translation>
     </message>
+    <message>
+        <source>No mount was connected at that moment. Try again.</source>
+        <translation>Nesse momento não estava ligada nenhuma montagem. Tente de novo.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

@@ -5,6 +5,7 @@
 #include "tests/fakes/tcp_peer.h"
 #include "tests/fakes/wait_until.h"
 
+#include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -41,11 +42,12 @@ protected:
             qunsetenv(name);
         }
     }
-    void write(const QByteArray& profile) const
+    void write(const QByteArray& profile) const { write(path, profile); }
+    static void write(const QString& where, const QByteArray& bytes)
     {
-        QFile file(path);
+        QFile file(where);
         ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-        ASSERT_EQ(file.write(profile), profile.size());
+        ASSERT_EQ(file.write(bytes), bytes.size());
     }
     // `before` is what the shell does first.
     void start(const QString& before = QStringLiteral(":"))
@@ -53,8 +55,9 @@ protected:
         program = std::make_unique<fakes::Program>(
             QStringLiteral("/bin/sh"),
             QStringList{QStringLiteral("-c"), before + QStringLiteral("; echo $$; exec \"$0\" \"$@\""),
-                        QStringLiteral(BORESIGHTD), QStringLiteral("--profile"), path, QStringLiteral("--state-dir"),
-                        folder.path(), QStringLiteral("--listen"), QStringLiteral("127.0.0.1:0")});
+                        QStringLiteral(BORESIGHTD), QStringLiteral("--state-dir"), folder.path(),
+                        QStringLiteral("--listen"), QStringLiteral("127.0.0.1:0")} +
+                arguments);
         ASSERT_TRUE(program->waitForLine(QStringLiteral("rotctld listening on"))) << errors();
         process = program->lines().constFirst().toInt();
     }
@@ -78,13 +81,14 @@ protected:
 
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("profile.toml"));
+    QStringList arguments = {QStringLiteral("--profile"), path};
     std::unique_ptr<fakes::Program> program;
     pid_t process = 0;
 };
 
 // Story: SIGHUP, which reloads any other service, ended this one on the spot with the mount in motion.
 // REQ-APP-43a: A profile that is read again (SIGHUP) is applied as the operator's own. What needs a restart is named.
-// A profile that cannot be read leaves all as it was.
+// A profile that cannot be read, or of another mount, leaves all as it was.
 TEST_F(ServiceTest, HangUpReadsTheProfileAgain)
 {
     start();
@@ -123,6 +127,42 @@ TEST_F(ServiceTest, AProfileThatCannotBeReadLeavesTheOldOneInForce)
     QFile::remove(path);
     send(SIGHUP);
     EXPECT_TRUE(says("No such file")) << errors();
+    expectOrderlyEnd();
+}
+
+// REQ-APP-43a
+TEST_F(ServiceTest, HangUpOfASimulationReadsTheProfileOfTheMountAndWritesNothing)
+{
+    const QByteArray real = kProfile + "[bus]\nname = \"fdcanusb:/dev/nothing\"\n";
+    write(real);
+    arguments << QStringLiteral("--simulate");
+    start();
+    const QByteArray changed = real + "[jog]\nfast_deg_s = 5\n";
+    write(changed);
+    send(SIGHUP);
+    EXPECT_TRUE(says("the profile was read again and is in force")) << errors();
+    expectOrderlyEnd();
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_EQ(file.readAll(), changed);
+    EXPECT_FALSE(QFile::exists(folder.filePath(QStringLiteral("simulated"))));
+}
+
+// Story: the window had made another mount the current one, and SIGHUP gave its limits to the mount of the service.
+// REQ-APP-43a
+TEST_F(ServiceTest, HangUpDoesNotTakeTheProfileOfAnotherMount)
+{
+    const QString profiles = folder.filePath(QStringLiteral("boresight/profiles"));
+    ASSERT_TRUE(QDir().mkpath(profiles));
+    write(profiles + QStringLiteral("/roof.toml"), kProfile + "[mount]\nname = \"roof\"\n");
+    write(profiles + QStringLiteral("/field.toml"), kProfile + "[mount]\nname = \"field\"\n[jog]\nfast_deg_s = 5\n");
+    write(profiles + QStringLiteral("/current"), "roof.toml\n");
+    arguments.clear();
+    start(QStringLiteral("export XDG_CONFIG_HOME=") + folder.path());
+    write(profiles + QStringLiteral("/current"), "field.toml\n");
+    send(SIGHUP);
+    EXPECT_TRUE(says("the profile was not applied, the previous profile stays in force")) << errors();
+    EXPECT_THAT(errors(), HasSubstr("roof.toml, which is not the current mount any more: restart it"));
     expectOrderlyEnd();
 }
 

@@ -12,6 +12,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
+#include <optional>
+
 namespace boresight::app {
 namespace {
 
@@ -29,8 +33,16 @@ class StationThreadTest : public ::testing::Test
 protected:
     StationThreadTest()
     {
+        QObject::connect(&thread, &StationThread::nextWanted, &thread, [this](const profile::Profile& wanted) {
+            if (aDiskHangs) {
+                waiting = wanted;
+            } else {
+                thread.begin(wanted);
+            }
+        });
         QObject::connect(&thread, &StationThread::updated, &thread, [this](const StationUpdate& update) {
             inForce = update.status.profile;
+            isStopped = update.status.stopLatched;
             alarms = update.status.alarms;
             for (const Answer& answer : update.answers) {
                 answers.push_back(answer);
@@ -54,9 +66,26 @@ protected:
     std::unique_ptr<Station> build(const profile::Profile& profile)
     {
         ++built;
+        builder = QThread::currentThread();
         return station(profile);
     }
     void ask(const Request& request) { Q_EMIT thread.requested({.id = ++lastId, .request = request}); }
+    // Asks for a reconnect, and the profile of the next mount is not found.
+    [[nodiscard]] bool getsStuckBetweenTwo()
+    {
+        aDiskHangs = true;
+        ask(request::Reconnect{mount("Field")});
+        return QTest::qWaitFor([this] { return waiting.has_value(); });
+    }
+    // Why this request was refused; empty: it was not.
+    [[nodiscard]] QString refusalOf(std::uint64_t id) const
+    {
+        const auto answer = std::ranges::find(answers, id, &Answer::requestId);
+        if (answer == answers.end()) {
+            return QStringLiteral("no answer");
+        }
+        return answer->error ? answer->error->text : QString();
+    }
     bool shows(const std::string& name)
     {
         return fakes::waitUntil([&] { return inForce && inForce->mount.name == name; });
@@ -67,7 +96,11 @@ protected:
     std::shared_ptr<const profile::Profile> inForce;
     std::vector<Answer> answers;
     std::uint64_t lastId = 0;
-    int built = 0;
+    std::atomic<int> built = 0;
+    std::atomic<QThread*> builder = nullptr;
+    bool aDiskHangs = false;
+    std::optional<profile::Profile> waiting;
+    bool isStopped = false;
     std::vector<Alarm> alarms;
     LinkMaker links{profile::Profile{}, clock};
     StationThread thread{station(mount("Roof")), [this](const profile::Profile& profile) { return build(profile); }};
@@ -88,6 +121,7 @@ TEST_F(StationThreadTest, AReconnectRunsTheOtherMountInItsPlace)
     ask(request::Reconnect{mount("Roof")});
     EXPECT_TRUE(shows("Roof")) << "and back";
     EXPECT_EQ(built, 2);
+    EXPECT_NE(builder, QThread::currentThread()) << "it reads files";
 }
 
 TEST_F(StationThreadTest, TheAskerOfAReconnectHasItsAnswer)
@@ -132,6 +166,51 @@ TEST_F(StationThreadTest, AMountWhoseBusCanNotBeUsedIsShownAndTheOtherOneComesBa
         ask(request::Reconnect{mount("Roof")});
         ASSERT_TRUE(shows("Roof")) << bus;
     }
+}
+
+// REQ-APP-44
+TEST_F(StationThreadTest, AStopBetweenTwoStationsHoldsAtTheNextOne)
+{
+    thread.start();
+    ASSERT_TRUE(shows("Roof"));
+    ASSERT_TRUE(getsStuckBetweenTwo());
+    ask(request::Stop{});
+    ask(request::TakeAuthority{});
+    thread.begin(*waiting);
+    thread.begin(mount("Roof"));  // nobody asked for a third one
+    ASSERT_TRUE(shows("Field"));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return isStopped; }));
+    EXPECT_EQ(refusalOf(lastId - 1), QString());
+    EXPECT_EQ(refusalOf(lastId), QStringLiteral("No mount was connected at that moment. Try again."));
+    EXPECT_EQ(built, 1);
+}
+
+// REQ-APP-44
+TEST_F(StationThreadTest, TheProgramEndsBetweenTwoStations)
+{
+    thread.start();
+    ASSERT_TRUE(shows("Roof"));
+    ASSERT_TRUE(getsStuckBetweenTwo());
+    QSignalSpy finished(&thread, &StationThread::finished);
+    Q_EMIT thread.shutDownRequested();
+    EXPECT_EQ(finished.count(), 1);
+    thread.begin(*waiting);
+    EXPECT_EQ(built, 0) << "the answer comes too late";
+}
+
+// REQ-APP-44
+TEST_F(StationThreadTest, TheProgramEndsWhileTheNextStationIsBuilt)
+{
+    thread.start();
+    ASSERT_TRUE(shows("Roof"));
+    ASSERT_TRUE(getsStuckBetweenTwo());
+    QSignalSpy started(&thread, &StationThread::started);
+    QSignalSpy finished(&thread, &StationThread::finished);
+    thread.begin(*waiting);
+    Q_EMIT thread.shutDownRequested();
+    EXPECT_EQ(finished.count(), 1);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return built == 1; }));
+    EXPECT_TRUE(started.isEmpty());
 }
 
 TEST_F(StationThreadTest, NothingIsBegunAnewOnceTheProgramIsToEnd)

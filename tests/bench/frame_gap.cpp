@@ -78,6 +78,8 @@ public:
         QObject::connect(&m_window, &ui::MainWindow::updateShown, &m_station, &app::StationThread::updateTaken);
         QObject::connect(&m_station, &app::StationThread::updated, &m_window, &ui::MainWindow::showUpdate);
         QObject::connect(&m_station, &app::StationThread::profileApplied, &m_saver, &app::ProfileSaver::save);
+        QObject::connect(&m_station, &app::StationThread::nextWanted, &m_saver, &app::ProfileSaver::findNext);
+        QObject::connect(&m_saver, &app::ProfileSaver::nextFound, &m_station, &app::StationThread::begin);
     }
 
     void start()
