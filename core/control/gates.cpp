@@ -245,7 +245,7 @@ Result<> Gates::hasService() const
 
 Result<> Gates::drivesAnswer() const
 {
-    return m_of.arming.connected() ? Result<>{} : failure(ErrorCode::NoAnswer, Text::tr("both drives must answer"));
+    return m_of.arming.connected() ? Result<>{} : failure(ErrorCode::NoAnswer, Text::tr("every drive must answer"));
 }
 
 Result<> Gates::mayReadDrives() const

@@ -150,7 +150,7 @@ Result<> StationControl::handle(const request::Hold&, const Source& source)
 Result<> StationControl::handle(const request::Stop&, const Source& source)
 {
     if (!m_arming.stopLatched()) {
-        m_log.add(Severity::Warning, source.name, Text::tr("STOP is latched, and both axes decelerate and hold"));
+        m_log.add(Severity::Warning, source.name, Text::tr("STOP is latched, and the mount decelerates and holds"));
     }
     m_arming.latchStop();
     keepStopped();

@@ -133,7 +133,7 @@ void Station::tellDirections()
         m_log.add(
             Severity::Warning, QStringLiteral("station"),
             Text::tr("Nobody has confirmed which way the axes turn. Boresight moves the mount at most 2° at 5°/s, by "
-                     "a jog or by M of a client. See both axes turn as the profile says. Then confirm it in the "
+                     "a jog or by M of a client. See each axis turn as the profile says. Then confirm it in the "
                      "guide of the window, or run boresightctl confirm-directions PROFILE and start again."));
     }
 }
