@@ -70,6 +70,11 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_calibrationFile(calibrationPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_calibration(m_control, m_profile, m_calibrationFile, clock, m_log),
       m_eventFile(stateDir, m_log, clock, this),
+    for (const Axis axis : kAxes) {
+        if (!m_mount->driver().capabilities().has(axis)) {
+            m_sensor.watch().leaveOut(axis);
+        }
+    }
       m_tickTimer(this),
       m_updateTimer(this),
       m_reopenTimer(this),
