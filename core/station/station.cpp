@@ -47,12 +47,6 @@ QString advice(const rotctld::ClientInfo& client)
         .arg(client.leap->degrees(), 0, 'f', 0);
 }
 
-// Where the beam points by these terms.
-SkyPointing beamBy(const pointing::PointingTerms& terms, const AxisPosition& place)
-{
-    return pointing::upright(pointing::PointingModel(terms).toSky(place));
-}
-
 }  // namespace
 
 Station::Station(const profile::Profile& profile, const MountMaker& mount, const QString& stateDir, const Clock& clock)
@@ -70,17 +64,17 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_calibrationFile(calibrationPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_calibration(m_control, m_profile, m_calibrationFile, clock, m_log),
       m_eventFile(stateDir, m_log, clock, this),
-    for (const Axis axis : kAxes) {
-        if (!m_mount->driver().capabilities().has(axis)) {
-            m_sensor.watch().leaveOut(axis);
-        }
-    }
       m_tickTimer(this),
       m_updateTimer(this),
       m_reopenTimer(this),
       m_lateness(std::chrono::round<std::chrono::milliseconds>(profile.control.tickPeriod()))
 {
     m_mount->setParent(this);  // so that it moves to the station thread with us
+    for (const Axis axis : kAxes) {
+        if (!m_mount->driver().capabilities().has(axis)) {
+            m_sensor.watch().leaveOut(axis);
+        }
+    }
     m_tickTimer.setTimerType(Qt::PreciseTimer);
     m_tickTimer.setInterval(std::chrono::round<std::chrono::milliseconds>(profile.control.tickPeriod()));
     m_updateTimer.setInterval(kUpdatePeriod);
@@ -234,9 +228,8 @@ void Station::witness()
     }
     const auto proposed = m_calibration.proposedOfSensor();
     m_sensor.watch().setProposed(proposed ? proposed->sensor : std::nullopt);
-    const auto place = m_control.measured();
     m_sensor.watch().tick(m_control.direction(), amperes,
-                          proposed && place ? std::optional(beamBy(proposed->terms, *place)) : std::nullopt);
+                          proposed ? m_control.directionBy(proposed->terms) : std::nullopt);
     m_calibration.take(m_sensor.status());
     const SensorEvidence evidence = m_sensor.evidence();
     m_control.setSensor(evidence.azimuth, evidence.elevation);

@@ -3701,6 +3701,10 @@ do eixo</translation>
         <translation>O feixe está a menos de %1° do Sol</translation>
     </message>
     <message>
+        <source>The beam may be less than %1° from the Sun, because the mount has only one axis</source>
+        <translation>O feixe pode estar a menos de %1° do Sol, porque a montagem só tem um eixo</translation>
+    </message>
+    <message>
         <source>the readings do not determine the tilt: read it at more azimuths</source>
         <translation>as leituras não determinam a inclinação: leia-a em mais azimutes</translation>
     </message>
@@ -4547,6 +4551,14 @@ do eixo</translation>
     <message>
         <source>Sun at any time: the clock is not synchronised</source>
         <translation>Sol a qualquer hora: o relógio não está sincronizado</translation>
+    </message>
+    <message>
+        <source>the mount has only one axis, so parts of its pointing model have no effect</source>
+        <translation>a montagem só tem um eixo, por isso partes do seu modelo de apontamento não têm efeito</translation>
+    </message>
+    <message>
+        <source>Set tilt, collimation and the other terms of the missing axis to 0.</source>
+        <translation>Ponha a 0 a inclinação, a colimação e os outros termos do eixo que falta.</translation>
     </message>
     <message>
         <source>%1 needs %2 s and %3° to stop from %4°/s</source>
