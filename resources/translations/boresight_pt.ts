@@ -7181,6 +7181,10 @@ trocar os motores</translation>
         <translation>Azimute e elevação trocam os seus motores; conecta-se de novo</translation>
     </message>
     <message>
+        <source>It turns as the arrow shows</source>
+        <translation>Gira como a seta</translation>
+    </message>
+    <message>
         <source>Both turn as the arrows show</source>
         <translation>Ambos giram como as setas</translation>
     </message>

@@ -77,6 +77,12 @@ QString title(GuideStep step)
     return titles.at(indexOf(step));
 }
 
+bool applies(GuideStep step, const StationStatus& status)
+{
+    return !(step == GuideStep::Level && missingAxis(status) == Axis::Elevation) &&
+           !(step == GuideStep::North && missingAxis(status) == Axis::Azimuth);
+}
+
 QString whyNotDone(GuideStep step, const StationStatus& status)
 {
     switch (step) {
