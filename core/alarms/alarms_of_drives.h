@@ -36,7 +36,7 @@ inline constexpr std::array kDriveAlarms{
         .source = "%1 drive",
         .severity = Severity::Alarm,
         .what = QT_TRANSLATE_NOOP("Text", "The %1 timed out because it received no command in time"),
-        .action = QT_TRANSLATE_NOOP("Text", "The watchdog stopped the drive. Boresight ended the motion of both axes"),
+        .action = QT_TRANSLATE_NOOP("Text", "The watchdog stopped the drive. Boresight ended the motion of the mount"),
         .remedy = QT_TRANSLATE_NOOP("Text", "Check the bus and the load of this computer, then re-arm"),
         .examples = {"azimuth drive"},
         .placeOf = "drive.fault"},
@@ -55,7 +55,7 @@ inline constexpr std::array kDriveAlarms{
                .severity = Severity::Alarm,
                .what = QT_TRANSLATE_NOOP("Text", "The %1 reports no credible position"),
                .action = QT_TRANSLATE_NOOP(
-                   "Text", "Boresight ended the motion of both axes and commanded this drive to brake and hold"),
+                   "Text", "Boresight ended the motion of the mount and commanded this drive to brake and hold"),
                .remedy = QT_TRANSLATE_NOOP("Text", "Check its encoder and the CAN cable, then re-arm"),
                .examples = {"azimuth drive"},
                .placeOf = "drive.fault"},

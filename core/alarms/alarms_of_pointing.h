@@ -64,6 +64,17 @@ inline constexpr std::array kPointingAlarms{
         .remedy = QT_TRANSLATE_NOOP(
             "Text", "Move the mount away or let the Sun pass. The setting keep_away (Sun) turns this off"),
         .examples = {"5.0"}},
+    AlarmEntry{
+        .id = "sun.near-one-axis",
+        .source = "Sun",
+        .severity = Severity::Advisory,  // nobody knows that it is near, and without an azimuth it lasts for hours
+        .what = QT_TRANSLATE_NOOP("Text",
+                                  "The beam may be less than %1° from the Sun, because the mount has only one axis"),
+        .action = QT_TRANSLATE_NOOP("Text", "Boresight starts no motion and allows only motions away from the Sun"),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text", "Move the mount away or let the Sun pass. The setting keep_away (Sun) turns this off"),
+        .examples = {"5.0"},
+        .placeOf = "sun.near"},
     AlarmEntry{.id = "sun.clock",
                .source = "Sun",
                .severity = Severity::Warning,

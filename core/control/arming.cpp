@@ -85,7 +85,7 @@ bool Arming::losesConnection(SteadyTime now)
     }
     m_connected = connected;
     if (connected) {
-        m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("both drives answer, and nothing moves"));
+        m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("every drive answers, and nothing moves"));
         m_quietUntil = m_wasConnected ? now + kQuietAfterReturn : now;
         m_wasConnected = true;
         return false;
@@ -166,7 +166,7 @@ Result<> Arming::rearm(const Source& source)
         return failure(ErrorCode::Refused, Text::tr("Boresight is closing"));
     }
     if (!m_connected) {
-        return failure(ErrorCode::NoAnswer, Text::tr("both drives must answer before re-arming"));
+        return failure(ErrorCode::NoAnswer, Text::tr("every drive must answer before re-arming"));
     }
     if (const QString why = rearmObstacle(); !why.isEmpty()) {
         return failure(ErrorCode::Refused, why);

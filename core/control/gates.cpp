@@ -245,7 +245,7 @@ Result<> Gates::hasService() const
 
 Result<> Gates::drivesAnswer() const
 {
-    return m_of.arming.connected() ? Result<>{} : failure(ErrorCode::NoAnswer, Text::tr("both drives must answer"));
+    return m_of.arming.connected() ? Result<>{} : failure(ErrorCode::NoAnswer, Text::tr("every drive must answer"));
 }
 
 Result<> Gates::mayReadDrives() const
@@ -277,7 +277,7 @@ Result<> Gates::mayProve(const Source& source) const
 
 bool Gates::isInSunBand(const AxisPosition& place) const
 {
-    return m_of.mount.wrapsKnown() && m_of.sun.mayBeAt(m_of.model.toSky(place));
+    return m_of.mount.wrapsKnown() && m_of.sun.mayBeAt(m_of.model.toSky(place), m_of.model.missing());
 }
 
 // Nobody knows where in the band the Sun is, so that no way out of it is known to be a safe one.

@@ -23,7 +23,7 @@ Result<> MountDesk::ask(const request::SwitchOff&, const Source& by)
         m_helm.takeOver(by);  // else the next target of a client would switch them on again
         m_helm.hold(Activity::None);
         service().switchOff();
-        m_log.add(Severity::Warning, by.name, Text::tr("switches both drives off, so nothing holds the axes"));
+        m_log.add(Severity::Warning, by.name, Text::tr("switches the drives off, so nothing holds the mount"));
     });
 }
 

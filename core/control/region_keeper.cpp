@@ -25,8 +25,8 @@ void RegionKeeper::step()
     renew(false);
     const ControlParts view = m_of.helm.view();
     const auto measured = view.mount.measured();
-    m_sunAlarms.update(m_sun,
-                       measured && view.mount.wrapsKnown() ? std::optional(m_of.model.toSky(*measured)) : std::nullopt);
+    const bool known = measured && view.mount.wrapsKnown();
+    m_sunAlarms.update(m_sun, known ? std::optional(m_of.model.toSky(*measured)) : std::nullopt, m_of.model.missing());
 }
 
 // When the clock comes to be trusted, what was held back by the band stays where it is; when it comes to be doubted, a

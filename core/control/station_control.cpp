@@ -150,7 +150,7 @@ Result<> StationControl::handle(const request::Hold&, const Source& source)
 Result<> StationControl::handle(const request::Stop&, const Source& source)
 {
     if (!m_arming.stopLatched()) {
-        m_log.add(Severity::Warning, source.name, Text::tr("STOP is latched, and both axes decelerate and hold"));
+        m_log.add(Severity::Warning, source.name, Text::tr("STOP is latched, and the mount decelerates and holds"));
     }
     m_arming.latchStop();
     keepStopped();
@@ -259,8 +259,15 @@ Result<AxisPosition> StationControl::measured() const
 
 std::optional<SkyPointing> StationControl::direction() const
 {
+    return directionBy(m_model.pointing().terms());
+}
+
+std::optional<SkyPointing> StationControl::directionBy(const pointing::PointingTerms& terms) const
+{
+    pointing::MountModel model = m_model;
+    model.setPointing(pointing::PointingModel(terms));
     const auto place = measured();
-    return place ? std::optional(m_model.toSky(*place)) : std::nullopt;
+    return place ? std::optional(model.toSky(*place)) : std::nullopt;
 }
 
 void StationControl::setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation)

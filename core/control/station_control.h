@@ -101,8 +101,12 @@ public:
     }
     // The axes as measured; an error when unknown or older than 1 s.
     [[nodiscard]] Result<AxisPosition> measured() const;
+    // How that differs from what the axes show, as far as it is known with the axes that there are.
+    [[nodiscard]] const pointing::PointingModel& pointing() const { return m_model.pointing(); }
     // Where the beam points, while that is known and measured within the last second.
     [[nodiscard]] std::optional<SkyPointing> direction() const;
+    // The same by other terms of the pointing model.
+    [[nodiscard]] std::optional<SkyPointing> directionBy(const pointing::PointingTerms& terms) const;
     // What is added to the targets of the client that is followed now: it receives positions without it.
     [[nodiscard]] std::optional<AxisPosition> trimInUse() const;
     // What the operator adds to whatever is followed.

@@ -177,7 +177,7 @@ QString StatusReport::axisText(Axis axis, AxisState state, const AxisReport& rep
         case AxisHand::Unordered:
             return Text::tr("not commanded by Boresight");
         case AxisHand::HoldsItself:
-            return Text::tr("held by its own time-out mode");
+            return Text::tr("holds by itself");
         case AxisHand::TimedOut:
             return Text::tr("in its own time-out mode");
         default:

@@ -13,14 +13,15 @@ constexpr Angle kClear = Angle::fromDegrees(0.05);
 
 }  // namespace
 
-void SunAlarms::update(const SunWatch& sun, const std::optional<SkyPointing>& beam)
+void SunAlarms::update(const SunWatch& sun, const std::optional<SkyPointing>& beam, std::optional<Axis> missing)
 {
     updateClock(sun);
-    const auto distance = beam ? sun.distance(*beam) : std::nullopt;
+    const auto distance = beam ? sun.distance(*beam, missing) : std::nullopt;
     if (!distance || *distance > sun.radius() + kClear) {
         m_alarms.clear(alarmEntry("sun.near"));
     } else if (*distance < sun.radius() && !m_alarms.active(alarmEntry("sun.near"))) {
-        m_alarms.raise(alarmEntry("sun.near"), {toQString(formatFixed(sun.radius().degrees(), 1))});
+        m_alarms.raise(missing ? alarmEntry("sun.near-one-axis") : alarmEntry("sun.near"),
+                       {toQString(formatFixed(sun.radius().degrees(), 1))});
     }
 }
 

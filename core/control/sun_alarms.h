@@ -15,8 +15,8 @@ class SunAlarms
 public:
     explicit SunAlarms(AlarmBoard& alarms) : m_alarms(alarms) {}
 
-    // Once in a tick; `beam` is empty while nobody knows where it points.
-    void update(const SunWatch& sun, const std::optional<SkyPointing>& beam);
+    // Once in a tick; `beam` is empty while nobody knows where it points, `missing` is the axis that the mount lacks.
+    void update(const SunWatch& sun, const std::optional<SkyPointing>& beam, std::optional<Axis> missing);
 
 private:
     void updateClock(const SunWatch& sun);

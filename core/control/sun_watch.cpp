@@ -2,6 +2,7 @@
 #include "core/control/sun_watch.h"
 
 #include "core/ephemeris/refraction.h"
+#include "core/pointing/missing_axis.h"
 #include "core/pointing/pointing_model.h"
 #include "core/pointing/sun_keep_out.h"
 #include "core/units/angle_between.h"
@@ -60,20 +61,24 @@ std::vector<pointing::KeepOut> SunWatch::around(UtcTime utc)
     return keepOut ? std::vector{*keepOut} : std::vector<pointing::KeepOut>{};
 }
 
-bool SunWatch::mayBeAt(const SkyPointing& beam) const
+bool SunWatch::mayBeAt(const SkyPointing& beam, std::optional<Axis> missing) const
 {
-    return m_doubted &&
-           std::ranges::any_of(m_keepOuts, [at = pointing::upright(beam)](const pointing::KeepOut& keepOut) {
-               const Angle width = (keepOut.azimuthTo - keepOut.azimuthFrom).wrapped360();
-               const Angle into = (at.azimuth - keepOut.azimuthFrom).wrapped360();
-               return into > 0_deg && into < width && at.elevation > keepOut.elevationMin &&
-                      at.elevation < keepOut.elevationMax;
-           });
+    const auto holds = [at = pointing::upright(beam), missing](const pointing::KeepOut& keepOut) {
+        const Angle width = (keepOut.azimuthTo - keepOut.azimuthFrom).wrapped360();
+        const Angle into = (at.azimuth - keepOut.azimuthFrom).wrapped360();
+        const bool inAzimuth = into > 0_deg && into < width;
+        const bool inElevation = at.elevation > keepOut.elevationMin && at.elevation < keepOut.elevationMax;
+        return (inAzimuth || missing == Axis::Azimuth) && (inElevation || missing == Axis::Elevation);
+    };
+    return m_doubted && std::ranges::any_of(m_keepOuts, holds);
 }
 
-std::optional<Angle> SunWatch::distance(const SkyPointing& beam) const
+std::optional<Angle> SunWatch::distance(const SkyPointing& beam, std::optional<Axis> missing) const
 {
-    return m_doubted || m_keepOuts.empty() ? std::nullopt : std::optional(angleBetween(beam, m_direction));
+    if (m_doubted || m_keepOuts.empty()) {
+        return std::nullopt;
+    }
+    return missing ? pointing::leastAngleBetween(beam, m_direction, *missing) : angleBetween(beam, m_direction);
 }
 
 }  // namespace boresight

@@ -11,8 +11,8 @@
 #include <vector>
 
 // Where the Sun is now, as far as the profile wants the beam away from it, and the part of the sky that is forbidden
-// for it until it is looked for again. Without a clock to rely on that is every place that the Sun can have. Station
-// thread only.
+// for it until it is looked for again. Without a clock to rely on that is every place that the Sun can have. The angle
+// of an axis that the mount does not have may be any, as in the region. Station thread only.
 namespace boresight {
 
 class SunWatch
@@ -36,9 +36,9 @@ public:
     // The Sun is to be kept away from, and no clock gives its position.
     [[nodiscard]] bool clockDoubted() const { return m_doubted; }
     // While the clock is doubted: the beam is where the Sun can be, not at the edge of that.
-    [[nodiscard]] bool mayBeAt(const SkyPointing& beam) const;
-    // How far a beam is from the middle of the Sun; empty without a keep-out, and while the clock is doubted.
-    [[nodiscard]] std::optional<Angle> distance(const SkyPointing& beam) const;
+    [[nodiscard]] bool mayBeAt(const SkyPointing& beam, std::optional<Axis> missing) const;
+    // How far a beam is from the middle of the Sun, at least; empty without a keep-out, and while the clock is doubted.
+    [[nodiscard]] std::optional<Angle> distance(const SkyPointing& beam, std::optional<Axis> missing) const;
     [[nodiscard]] Angle radius() const { return m_profile->sun.radius; }
 
 private:

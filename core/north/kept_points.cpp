@@ -46,8 +46,8 @@ void KeptPoints::restore()
         return;
     }
     m_log.add(Severity::Advisory, kPointsSource,
-              Text::tr("%1 points that were taken before are here again; they count when both drives have told who "
-                       "they are")
+              Text::tr("%1 points that were taken before are here again; they count when every drive has reported "
+                       "its identity")
                   .arg(m_book.points().size()));
     m_pointsMount = m_file.pointsMount();
     m_book.setWaiting(true);

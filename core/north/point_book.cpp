@@ -58,7 +58,7 @@ void PointBook::fit(const pointing::PointingTerms& inForce, const calibration::T
         return;
     }
     if (m_waiting) {
-        m_problem = Text::tr("these points wait until both drives have told who they are");
+        m_problem = Text::tr("these points wait until every drive has reported its identity");
     } else if (auto fit = calibration::fitPointing(m_points, inForce, known)) {
         m_fit = std::move(*fit);
     } else {

@@ -2,6 +2,7 @@
 #include "core/pointing/missing_axis.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -48,6 +49,27 @@ Region withoutAxis(Region region, Axis missing)
         keepOut.elevationMax = Angle::fromDegrees(90.0);
     }
     return region;
+}
+
+PointingTerms withoutAxis(const PointingTerms& terms, Axis missing)
+{
+    return missing == Axis::Azimuth
+               ? PointingTerms{.elevationOffset = terms.elevationOffset, .elevationSag = terms.elevationSag}
+               : PointingTerms{.azimuthOffset = terms.azimuthOffset};
+}
+
+// At one elevation the nearest azimuth is that of the place. At one azimuth the nearest elevation is where the great
+// circle from the place meets the line from horizon to zenith at a right angle; farther round it is an end of the line.
+Angle leastAngleBetween(const SkyPointing& beam, const SkyPointing& place, Axis missing)
+{
+    if (missing == Axis::Azimuth) {
+        return abs(beam.elevation - place.elevation);
+    }
+    const Angle turn = abs((beam.azimuth - place.azimuth).wrapped180());
+    if (turn >= 90_deg) {
+        return 90_deg - abs(place.elevation);
+    }
+    return Angle::fromRadians(std::asin(std::sin(turn.radians()) * std::cos(place.elevation.radians())));
 }
 
 }  // namespace boresight::pointing

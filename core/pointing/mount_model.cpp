@@ -3,6 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/pointing/missing_axis.h"
 #include "core/pointing/ranges.h"
 
 #include <algorithm>
@@ -134,11 +135,17 @@ MountModel::MountModel(const AxisGeometry& azimuth, const AxisGeometry& elevatio
       m_elevations(elevation.travel)
 {}
 
+void MountModel::setPointing(const PointingModel& pointing)
+{
+    m_pointing = m_missing ? PointingModel(withoutAxis(pointing.terms(), *m_missing)) : pointing;
+}
+
 void MountModel::leaveOut(Axis axis)
 {
-    m_missing[index(axis)] = true;
+    m_missing = axis;
     (axis == Axis::Azimuth ? m_azimuth : m_elevation).travel = {};
     (axis == Axis::Azimuth ? m_azimuths : m_elevations) = {};
+    setPointing(m_pointing);
 }
 
 void MountModel::limitTo(const TravelRange& azimuths, const TravelRange& elevations)

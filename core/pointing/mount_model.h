@@ -62,10 +62,11 @@ public:
 
     // How the true direction differs from what the axes show. Directions are true here, places of the axes mechanical.
     [[nodiscard]] const PointingModel& pointing() const { return m_pointing; }
-    void setPointing(const PointingModel& pointing) { m_pointing = pointing; }
+    void setPointing(const PointingModel& pointing);
 
-    // The mount has no such axis: it stands at 0, and nothing is asked of it.
+    // The mount has no such axis: it stands at 0, nothing is asked of it, and no other angle depends on it.
     void leaveOut(Axis axis);
+    [[nodiscard]] std::optional<Axis> missing() const { return m_missing; }
 
     // Directions are resolved into these ranges, which are the travel of the axes until told otherwise: a place on a
     // turn outside of the limits of operation is no answer. Ranges with nothing in them change nothing.
@@ -91,8 +92,8 @@ private:
     template <class Place>
     [[nodiscard]] Place present(Place place) const
     {
-        place.azimuth = m_missing[0] ? Angle{} : place.azimuth;
-        place.elevation = m_missing[1] ? Angle{} : place.elevation;
+        place.azimuth = m_missing == Axis::Azimuth ? Angle{} : place.azimuth;
+        place.elevation = m_missing == Axis::Elevation ? Angle{} : place.elevation;
         return place;
     }
     [[nodiscard]] std::optional<AxisPosition> overTheTop(const SkyPointing& direction, const AxisPosition& now) const;
@@ -101,7 +102,7 @@ private:
     AxisGeometry m_azimuth;
     AxisGeometry m_elevation;
     PointingModel m_pointing;
-    std::array<bool, 2> m_missing{};
+    std::optional<Axis> m_missing;
     TravelRange m_azimuths;
     TravelRange m_elevations;
 };

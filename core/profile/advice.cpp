@@ -3,6 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/pointing/missing_axis.h"
 
 namespace boresight::profile {
 namespace {
@@ -62,6 +63,16 @@ void adviseOn(std::vector<Advice>& list, const std::string& table, const QString
     }
 }
 
+void adviseOnModel(std::vector<Advice>& list, const Profile& profile)
+{
+    const std::optional<Axis> missing = profile.missing();
+    if (missing && pointing::withoutAxis(profile.pointing, *missing) != profile.pointing) {
+        list.push_back({"pointing",
+                        Text::tr("the mount has only one axis, so parts of its pointing model have no effect"),
+                        Text::tr("Set tilt, collimation and the other terms of the missing axis to 0.")});
+    }
+}
+
 }  // namespace
 
 std::vector<Advice> adviceOn(const Profile& profile)
@@ -69,6 +80,7 @@ std::vector<Advice> adviceOn(const Profile& profile)
     std::vector<Advice> list;
     adviseOn(list, "azimuth", Text::tr("the azimuth"), profile.azimuth);
     adviseOn(list, "elevation", Text::tr("the elevation"), profile.elevation);
+    adviseOnModel(list, profile);
     return list;
 }
 

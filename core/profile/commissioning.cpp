@@ -2,12 +2,14 @@
 #include "core/profile/commissioning.h"
 
 #include "core/base/bus_name.h"
+#include "core/pointing/missing_axis.h"
 #include "core/pointing/pointing_model.h"
 #include "core/profile/profile_diff.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 namespace boresight::profile {
@@ -180,9 +182,11 @@ void setReading(Profile& profile, Axis axis, Angle reading, Angle truth, Ends en
 void setNorth(Profile& profile, const AxisPosition& axes, Angle trueAzimuth)
 {
     pointing::PointingTerms& terms = profile.pointing;
+    const std::optional<Axis> missing = profile.missing();
     // Each time again, because a tilt is towards a true direction: turned, it moves the beam a little otherwise.
     for (int time = 0; time < kNorthTimes; ++time) {
-        const Angle now = pointing::upright(pointing::PointingModel(terms).toSky(axes)).azimuth;
+        const pointing::PointingModel model(missing ? pointing::withoutAxis(terms, *missing) : terms);
+        const Angle now = pointing::upright(model.toSky(axes)).azimuth;
         terms.azimuthOffset += (trueAzimuth - now).wrapped180();
     }
     if (abs(terms.azimuthOffset) > Angle::fromTurns(1.0)) {

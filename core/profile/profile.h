@@ -11,6 +11,7 @@
 #include "core/units/sky.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -314,6 +315,13 @@ struct Profile
     PowerSettings power;
 
     [[nodiscard]] const AxisSettings& axis(Axis which) const { return which == Axis::Azimuth ? azimuth : elevation; }
+    // The axis that nothing turns.
+    [[nodiscard]] std::optional<Axis> missing() const
+    {
+        return azimuth.driver == AxisDriver::None     ? std::optional(Axis::Azimuth)
+               : elevation.driver == AxisDriver::None ? std::optional(Axis::Elevation)
+                                                      : std::nullopt;
+    }
     bool operator==(const Profile&) const = default;
 };
 

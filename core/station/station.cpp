@@ -47,12 +47,6 @@ QString advice(const rotctld::ClientInfo& client)
         .arg(client.leap->degrees(), 0, 'f', 0);
 }
 
-// Where the beam points by these terms.
-SkyPointing beamBy(const pointing::PointingTerms& terms, const AxisPosition& place)
-{
-    return pointing::upright(pointing::PointingModel(terms).toSky(place));
-}
-
 }  // namespace
 
 Station::Station(const profile::Profile& profile, const MountMaker& mount, const QString& stateDir, const Clock& clock)
@@ -76,6 +70,11 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_lateness(std::chrono::round<std::chrono::milliseconds>(profile.control.tickPeriod()))
 {
     m_mount->setParent(this);  // so that it moves to the station thread with us
+    for (const Axis axis : kAxes) {
+        if (!m_mount->driver().capabilities().has(axis)) {
+            m_sensor.watch().leaveOut(axis);
+        }
+    }
     m_tickTimer.setTimerType(Qt::PreciseTimer);
     m_tickTimer.setInterval(std::chrono::round<std::chrono::milliseconds>(profile.control.tickPeriod()));
     m_updateTimer.setInterval(kUpdatePeriod);
@@ -133,7 +132,7 @@ void Station::tellDirections()
         m_log.add(
             Severity::Warning, QStringLiteral("station"),
             Text::tr("Nobody has confirmed which way the axes turn. Boresight moves the mount at most 2° at 5°/s, by "
-                     "a jog or by M of a client. See both axes turn as the profile says. Then confirm it in the "
+                     "a jog or by M of a client. See each axis turn as the profile says. Then confirm it in the "
                      "guide of the window, or run boresightctl confirm-directions PROFILE and start again."));
     }
 }
@@ -230,9 +229,8 @@ void Station::witness()
     }
     const auto proposed = m_calibration.proposedOfSensor();
     m_sensor.watch().setProposed(proposed ? proposed->sensor : std::nullopt);
-    const auto place = m_control.measured();
     m_sensor.watch().tick(m_control.direction(), amperes,
-                          proposed && place ? std::optional(beamBy(proposed->terms, *place)) : std::nullopt);
+                          proposed ? m_control.directionBy(proposed->terms) : std::nullopt);
     m_calibration.take(m_sensor.status());
     const SensorEvidence evidence = m_sensor.evidence();
     m_control.setSensor(evidence.azimuth, evidence.elevation);

@@ -36,7 +36,7 @@ public:
     void clientRemark(const rotctld::Client& client, const QString& text) override;
 
 private:
-    [[nodiscard]] pointing::PointingModel model() const { return pointing::PointingModel(m_profile->pointing); }
+    [[nodiscard]] const pointing::PointingModel& model() const { return m_control.pointing(); }
     [[nodiscard]] std::optional<AxisPosition> placeOf(const SkyPointing& continuous) const;
     Result<> ask(const rotctld::Client& client, const Request& request, const QString& command);
     [[nodiscard]] Result<> permitted(const rotctld::PointRequest& request) const;

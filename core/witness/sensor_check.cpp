@@ -41,16 +41,19 @@ void SensorCheck::take(const SensorDirection& reading)
     const auto elevations = passed(&Place::elevation, reading.arrival, Seconds(0.0));
     Case& azimuth = m_cases[index(Axis::Azimuth)];
     Case& elevation = m_cases[index(Axis::Elevation)];
-    const bool low = elevations && abs(elevations->mean) < kHighestForCompass;
-    if (azimuths && low && reading.azimuthCounts) {
+    // Without an elevation axis the sensor alone knows how high the antenna looks.
+    const Angle height = m_missing == Axis::Elevation ? reading.direction.elevation
+                         : elevations                 ? elevations->mean
+                                                      : 90_deg;
+    if (azimuths && abs(height) < kHighestForCompass && reading.azimuthCounts && m_missing != Axis::Azimuth) {
         const Angle difference = (reading.direction.azimuth - azimuths->mean).wrapped180();
         // Across the sky: near the zenith an angle of azimuth is a small one.
-        const double shrink = std::cos(elevations->mean.radians());
+        const double shrink = std::cos(height.radians());
         judge(azimuth, difference, (abs(difference) - azimuths->spread) * shrink, reading.arrival);
     } else {
         azimuth = {};
     }
-    if (elevations && reading.elevationCounts) {
+    if (elevations && reading.elevationCounts && m_missing != Axis::Elevation) {
         const Angle difference = reading.direction.elevation - elevations->mean;
         judge(elevation, difference, abs(difference) - elevations->spread, reading.arrival);
     } else {

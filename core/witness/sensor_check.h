@@ -50,6 +50,9 @@ public:
     // From the next value on. It knows no profile: the same check judges a mounting that is only proposed.
     void setSettings(const SensorCheckSettings& settings) { m_settings = settings; }
 
+    // The mount has no such axis: it is not compared.
+    void leaveOut(Axis axis) { m_missing = axis; }
+
     // Where the axes point, once per tick; empty: not known, and nothing is compared across that.
     void note(SteadyTime now, const std::optional<SkyPointing>& axes);
     void take(const SensorDirection& reading);
@@ -88,6 +91,7 @@ private:
     void judge(Case& which, const std::optional<Angle>& difference, Angle excess, SteadyTime arrival);
 
     SensorCheckSettings m_settings;
+    std::optional<Axis> m_missing;
     std::deque<Place> m_places;  // of the last seconds
     std::array<Case, 2> m_cases;
 };

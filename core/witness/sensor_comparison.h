@@ -23,6 +23,7 @@ public:
     // Another mounting or curve. What was compared before is forgotten.
     void convertBy(const SensorToSky& toSky);
     void forget() { m_check.forget(); }
+    void leaveOut(Axis axis) { m_check.leaveOut(axis); }
 
     void take(const orientation::Orientation& value);
     // As those of SensorCheck.

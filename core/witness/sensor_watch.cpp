@@ -58,6 +58,12 @@ SensorWatch::SensorWatch(const profile::InForce& profile, const Clock& clock, Ev
     correct();
 }
 
+void SensorWatch::leaveOut(Axis axis)
+{
+    m_inForce.leaveOut(axis);
+    m_afterApply.leaveOut(axis);
+}
+
 void SensorWatch::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
     m_judge.setSettings(judgeSettings(after));

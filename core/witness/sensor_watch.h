@@ -33,6 +33,8 @@ public:
     // All of them outlive it.
     SensorWatch(const profile::InForce& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms);
 
+    // The mount has no such axis: it is not compared.
+    void leaveOut(Axis axis);
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
     // Of the site by the magnetic model, or why it is not known; empty: the model is still read, or there is no site.
     // Counts while the profile names a file of one.

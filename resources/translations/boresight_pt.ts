@@ -279,8 +279,8 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>Cliente: que programa segue os satélites?</translation>
     </message>
     <message>
-        <source>both drives must answer and be read first</source>
-        <translation>os dois acionamentos têm primeiro de responder e ser lidos</translation>
+        <source>every drive must answer and be read first</source>
+        <translation>todos os acionamentos têm primeiro de responder e ser lidos</translation>
     </message>
     <message>
         <source>the drives have not been read</source>
@@ -2019,8 +2019,8 @@ do eixo</translation>
         <translation>não há falha de que rearmar</translation>
     </message>
     <message>
-        <source>both drives must answer before re-arming</source>
-        <translation>os dois acionamentos têm de responder antes de rearmar</translation>
+        <source>every drive must answer before re-arming</source>
+        <translation>todos os acionamentos têm de responder antes de rearmar</translation>
     </message>
     <message>
         <source>the drives have not been looked at yet</source>
@@ -2235,8 +2235,8 @@ do eixo</translation>
         <translation>em: %1</translation>
     </message>
     <message>
-        <source>held by its own time-out mode</source>
-        <translation>mantido pelo seu próprio modo de tempo esgotado</translation>
+        <source>holds by itself</source>
+        <translation>mantém-se por si próprio</translation>
     </message>
     <message>
         <source>in its own time-out mode</source>
@@ -2259,8 +2259,8 @@ do eixo</translation>
         <translation>saiu: %1</translation>
     </message>
     <message>
-        <source>both drives must answer</source>
-        <translation>os dois acionamentos têm de responder</translation>
+        <source>every drive must answer</source>
+        <translation>todos os acionamentos têm de responder</translation>
     </message>
     <message>
         <source>a crash stop is proven at %1 to %2°/s</source>
@@ -3701,6 +3701,10 @@ do eixo</translation>
         <translation>O feixe está a menos de %1° do Sol</translation>
     </message>
     <message>
+        <source>The beam may be less than %1° from the Sun, because the mount has only one axis</source>
+        <translation>O feixe pode estar a menos de %1° do Sol, porque a montagem só tem um eixo</translation>
+    </message>
+    <message>
         <source>the readings do not determine the tilt: read it at more azimuths</source>
         <translation>as leituras não determinam a inclinação: leia-a em mais azimutes</translation>
     </message>
@@ -4433,8 +4437,8 @@ do eixo</translation>
         <translation>os pontos da página Sol/Lua foram tomados em outro local</translation>
     </message>
     <message>
-        <source>%1 points that were taken before are here again; they count when both drives have told who they are</source>
-        <translation>%1 pontos tomados antes estão de novo aqui; contam quando ambos os acionamentos tiverem dito quem são</translation>
+        <source>%1 points that were taken before are here again; they count when every drive has reported its identity</source>
+        <translation>%1 pontos tomados antes estão de novo aqui; contam quando todos os acionamentos tiverem indicado a sua identidade</translation>
     </message>
     <message>
         <source>all points are about as high: the azimuth&apos;s offset and the collimation cannot be told apart; take one much higher or lower, or one over the top</source>
@@ -4513,8 +4517,8 @@ do eixo</translation>
         <translation>O Boresight está a ser fechado: a montagem é parada</translation>
     </message>
     <message>
-        <source>these points wait until both drives have told who they are</source>
-        <translation>estes pontos esperam até que ambos os acionamentos tenham dito quem são</translation>
+        <source>these points wait until every drive has reported its identity</source>
+        <translation>estes pontos esperam até que todos os acionamentos tenham indicado a sua identidade</translation>
     </message>
     <message>
         <source>azimuth cable ends at %1, about %2</source>
@@ -4547,6 +4551,14 @@ do eixo</translation>
     <message>
         <source>Sun at any time: the clock is not synchronised</source>
         <translation>Sol a qualquer hora: o relógio não está sincronizado</translation>
+    </message>
+    <message>
+        <source>the mount has only one axis, so parts of its pointing model have no effect</source>
+        <translation>a montagem só tem um eixo, por isso partes do seu modelo de apontamento não têm efeito</translation>
+    </message>
+    <message>
+        <source>Set tilt, collimation and the other terms of the missing axis to 0.</source>
+        <translation>Ponha a 0 a inclinação, a colimação e os outros termos do eixo que falta.</translation>
     </message>
     <message>
         <source>%1 needs %2 s and %3° to stop from %4°/s</source>
@@ -4613,8 +4625,8 @@ do eixo</translation>
         <translation>Escalonamento em tempo real: ativo. Memória: não fixada (limite RLIMIT_MEMLOCK).</translation>
     </message>
     <message>
-        <source>Nobody has confirmed which way the axes turn. Boresight moves the mount at most 2° at 5°/s, by a jog or by M of a client. See both axes turn as the profile says. Then confirm it in the guide of the window, or run boresightctl confirm-directions PROFILE and start again.</source>
-        <translation>Ninguém confirmou para que lado giram os eixos. O Boresight move a montagem no máximo 2° a 5°/s, por movimento manual ou por M de um cliente. Veja se os dois eixos giram como diz o perfil. Depois confirme no guia da janela, ou execute boresightctl confirm-directions PERFIL e inicie de novo.</translation>
+        <source>Nobody has confirmed which way the axes turn. Boresight moves the mount at most 2° at 5°/s, by a jog or by M of a client. See each axis turn as the profile says. Then confirm it in the guide of the window, or run boresightctl confirm-directions PROFILE and start again.</source>
+        <translation>Ninguém confirmou para que lado giram os eixos. O Boresight move a montagem no máximo 2° a 5°/s, por movimento manual ou por M de um cliente. Veja se cada eixo gira como diz o perfil. Depois confirme no guia da janela, ou execute boresightctl confirm-directions PERFIL e inicie de novo.</translation>
     </message>
     <message>
         <source>End that program, or give this mount another name in its profile</source>
@@ -4890,8 +4902,8 @@ do eixo</translation>
         <translation>O Boresight não para a montagem</translation>
     </message>
     <message>
-        <source>Boresight stopped both axes and holds them</source>
-        <translation>O Boresight parou os dois eixos e mantém-nos</translation>
+        <source>Boresight stopped the mount and holds it</source>
+        <translation>O Boresight parou a montagem e mantém-na</translation>
     </message>
     <message>
         <source>Look for a cable, a lock, ice or a slipping coupling that blocks the axis, and free it.</source>
@@ -4946,8 +4958,8 @@ do eixo</translation>
         <translation>O %1 excedeu o tempo porque não recebeu nenhum comando a tempo</translation>
     </message>
     <message>
-        <source>The watchdog stopped the drive. Boresight ended the motion of both axes</source>
-        <translation>O watchdog parou o acionamento. O Boresight terminou o movimento dos dois eixos</translation>
+        <source>The watchdog stopped the drive. Boresight ended the motion of the mount</source>
+        <translation>O watchdog parou o acionamento. O Boresight terminou o movimento da montagem</translation>
     </message>
     <message>
         <source>Boresight ended the motion. Each axis holds if its drive still can</source>
@@ -4962,8 +4974,8 @@ do eixo</translation>
         <translation>O %1 não comunica nenhuma posição credível</translation>
     </message>
     <message>
-        <source>Boresight ended the motion of both axes and commanded this drive to brake and hold</source>
-        <translation>O Boresight terminou o movimento dos dois eixos e mandou este acionamento travar e manter</translation>
+        <source>Boresight ended the motion of the mount and commanded this drive to brake and hold</source>
+        <translation>O Boresight terminou o movimento da montagem e mandou este acionamento travar e manter</translation>
     </message>
     <message>
         <source>The %1 answers but does not follow its commands</source>
@@ -5482,8 +5494,8 @@ do eixo</translation>
         <translation>O operador tem o controlo. Devolva primeiro o controlo aos clientes.</translation>
     </message>
     <message>
-        <source>both drives answer, and nothing moves</source>
-        <translation>os dois acionamentos respondem, e nada se move</translation>
+        <source>every drive answers, and nothing moves</source>
+        <translation>todos os acionamentos respondem, e nada se move</translation>
     </message>
     <message>
         <source>the bus is released to other tools</source>
@@ -5630,8 +5642,8 @@ do eixo</translation>
         <translation>toma o controlo, e o Boresight recusa comandos de movimento dos clientes</translation>
     </message>
     <message>
-        <source>switches both drives off, so nothing holds the axes</source>
-        <translation>desliga os dois acionamentos, por isso nada mantém os eixos</translation>
+        <source>switches the drives off, so nothing holds the mount</source>
+        <translation>desliga os acionamentos, por isso nada mantém a montagem</translation>
     </message>
     <message>
         <source>releases the bus to other tools, and drives that held continue in their time-out mode</source>
@@ -5646,8 +5658,8 @@ do eixo</translation>
         <translation>a posição do Sol é conhecida de novo</translation>
     </message>
     <message>
-        <source>STOP is latched, and both axes decelerate and hold</source>
-        <translation>STOP está retido, e os dois eixos desaceleram e mantêm</translation>
+        <source>STOP is latched, and the mount decelerates and holds</source>
+        <translation>STOP está retido, e a montagem desacelera e mantém</translation>
     </message>
     <message>
         <source>The mount is still braking. Reset STOP when it stands still.</source>
@@ -7171,6 +7183,10 @@ trocar os motores</translation>
     <message>
         <source>Azimuth and elevation exchange their motors; connects anew</source>
         <translation>Azimute e elevação trocam os seus motores; conecta-se de novo</translation>
+    </message>
+    <message>
+        <source>It turns as the arrow shows</source>
+        <translation>Gira como a seta</translation>
     </message>
     <message>
         <source>Both turn as the arrows show</source>
@@ -9639,8 +9655,8 @@ el %2</translation>
         <translation>Desligar acionam. …</translation>
     </message>
     <message>
-        <source>Release both axes; asks first</source>
-        <translation>Soltar os dois eixos; pergunta antes</translation>
+        <source>Release the axes; asks first</source>
+        <translation>Soltar os eixos; pergunta antes</translation>
     </message>
     <message>
         <source>Protection</source>
@@ -9685,12 +9701,12 @@ Fica para si, porque só quem construiu a montagem o pode saber:
         <translation>Escrever</translation>
     </message>
     <message>
-        <source>Switch both drives off?</source>
-        <translation>Desligar os dois acionamentos?</translation>
+        <source>Switch the drives off?</source>
+        <translation>Desligar os acionamentos?</translation>
     </message>
     <message>
-        <source>Both axes are let go at once. An unbalanced elevation falls, and wind may turn the azimuth. Keep people away from the antenna, or support it first.</source>
-        <translation>Os dois eixos são soltos de imediato. Uma elevação desequilibrada cai, e o vento pode girar o azimute. Mantenha pessoas longe da antena, ou apoie-a primeiro.</translation>
+        <source>The mount is let go at once. An unbalanced elevation falls, and wind may turn the azimuth. Keep people away from the antenna, or support it first.</source>
+        <translation>A montagem é solta de imediato. Uma elevação desequilibrada cai, e o vento pode girar o azimute. Mantenha pessoas longe da antena, ou apoie-a primeiro.</translation>
     </message>
     <message>
         <source>Switch off</source>

@@ -272,7 +272,7 @@ TEST_F(SimulateTest, AxisStopsWhenTheServiceIsKilledInMotion)
                                fakes::confirmedMount(folder.path(), bus()) + fakes::standingAt(QStringLiteral("0,10")));
     const QString listening = QStringLiteral("rotctld listening on ");
     ASSERT_TRUE(service.waitForLine(listening)) << service.errors().toStdString();
-    ASSERT_TRUE(fakes::waitUntil([&] { return service.errors().contains(QStringLiteral("both drives answer")); }));
+    ASSERT_TRUE(fakes::waitUntil([&] { return service.errors().contains(QStringLiteral("every drive answers")); }));
     const QString address = service.lines().constLast().mid(listening.size());
 
     const auto ask = [&](const QStringList& command) {

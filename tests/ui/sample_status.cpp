@@ -212,7 +212,7 @@ StationStatus disconnected()
     status.permissions = withoutMotion(QStringLiteral("no reply from the azimuth drive"));
     status.permissions.refuse(Action::SetAzimuth, QStringLiteral("no fresh position from the azimuth drive"));
     status.permissions.refuse(Action::SetElevation, QStringLiteral("no fresh position from the elevation drive"));
-    status.permissions.refuse(Action::SwitchOff, QStringLiteral("both drives must answer"));
+    status.permissions.refuse(Action::SwitchOff, QStringLiteral("every drive must answer"));
     status.azimuth.state = AxisState::NoData;
     status.elevation.state = AxisState::NoData;
     status.line.state = MountLine::State::Lost;

@@ -25,7 +25,7 @@ ProtectionPanel::ProtectionPanel(RequestDesk& desk, QWidget* parent)
                                *m_notice, this)),
       m_fix(new CommandButton(tr("Fix …"), tr("Write the settings that differ; asks first"), desk, *m_notice, this)),
       m_switchOff(
-          new CommandButton(tr("Switch drives off …"), tr("Release both axes; asks first"), desk, *m_notice, this))
+          new CommandButton(tr("Switch drives off …"), tr("Release the axes; asks first"), desk, *m_notice, this))
 {
     build();
     connect(m_read, &QPushButton::clicked, this, [this] { m_read->ask(request::ReadDrives{}); });
@@ -132,8 +132,8 @@ void ProtectionPanel::fix()
 
 void ProtectionPanel::switchOff()
 {
-    askFirst({.title = tr("Switch both drives off?"),
-              .text = tr("Both axes are let go at once. An unbalanced elevation falls, and wind may turn the azimuth. "
+    askFirst({.title = tr("Switch the drives off?"),
+              .text = tr("The mount is let go at once. An unbalanced elevation falls, and wind may turn the azimuth. "
                          "Keep people away from the antenna, or support it first."),
               .act = tr("Switch off"),
               .request = request::SwitchOff{},

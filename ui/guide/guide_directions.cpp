@@ -43,8 +43,7 @@ GuideDirections::GuideDirections(ProfileChange& change, RequestDesk& desk, QWidg
       m_swap(new CommandButton(tr("The other axis moved:\nswap the motors"),
                                tr("Azimuth and elevation exchange their motors; connects anew"), desk, *m_notice,
                                this)),
-      m_confirm(new CommandButton(tr("Both turn as the arrows show"),
-                                  tr("From now on the mount may be moved faster and farther"), desk, *m_notice, this))
+      m_confirm(new CommandButton(tr("Both turn as the arrows show"), {}, desk, *m_notice, this))
 {
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -119,6 +118,9 @@ void GuideDirections::showStatus(const StationStatus& status)
 void GuideDirections::follow(Axis axis)
 {
     Row& row = m_rows[axisIndex(axis)];
+    for (QWidget* const part : std::initializer_list<QWidget*>{row.arrow, row.hold, row.moved, row.reverse}) {
+        part->setVisible(m_status.capabilities.has(axis));
+    }
     const AxisStatus& now = axisOf(m_status, axis);
     row.arrow->setTurning(turningOf(now));
     row.hold->setRate(std::min(kRate, m_status.profile->jog.unwind));
@@ -142,6 +144,8 @@ void GuideDirections::follow(Axis axis)
 void GuideDirections::showButtons()
 {
     const bool both = std::ranges::all_of(kAxes, [this](Axis axis) { return driveOf(m_status, axis).present; });
+    const bool single = missingAxis(m_status).has_value();
+    m_swap->setVisible(!single);
     m_swap->setBlocked(both ? m_change.whyNot(m_status, &profile::swapMotors)
                             : tr("only one axis has a motor that can be exchanged"));
     for (const Axis axis : kAxes) {
@@ -153,6 +157,8 @@ void GuideDirections::showButtons()
     });
     const bool confirmed = m_status.profile->mount.directions == profile::Directions::Confirmed;
     const auto confirm = [](profile::Profile& p) { p.mount.directions = profile::Directions::Confirmed; };
+    m_confirm->setCommand(single ? tr("It turns as the arrow shows") : tr("Both turn as the arrows show"),
+                          tr("From now on the mount may be moved faster and farther"));
     m_confirm->setBlocked(confirmed               ? tr("it is confirmed already")
                           : unseen != kAxes.end() ? tr("move the %1 a little first, and look at it").arg(name(*unseen))
                                                   : m_change.whyNot(m_status, confirm));

@@ -165,6 +165,9 @@ void GuidePage::showStatus(const StationStatus& status)
         }
         Q_EMIT progressChanged(m_progress);
     }
+    if (!applies(m_progress.current, m_status)) {
+        goOn();
+    }
     if (isVisible()) {
         m_show.at(m_progress.current)(m_status);
         showSteps();
@@ -195,9 +198,14 @@ void GuidePage::go(GuideStep step)
 
 void GuidePage::back()
 {
-    if (const auto at = placeOf(m_progress.current); at != kGuideSteps.begin()) {
-        go(*(at - 1));
+    auto at = placeOf(m_progress.current);
+    if (at == kGuideSteps.begin()) {
+        return;
     }
+    do {
+        --at;
+    } while (!applies(*at, m_status));  // the first step is of every mount
+    go(*at);
 }
 
 void GuidePage::next()
@@ -226,11 +234,12 @@ void GuidePage::pass(GuideStep step)
 
 void GuidePage::goOn()
 {
-    const auto at = placeOf(m_progress.current);
-    if (at + 1 == kGuideSteps.end()) {
+    const auto next = std::find_if(placeOf(m_progress.current) + 1, kGuideSteps.end(),
+                                   [this](GuideStep step) { return applies(step, m_status); });
+    if (next == kGuideSteps.end()) {
         finishLater();
     } else {
-        go(*(at + 1));
+        go(*next);
     }
 }
 
@@ -268,6 +277,7 @@ void GuidePage::showSteps()
 {
     for (const auto& [step, button] : m_buttons) {
         button->setState(stateOf(step, m_status, m_progress));
+        button->setVisible(applies(step, m_status));
     }
     const QString reason = whyNotDone(m_progress.current, m_status);
     m_next->setEnabled(reason.isEmpty());

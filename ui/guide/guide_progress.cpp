@@ -48,7 +48,7 @@ std::set<GuideStep> stepsIn(const QString& text)
     return steps;
 }
 
-bool bothAnswer(const StationStatus& status)
+bool everyDriveAnswers(const StationStatus& status)
 {
     const bool read = !status.drives || (!status.drives->released && status.drives->survey == SurveyState::Done);
     return status.state != StationState::Disconnected && read;
@@ -77,14 +77,20 @@ QString title(GuideStep step)
     return titles.at(indexOf(step));
 }
 
+bool applies(GuideStep step, const StationStatus& status)
+{
+    return !(step == GuideStep::Level && missingAxis(status) == Axis::Elevation) &&
+           !(step == GuideStep::North && missingAxis(status) == Axis::Azimuth);
+}
+
 QString whyNotDone(GuideStep step, const StationStatus& status)
 {
     switch (step) {
         case GuideStep::Connect:
-            return bothAnswer(status) ? QString() : GuideWords::tr("both drives must answer and be read first");
+            return everyDriveAnswers(status) ? QString() : GuideWords::tr("every drive must answer and be read first");
         case GuideStep::Protection:
-            return !bothAnswer(status) ? GuideWords::tr("the drives have not been read")
-                                       : drivesOf(status).armingObstacle;
+            return !everyDriveAnswers(status) ? GuideWords::tr("the drives have not been read")
+                                              : drivesOf(status).armingObstacle;
         case GuideStep::Directions:
             return status.profile->mount.directions == profile::Directions::Confirmed
                        ? QString()

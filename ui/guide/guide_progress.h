@@ -52,6 +52,8 @@ struct GuideProgress
 [[nodiscard]] QString title(GuideStep step);  // "Connect: how the drives are reached"
 
 [[nodiscard]] StepState stateOf(GuideStep step, const StationStatus& status, const GuideProgress& progress);
+// The mount has the axis that the step is about.
+[[nodiscard]] bool applies(GuideStep step, const StationStatus& status);
 // Why Next can not count the step as done; empty: it can.
 [[nodiscard]] QString whyNotDone(GuideStep step, const StationStatus& status);
 

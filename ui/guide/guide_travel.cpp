@@ -57,6 +57,7 @@ QWidget* GuideTravel::makeAxis(Axis axis, RequestDesk& desk)
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(4);
     Row& row = m_rows[axisIndex(axis)];
+    row.box = box;
     const auto field = [&](const QString& name) {
         return makeField({.name = name,
                           .help = tr("%1, a mechanical angle").arg(name),
@@ -118,6 +119,7 @@ void GuideTravel::showStatus(const StationStatus& status)
 void GuideTravel::showAxis(Axis axis)
 {
     Row& row = m_rows[axisIndex(axis)];
+    row.box->setVisible(m_status.capabilities.has(axis));
     const TravelRange& travel = m_change.applied().axis(axis).geometry.travel;
     if (travel != row.shown) {
         row.shown = travel;

@@ -36,6 +36,7 @@ Q_SIGNALS:
 private:
     struct Row  // of one axis
     {
+        QWidget* box = nullptr;
         QDoubleSpinBox* min = nullptr;
         QDoubleSpinBox* max = nullptr;
         QPushButton* minHere = nullptr;

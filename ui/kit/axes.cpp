@@ -3,6 +3,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace boresight::ui {
 
 QString name(Axis axis)
@@ -20,6 +22,12 @@ QString shortName(Axis axis)
 std::size_t axisIndex(Axis axis)
 {
     return axis == Axis::Azimuth ? 0 : 1;
+}
+
+std::optional<Axis> missingAxis(const StationStatus& status)
+{
+    const auto missing = std::ranges::find_if(kAxes, [&](Axis axis) { return !status.capabilities.has(axis); });
+    return missing == kAxes.end() ? std::nullopt : std::optional(*missing);
 }
 
 const AxisStatus& axisOf(const StationStatus& status, Axis axis)

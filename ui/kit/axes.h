@@ -16,6 +16,8 @@ inline constexpr std::array kAxes{Axis::Azimuth, Axis::Elevation};
 [[nodiscard]] QString name(Axis axis);           // "azimuth"
 [[nodiscard]] QString shortName(Axis axis);      // "AZ"
 [[nodiscard]] std::size_t axisIndex(Axis axis);  // 0, 1
+// The axis that the mount does not have.
+[[nodiscard]] std::optional<Axis> missingAxis(const StationStatus& status);
 [[nodiscard]] const AxisStatus& axisOf(const StationStatus& status, Axis axis);
 // A mount without such drives has blank ones: nothing is known of them.
 [[nodiscard]] const DrivesStatus& drivesOf(const StationStatus& status);

@@ -15,7 +15,7 @@ namespace boresight::ui {
 namespace {
 
 // As the station obeys it: what a missing axis would show is not known.
-pointing::PermittedRegion regionOf(const StationStatus& status)
+pointing::PermittedRegion regionOf(const StationStatus& status, const pointing::PointingModel& pointing)
 {
     const profile::Profile& profile = *status.profile;
     pointing::Region region = pointing::withSun(profile.limits, status.sunKeepOuts);
@@ -25,7 +25,7 @@ pointing::PermittedRegion regionOf(const StationStatus& status)
         travel[index(axis)] = present ? profile.axis(axis).geometry.travel : pointing::kMissingAxisTravel;
         region = present ? region : pointing::withoutAxis(region, axis);
     }
-    return {region, travel[0], travel[1], pointing::PointingModel(profile.pointing)};
+    return {region, travel[0], travel[1], pointing};
 }
 
 QString forbidden(const QString& reason)
@@ -38,7 +38,6 @@ QString forbidden(const QString& reason)
 QString whyForbidden(const StationStatus& status, const SkyPointing& direction)
 {
     const profile::Profile& profile = *status.profile;
-    const pointing::PermittedRegion region = regionOf(status);
     pointing::MountModel model(profile.azimuth.geometry, profile.elevation.geometry,
                                pointing::PointingModel(profile.pointing));
     for (const Axis axis : kAxes) {
@@ -46,6 +45,7 @@ QString whyForbidden(const StationStatus& status, const SkyPointing& direction)
             model.leaveOut(axis);
         }
     }
+    const pointing::PermittedRegion region = regionOf(status, model.pointing());
     model.limitTo(region.ranges().azimuth, region.ranges().elevation);
     const AxisPosition now{status.azimuth.actual.value_or(0_deg), status.elevation.actual.value_or(0_deg)};
     const pointing::Resolved resolved = model.resolve(direction, now);

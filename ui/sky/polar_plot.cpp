@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sky/polar_plot.h"
 
+#include "core/pointing/missing_axis.h"
 #include "core/pointing/sun_keep_out.h"
+#include "core/units/angle_between.h"
 #include "ui/kit/axes.h"
 #include "ui/kit/format.h"
 #include "ui/kit/theme.h"
@@ -17,8 +19,9 @@
 #include <qwt_scale_div.h>
 #include <qwt_scale_map.h>
 
-#include <cmath>
+#include <algorithm>
 #include <numbers>
+#include <utility>
 
 namespace boresight::ui {
 
@@ -32,12 +35,29 @@ bool isOffTarget(const StationStatus& status, Angle beamWidth)
     if (!status.actual || !status.target) {
         return false;
     }
-    const SkyPointing a = unflipped(*status.actual);
-    const SkyPointing b = unflipped(*status.target);
-    const double cosine =
-        std::sin(a.elevation.radians()) * std::sin(b.elevation.radians()) +
-        std::cos(a.elevation.radians()) * std::cos(b.elevation.radians()) * std::cos((a.azimuth - b.azimuth).radians());
-    return Angle::fromRadians(std::acos(std::clamp(cosine, -1.0, 1.0))) > 0.5 * beamWidth;
+    const SkyPointing actual = unflipped(*status.actual);
+    const SkyPointing target = unflipped(*status.target);
+    const auto missing = missingAxis(status);
+    const Angle apart = missing ? pointing::leastAngleBetween(actual, target, *missing) : angleBetween(actual, target);
+    return apart > 0.5 * beamWidth;
+}
+
+// What is forbidden and how far the axes go. What holds for the axis that there is holds for the whole of the missing
+// angle, and is drawn over the whole of it.
+std::pair<pointing::Region, Travel> groundOf(const StationStatus& status)
+{
+    pointing::Region region = pointing::withSun(status.profile->limits, status.sunKeepOuts);
+    Travel travel{status.azimuth.travel, status.elevation.travel, pointing::PointingModel(status.profile->pointing)};
+    if (const auto missing = missingAxis(status)) {
+        region = pointing::withoutAxis(region, *missing);
+        travel.pointing = pointing::PointingModel(pointing::withoutAxis(status.profile->pointing, *missing));
+        (*missing == Axis::Azimuth ? travel.azimuth : travel.elevation) =
+            *missing == Axis::Azimuth ? TravelRange{0_deg, 360_deg} : TravelRange{0_deg, 90_deg};
+        for (pointing::KeepOut& keepOut : region.keepOuts) {
+            keepOut.elevationMin = std::max(keepOut.elevationMin, 0_deg);  // its name stands in the middle
+        }
+    }
+    return {region, travel};
 }
 
 Freshness worseFreshness(const StationStatus& status)
@@ -45,18 +65,28 @@ Freshness worseFreshness(const StationStatus& status)
     return std::max(freshness(status.azimuth.age), freshness(status.elevation.age));
 }
 
+// Without the angle that the mount does not have.
+QString knownText(const SkyPointing& direction, std::optional<Axis> missing)
+{
+    if (!missing) {
+        return directionText(direction);
+    }
+    return *missing == Axis::Azimuth ? shortName(Axis::Elevation) + QLatin1Char(' ') + angleText(direction.elevation, 1)
+                                     : shortName(Axis::Azimuth) + QLatin1Char(' ') + angleText(direction.azimuth, 1);
+}
+
 QString targetLabel(const StationStatus& status)
 {
     if (!status.target) {
         return {};
     }
-    const QString text = directionText(*status.target);
+    const QString text = knownText(*status.target, missingAxis(status));
     return status.target->elevation > 90_deg ? PolarPlot::tr("FLIP %1").arg(text) : text;
 }
 
-QString placeText(const QString& what, const std::optional<SkyPointing>& place)
+QString placeText(const QString& what, const std::optional<SkyPointing>& place, std::optional<Axis> missing = {})
 {
-    return place ? what + QLatin1Char(' ') + directionText(*place) + QStringLiteral(". ") : QString();
+    return place ? what + QLatin1Char(' ') + knownText(*place, missing) + QStringLiteral(". ") : QString();
 }
 
 QwtScaleDiv scaleDiv(double from, double to, const std::vector<double>& lines)
@@ -266,12 +296,10 @@ void PolarPlot::showStatus(const StationStatus& status)
 
 void PolarPlot::showRegion(const StationStatus& status)
 {
-    const Travel travel{status.azimuth.travel, status.elevation.travel,
-                        pointing::PointingModel(status.profile->pointing)};
+    const auto [region, travel] = groundOf(status);
     m_beamWidth = status.profile->mount.beamWidth;
     m_focus = status.target ? *status.target : status.actual.value_or(m_focus);
     const bool moved = !m_editor->isDragging() && m_zoom.follow(m_focus);
-    const pointing::Region region = pointing::withSun(status.profile->limits, status.sunKeepOuts);
     const bool changed = m_region != region || travel != m_travel;
     if (changed) {
         m_region = region;
@@ -298,6 +326,7 @@ void PolarPlot::showMarkers(const StationStatus& status)
         drawGround();
     }
     markers.way = markers.commanded ? status.route : std::vector<SkyPointing>();
+    markers.missing = missingAxis(status);
     markers.targetLabel = targetLabel(status);
     markers.beamWidth = m_beamWidth;
     markers.live = age == Freshness::Live && known;
@@ -315,9 +344,11 @@ void PolarPlot::describe(const StationStatus& status)
 {
     const bool live = worseFreshness(status) == Freshness::Live;
     const QString actual = !live ? tr("Last seen at") : areTurnsKnown(status) ? tr("Actual") : tr("Perhaps at");
-    setAccessibleDescription((placeText(actual, status.actual) + placeText(tr("Commanded"), status.commanded) +
-                              placeText(tr("Target"), status.target) + placeText(tr("Sensor"), status.sensor.direction))
-                                 .trimmed());
+    const auto missing = missingAxis(status);
+    setAccessibleDescription(
+        (placeText(actual, status.actual, missing) + placeText(tr("Commanded"), status.commanded, missing) +
+         placeText(tr("Target"), status.target, missing) + placeText(tr("Sensor"), status.sensor.direction))
+            .trimmed());
 }
 
 QPointF PolarPlot::qwtPixel(const SkyPointing& direction) const

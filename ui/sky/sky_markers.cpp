@@ -2,6 +2,7 @@
 #include "ui/sky/sky_markers.h"
 
 #include "ui/kit/symbol.h"
+#include "ui/sky/sky_limits.h"
 
 #include <QMouseEvent>
 #include <QPaintEvent>
@@ -149,6 +150,20 @@ double SkyMarkers::beamRadius() const
     return std::max(m_markers.beamWidth / 180_deg * m_projection.radius, kActualSize / 2.0 + 2.0);
 }
 
+// Where the beam is now: around the actual place; all the way up, or all around, if only one angle of it is known.
+QPainterPath SkyMarkers::beamPixels() const
+{
+    if (m_markers.missing == Axis::Elevation) {
+        return meridian(m_markers.actual->azimuth, 0_deg, 90_deg, {}, m_projection);
+    }
+    if (m_markers.missing == Axis::Azimuth) {
+        return ring(unflipped(*m_markers.actual).elevation, {}, m_projection);
+    }
+    QPainterPath path;
+    path.addEllipse(m_projection.toPixel(*m_markers.actual), beamRadius(), beamRadius());
+    return path;
+}
+
 QRect SkyMarkers::targetLabelBox() const
 {
     if (!m_markers.target || m_markers.targetLabel.isEmpty()) {
@@ -185,7 +200,8 @@ QRegion SkyMarkers::occupied() const
     QRegion region;
     const auto add = [&region](const QRectF& box) { region += box.toAlignedRect().adjusted(-2, -2, 2, 2); };
     if (m_markers.actual) {
-        add(markerBox(*m_markers.actual, 2.0 * beamRadius() + 2.0));
+        add(markerBox(*m_markers.actual, kActualSize));
+        region += beamPixels().boundingRect().toAlignedRect().adjusted(-3, -3, 3, 3) & rect();
     }
     if (m_markers.commanded) {
         add(markerBox(*m_markers.commanded, kCommandedSize));
@@ -269,7 +285,7 @@ void SkyMarkers::drawActual(QPainter& painter) const
     const QColor colour = m_markers.live ? colours.text : colours.secondary;
     painter.setPen(QPen(colour, 1.0, m_markers.live ? Qt::SolidLine : Qt::DotLine));
     painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(m_projection.toPixel(*m_markers.actual), beamRadius(), beamRadius());
+    painter.drawPath(beamPixels());
     drawSymbol(painter, m_markers.live ? Symbol::Actual : Symbol::Lost, markerBox(*m_markers.actual, kActualSize),
                colour);
 }

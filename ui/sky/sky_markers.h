@@ -26,6 +26,7 @@ struct MarkerData
     std::optional<SkyPointing> sensor;  // where the independent sensor says that the beam points
     std::optional<SkyPointing> picked;  // clicked by the operator
     std::vector<SkyPointing> way;       // from the commanded place to the target, around what is forbidden
+    std::optional<Axis> missing;        // nobody knows this angle of the mount: the beam is somewhere on a line
     QString targetLabel;
     Angle beamWidth;
     bool live = false;       // the actual place is measured now; else it is where the mount was last seen
@@ -75,6 +76,7 @@ private:
     void rebuildWay();
     [[nodiscard]] QRectF markerBox(const SkyPointing& direction, double size) const;
     [[nodiscard]] double beamRadius() const;
+    [[nodiscard]] QPainterPath beamPixels() const;
     [[nodiscard]] bool covers(const QRect& box) const;
     [[nodiscard]] QRegion occupied() const;
     void drawActual(QPainter& painter) const;

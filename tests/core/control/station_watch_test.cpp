@@ -73,7 +73,7 @@ TEST(StationWatch, AStalledAxisStopsTheMountWithinASecond)
     const Seconds time = rig.untilFault([&] { rig.azimuth.position = stuck; });
     EXPECT_LE(time, Seconds(1.1));
     const std::string said = rig.alarm("The azimuth");
-    EXPECT_THAT(said, HasSubstr("Boresight stopped both axes and holds them."));
+    EXPECT_THAT(said, HasSubstr("Boresight stopped the mount and holds it."));
     EXPECT_THAT(said, HasSubstr("re-arm."));
     rig.run(Seconds(0.5));
     rig.expectStoppedAndRearmable();

@@ -84,7 +84,7 @@ struct Rig
 TEST(DiagnosticsBundle, IsUnpackedByTarAndTellsWhatEachFileIs)
 {
     Rig rig;
-    rig.put("events.log", "2026-11-21T18:17:00.000Z station: both drives answer\n");
+    rig.put("events.log", "2026-11-21T18:17:00.000Z station: every drive answers\n");
     ASSERT_TRUE(writeBundle(rig.archive(), collect(rig.snapshot), kWhen));
     const QDir dir = rig.unpacked();
     const QByteArray readme = Rig::read(dir, "README.txt");

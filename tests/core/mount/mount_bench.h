@@ -125,6 +125,7 @@ public:
         : m_profile(profile), m_mount(m_box, axes)
     {}
     StationControl& control() override { return m_control; }
+    [[nodiscard]] fakes::ManualClock& clock() { return m_clock; }
     void tick() override
     {
         m_clock.advance(kOneTick);

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/ephemeris/almanac.h"
 #include "tests/core/mount/mount_bench.h"
 #include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
 
 namespace boresight {
 namespace {
@@ -127,6 +131,98 @@ TEST(OneAxis, AKeepOutHoldsAtAllAzimuthsWithoutOne)
     EXPECT_FALSE(bench.goTo(0.0, 52.0));
     EXPECT_FALSE(bench.goTo(0.0, 80.0)) << "there is no way around it";
     EXPECT_TRUE(bench.goTo(0.0, 45.0));
+}
+
+// Lisbon. The beam stays 10° away from the Sun.
+profile::Profile sunnyProfile()
+{
+    profile::Profile profile = slowProfile();
+    profile.site = {.known = true, .latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
+    profile.sun = {.keepAway = profile::KeepAway::On, .radius = 10_deg};
+    return profile;
+}
+
+bool warnsNow(Bench& bench, const char* alarm)
+{
+    return std::ranges::any_of(bench.control().status().alarms,
+                               [alarm](const Alarm& one) { return one.active && one.name == QLatin1String(alarm); });
+}
+
+// Story: a mount with an azimuth only stood towards the Sun all noon, and no alarm was raised because its elevation
+// counted as 0°.
+// REQ-MOUNT-11: The Sun may be in the beam of a mount with one axis as soon as the one angle that is known is near to
+// it, as the keep-out says. An advisory names that as a possibility, because nobody knows the other angle.
+TEST(OneAxis, TheSunMayBeInTheBeamWhereTheAngleThatIsKnownIsNear)
+{
+    const Site lisbon{.latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
+    constexpr std::chrono::hours kAfternoon{16};
+    for (const Axis missing : kAxes) {
+        for (const double away : {0.0, 40.0}) {
+            SimpleBench bench({.azimuth = missing != Axis::Azimuth, .elevation = missing != Axis::Elevation},
+                              sunnyProfile());
+            bench.run(Seconds(1.0));
+            ephemeris::Almanac almanac(lisbon);
+            const SkyPointing sun = almanac.place(ephemeris::Body::Sun, bench.clock().utc() + kAfternoon).direction;
+            ASSERT_TRUE(bench.goTo(sun.azimuth.degrees() - away, sun.elevation.degrees() + away));
+            bench.run(Seconds(60.0));
+            EXPECT_FALSE(warnsNow(bench, "sun.near-one-axis")) << "at night";
+            bench.clock().stepUtc(kAfternoon);
+            bench.run(Seconds(0.1));
+            EXPECT_EQ(warnsNow(bench, "sun.near-one-axis"), away == 0.0) << index(missing);
+            EXPECT_FALSE(warnsNow(bench, "sun.near")) << "nobody knows that";
+            bench.clock().stepUtc(kAfternoon / 2);
+            bench.run(Seconds(0.1));
+            EXPECT_FALSE(warnsNow(bench, "sun.near-one-axis")) << "the Sun is down";
+        }
+    }
+}
+
+// REQ-MOUNT-11
+TEST(OneAxis, WithoutAClockTheSunMayBeAtAnyOfTheMissingAngle)
+{
+    SimpleBench bench({.azimuth = true, .elevation = false}, sunnyProfile());
+    bench.run(Seconds(1.0));
+    ASSERT_TRUE(bench.goTo(180.0, 0.0)) << "at night";
+    bench.run(Seconds(60.0));
+    bench.clock().setSynchronised(false);
+    bench.clock().setUtc(std::chrono::sys_days{std::chrono::year{2000} / 1 / 1});
+    bench.run(Seconds(1.0));
+    const Result<> asked = bench.goTo(200.0, 0.0);
+    ASSERT_FALSE(asked) << "at the horizon in the south the Sun never stands, but higher it does";
+    EXPECT_NE(textOf(asked.error()).find("Only the operator may jog the mount out"), std::string::npos)
+        << textOf(asked.error());
+}
+
+// REQ-MOUNT-12: Of the pointing model of a mount with one axis counts only what needs nothing of the missing angle:
+// its zero point, and the sag of an elevation.
+TEST(OneAxis, WhatOneAngleChangesByTheOtherDoesNotCount)
+{
+    profile::Profile profile = slowProfile();
+    profile.pointing = {.azimuthOffset = 30_deg, .elevationOffset = 5_deg, .tiltNorth = 4_deg, .collimation = 3_deg};
+    for (const Axis missing : kAxes) {
+        SimpleBench bench({.azimuth = missing != Axis::Azimuth, .elevation = missing != Axis::Elevation}, profile);
+        bench.run(Seconds(1.0));
+        const AxisPosition before = bench.truth();
+        ASSERT_TRUE(bench.ask(request::PointSky{{.azimuth = 120_deg, .elevation = 45_deg}}));
+        bench.run(Seconds(30.0));
+        bench.expectAt({90_deg, 40_deg}, before, bench.resolution() / 2.0);
+        const SkyPointing expected = missing == Axis::Azimuth ? SkyPointing{.azimuth = 0_deg, .elevation = 45_deg}
+                                                              : SkyPointing{.azimuth = 120_deg, .elevation = 0_deg};
+        const StationStatus status = bench.control().status();
+        ASSERT_TRUE(status.actual && status.azimuth.beam.actual && status.elevation.beam.actual);
+        EXPECT_NEAR(status.actual->azimuth.degrees(), expected.azimuth.degrees(), 1e-6);
+        EXPECT_NEAR(status.actual->elevation.degrees(), expected.elevation.degrees(), 1e-6);
+        EXPECT_NEAR(status.azimuth.beam.actual->degrees(), expected.azimuth.degrees(), 1e-6);
+        EXPECT_NEAR(status.elevation.beam.actual->degrees(), expected.elevation.degrees(), 1e-6);
+    }
+}
+
+// REQ-MOUNT-13: The texts of a mount are true of one with one axis and of one without a time-out mode.
+TEST(OneAxis, ARotatorWithoutTimeOutModeIsNotSaidToHaveOne)
+{
+    SimpleBench bench;
+    bench.run(Seconds(1.0));
+    EXPECT_EQ(bench.control().status().azimuth.stateText, QStringLiteral("holds by itself"));
 }
 
 }  // namespace

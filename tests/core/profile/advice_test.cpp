@@ -72,5 +72,19 @@ TEST(Advice, LooksAtBothAxes)
     EXPECT_EQ(adviceOn(profile).size(), 2U);
 }
 
+// REQ-MOUNT-12
+TEST(Advice, TellsWhatAMountWithOneAxisDoesNotUse)
+{
+    Profile profile;
+    profile.elevation.driver = AxisDriver::None;
+    profile.pointing.azimuthOffset = 30_deg;
+    EXPECT_TRUE(adviceOn(profile).empty());
+    profile.pointing.collimation = 1_deg;
+    ASSERT_EQ(adviceOn(profile).size(), 1U);
+    EXPECT_EQ(adviceOn(profile).front().key, "pointing");
+    profile.elevation.driver = AxisDriver::Moteus;
+    EXPECT_TRUE(adviceOn(profile).empty());
+}
+
 }  // namespace
 }  // namespace boresight::profile

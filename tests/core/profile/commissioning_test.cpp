@@ -222,6 +222,16 @@ TEST(Commissioning, NorthIsSetInThePointingModelAndNoAngleOfAnAxisChanges)
     EXPECT_EQ(profile, before);
 }
 
+// REQ-MOUNT-12
+TEST(Commissioning, NorthOfAMountWithOneAxisIsItsZeroAlone)
+{
+    Profile profile;
+    profile.elevation.driver = AxisDriver::None;
+    profile.pointing = {.tiltNorth = 2_deg, .collimation = 3_deg};
+    setNorth(profile, {.azimuth = 10_deg, .elevation = 0_deg}, 47.4_deg);
+    EXPECT_NEAR(profile.pointing.azimuthOffset.degrees(), 37.4, 1e-9);
+}
+
 TEST(Commissioning, NorthIsTrueAlsoOnALeaningMastAndOverTheTop)
 {
     for (const double elevation : {5.0, 60.0, 130.0}) {

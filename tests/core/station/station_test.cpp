@@ -371,7 +371,7 @@ TEST(Station, TheLogIsOnDisk)
     EXPECT_TRUE(ticksUntil(rig, [&rig] {
         QFile file(rig.stateDir.filePath(QStringLiteral("events.log")));
         return file.open(QIODevice::ReadOnly) &&
-               file.readAll().contains("Z station: both drives answer, and nothing moves\n");
+               file.readAll().contains("Z station: every drive answers, and nothing moves\n");
     }));
 }
 

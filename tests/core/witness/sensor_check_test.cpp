@@ -92,6 +92,32 @@ TEST(SensorCheck, MotionIsNoDisagreement)
     EXPECT_LT(abs(*rig.check.difference(Axis::Azimuth).now), 3_deg);
 }
 
+// The sensor alone knows how high an antenna without an elevation axis looks.
+TEST(SensorCheck, OfAMountWithOneAxisThatOneIsCompared)
+{
+    CheckRig low(constant(100.0), constant(0.0));
+    low.check.leaveOut(Axis::Elevation);
+    low.elevationError = 60.0;
+    low.run(30.0);
+    EXPECT_FALSE(low.everDisagreed);
+    EXPECT_FALSE(low.check.difference(Axis::Elevation).now);
+    low.error = 25.0;
+    low.run(10.0);
+    EXPECT_TRUE(low.check.difference(Axis::Azimuth).lasts) << "12.5° across the sky";
+    CheckRig high(constant(100.0), constant(0.0));
+    high.check.leaveOut(Axis::Elevation);
+    high.elevationError = 80.0;
+    high.run(30.0);
+    EXPECT_FALSE(high.check.difference(Axis::Azimuth).now) << "its compass says nothing so near to the zenith";
+    CheckRig upright(constant(0.0), constant(30.0));
+    upright.check.leaveOut(Axis::Azimuth);
+    upright.error = 120.0;
+    upright.run(30.0);
+    EXPECT_FALSE(upright.everDisagreed);
+    EXPECT_FALSE(upright.check.difference(Axis::Azimuth).now);
+    EXPECT_TRUE(upright.check.difference(Axis::Elevation).now);
+}
+
 TEST(SensorCheck, AnErrorWithinTheThresholdIsShownOnly)
 {
     CheckRig rig(slewing, constant(30.0));

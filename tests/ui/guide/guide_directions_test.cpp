@@ -117,11 +117,14 @@ TEST_F(GuideTest, OfAMountWithOneAxisThatOneHasToBeSeen)
     open<GuideDirections>(GuideStep::Directions);
     moveTo({.azimuth = 10.2_deg, .elevation = 20_deg});
     moveTo({.azimuth = 10.2_deg, .elevation = 20_deg}, AxisState::Holding);
-    auto& confirm = inGuide<QPushButton>("Both turn as the arrows show");
+    auto& confirm = inGuide<QPushButton>("It turns as the arrow shows");
     EXPECT_FALSE(confirm.isEnabled()) << "too little to be seen";
     moveTo({.azimuth = 12_deg, .elevation = 20_deg});
     moveTo({.azimuth = 12_deg, .elevation = 20_deg}, AxisState::Holding);
     EXPECT_TRUE(confirm.isEnabled()) << confirm.toolTip().toStdString();
+    for (const char* const name : {"EL turned the other way", "The other axis moved:\nswap the motors"}) {
+        EXPECT_FALSE(findNamed<QPushButton>(guide(), name)->isVisible()) << name;
+    }
 }
 
 TEST_F(GuideTest, WrongMotorsAreSwappedAndAWrongDirectionReversedByOnePress)

@@ -89,6 +89,32 @@ TEST_F(GuideTest, NorthIsSetOfAMountThatHasNoElevation)
         << inGuide<QPushButton>("Set north").toolTip().toStdString();
 }
 
+// REQ-MOUNT-15: The guide has no step, no row and no button for an axis that the mount does not have.
+TEST_F(GuideTest, WhatBelongsToAMissingAxisIsLeftOut)
+{
+    status.capabilities.axes[index(Axis::Elevation)].reset();
+    give(samples::update(status));
+    open<GuideTravel>(GuideStep::Travel);
+    EXPECT_TRUE(findNamed<QDoubleSpinBox>(guide(), "Lower end of azimuth")->isVisible());
+    EXPECT_FALSE(findNamed<QDoubleSpinBox>(guide(), "Lower end of elevation")->isVisible());
+    EXPECT_FALSE(stepButton(GuideStep::Level).isVisible());
+    click("Next");
+    EXPECT_EQ(current(), GuideStep::North);
+    click("Back");
+    EXPECT_EQ(current(), GuideStep::Travel);
+}
+
+// REQ-MOUNT-15
+TEST_F(GuideTest, AStepOfAMissingAxisIsGoneOnFrom)
+{
+    open<GuideNorth>(GuideStep::North);
+    status.capabilities.axes[index(Axis::Azimuth)].reset();
+    give(samples::update(status));
+    EXPECT_EQ(current(), GuideStep::Site);
+    EXPECT_FALSE(stepButton(GuideStep::North).isVisible());
+    EXPECT_TRUE(stepButton(GuideStep::Level).isVisible());
+}
+
 // Story: F3 and one click on "Set north" with the preset 0.00° put -21.30° in the place of a north that was found.
 TEST_F(GuideTest, ANorthThatIsKnownIsReplacedOnlyOnPurpose)
 {

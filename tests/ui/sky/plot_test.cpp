@@ -70,6 +70,17 @@ protected:
     }
     SkyMarkers& markers() { return *plot.findChild<SkyMarkers*>(); }
     QColor pixel(QPointF at) { return plot.grab().toImage().pixelColor(at.toPoint()); }
+    // Nothing is drawn there, nor beside it.
+    bool isFree(const SkyPointing& direction)
+    {
+        const QImage image = plot.grab().toImage();
+        const QPoint at = markers().projection().toPixel(direction).toPoint();
+        bool free = true;
+        for (const QPoint& beside : {QPoint(0, 0), QPoint(-1, 0), QPoint(1, 0), QPoint(0, -1), QPoint(0, 1)}) {
+            free = free && image.pixelColor(at + beside) == currentTheme().plotGround;
+        }
+        return free;
+    }
     RequestDesk desk;
     ProfileDraft draft;
     PolarPlot plot;
@@ -103,6 +114,50 @@ TEST_F(PlotTest, ActualIsPaintedWhereItPointsAndOnlyWhileItIsLive)
     EXPECT_TRUE(plot.markers().markers().commanded.has_value());
     plot.showStatus(samples::withAge(status, std::chrono::milliseconds(2500)));
     EXPECT_FALSE(plot.markers().markers().commanded.has_value());
+}
+
+// Story: the plot showed an antenna of a mount with an azimuth only at the horizon, and a keep-out that held for all
+// elevations as a part of them.
+// REQ-MOUNT-14: The plot shows the beam of a mount with one axis as a line, which is all places that it may have. What
+// is forbidden is drawn as it holds, and no text has the angle that is missing.
+TEST_F(PlotTest, TheBeamOfAMountWithOneAxisIsALine)
+{
+    applyTheme(ThemeKind::Day);
+    StationStatus status = samples::idle();
+    profile::Profile profile = *status.profile;
+    profile.limits = {.horizon = {{.azimuth = 0_deg, .elevation = 25_deg}},
+                      .keepOuts = {{.name = "mast",
+                                    .azimuthFrom = 80_deg,
+                                    .azimuthTo = 100_deg,
+                                    .elevationMin = 20_deg,
+                                    .elevationMax = 40_deg}}};
+    status.profile = std::make_shared<const profile::Profile>(profile);
+    status.actual = SkyPointing{200_deg, 0_deg};
+    status.target = SkyPointing{200_deg, 0_deg};
+    plot.showStatus(status);
+    const SkyPointing beam{200_deg, 50_deg};
+    const SkyPointing aboveMast{85_deg, 70_deg};
+    const SkyPointing low{230_deg, 15_deg};
+    EXPECT_TRUE(isFree(beam));
+    EXPECT_TRUE(isFree(aboveMast));
+    EXPECT_FALSE(isFree(low)) << "below the horizon";
+    status.capabilities.axes[index(Axis::Elevation)].reset();
+    status.elevation.state = AxisState::Missing;
+    status.elevation.travel = {};
+    plot.showStatus(status);
+    EXPECT_FALSE(isFree(beam));
+    EXPECT_FALSE(isFree(aboveMast));
+    EXPECT_TRUE(isFree(low));
+    EXPECT_EQ(plot.markers().markers().targetLabel, QStringLiteral("AZ 200.0°"));
+    plot.describe(status);
+    EXPECT_TRUE(plot.accessibleDescription().contains(QStringLiteral("Target AZ 200.0°.")));
+    status.capabilities = {};
+    status.capabilities.axes[index(Axis::Azimuth)].reset();
+    status.elevation.travel = {.min = 0_deg, .max = 90_deg};
+    status.azimuth.travel = {};
+    status.actual = SkyPointing{0_deg, 50_deg};
+    plot.showStatus(status);
+    EXPECT_FALSE(isFree(beam)) << "all around";
 }
 
 TEST_F(PlotTest, TheErrorLineAppearsAboveHalfABeamWidth)
