@@ -190,7 +190,7 @@ QString ProfileDraft::whyNoApply() const
         return tr("the profile was changed from elsewhere meanwhile: keep these edits or revert first");
     }
     if (!m_problems.empty()) {
-        return QStringLiteral("%1: %2").arg(settingName(m_problems.front().key), m_problems.front().text);
+        return problemText(m_problems.front());
     }
     return {};
 }
@@ -265,7 +265,7 @@ void ProfileDraft::applyAlone(const std::function<void(profile::Profile&)>& chan
     if (m_asked) {
         reply(draftRefused(tr("the station has not answered yet")));
     } else if (!problems.empty()) {
-        reply(draftRefused(profile::toText(problems.front())));
+        reply(draftRefused(problemText(problems.front())));
     } else {
         m_alone = changed;
         send(changed, historyWithApplied(), asker, reply);

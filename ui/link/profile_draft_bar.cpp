@@ -98,8 +98,7 @@ void ProfileDraftBar::showLine()
         m_line->setValue(tr("Changed from elsewhere meanwhile: %1").arg(listed(overtaken)), Tone::Warning,
                          Symbol::Warning);
     } else if (!m_draft.problems().empty()) {
-        const profile::Problem& first = m_draft.problems().front();
-        m_line->setValue(profile::toText(first), Tone::Warning, Symbol::Warning);
+        m_line->setValue(problemText(m_draft.problems().front()), Tone::Warning, Symbol::Warning);
     } else if (m_draft.leavesSimulation()) {
         m_line->setValue(
             tr("Apply leaves the simulation. Only these go to the real mount: %1").arg(listed(m_draft.editedKeys())),

@@ -147,6 +147,11 @@ QString settingName(const std::string& key)
     return dot < 0 ? whole : QStringLiteral("%1 (%2)").arg(whole.mid(dot + 1), groupTitle(whole.left(dot)));
 }
 
+QString problemText(const profile::Problem& problem)
+{
+    return QStringLiteral("%1: %2").arg(settingName(problem.key), problem.text);
+}
+
 QString typedText(const Setting& setting, const profile::Profile& profile)
 {
     if (!setting.counts(profile)) {

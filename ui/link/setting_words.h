@@ -14,6 +14,7 @@ namespace boresight::ui {
 [[nodiscard]] QString groupTitle(const QString& table);  // of the file: "azimuth" is "Azimuth axis"
 // As it is found on the screen: "lowest azimuth" on the panel Limits, "id (Azimuth axis)" on the page of the profile.
 [[nodiscard]] QString settingName(const std::string& key);
+[[nodiscard]] QString problemText(const profile::Problem& problem);  // "NAME: TEXT"
 
 [[nodiscard]] QString valueText(const profile::Setting& setting, const profile::Profile& profile);  // "450.0 °"
 [[nodiscard]] QString typedText(const profile::Setting& setting, const profile::Profile& profile);  // "450.0", to edit
