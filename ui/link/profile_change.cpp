@@ -44,7 +44,7 @@ QString ProfileChange::whyNot(const StationStatus& status, const Edit& edit) con
             .arg(QString::fromStdString(wanted.bus));
     }
     if (const auto problems = m_draft.problemsOf(wanted); !problems.empty()) {
-        return QStringLiteral("%1: %2").arg(settingName(problems.front().key), problems.front().text);
+        return problemText(problems.front());
     }
     return needsReconnect(wanted) ? status.permissions.reason(Action::Reconnect) : QString();
 }
