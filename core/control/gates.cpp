@@ -161,7 +161,7 @@ Result<> Gates::hasAxis(Axis axis) const
 Result<> Gates::isWayOn(Axis axis, bool upwards) const
 {
     const auto place = m_of.mount.measured(axis);
-    const TravelRange& travel = m_of.model.axis(axis).travel;
+    const TravelRange& travel = m_of.motion.travel(axis);
     if (!place || !m_of.mount.report(axis).wrapKnown || travel.max <= travel.min) {
         return {};
     }
