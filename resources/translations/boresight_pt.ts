@@ -7084,20 +7084,20 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
         <translation>Recusado</translation>
     </message>
     <message>
-        <source>Look again</source>
-        <translation>Ver de novo</translation>
+        <source>Refresh</source>
+        <translation>Atualizar</translation>
     </message>
     <message>
         <source>Scan</source>
         <translation>Procurar</translation>
     </message>
     <message>
-        <source>Ask who is on the selected bus; nothing moves</source>
-        <translation>Perguntar quem está no barramento selecionado; nada se move</translation>
+        <source>List the drives on the selected bus. Nothing moves</source>
+        <translation>Listar os acionamentos no barramento selecionado. Nada se move</translation>
     </message>
     <message>
-        <source>Use this</source>
-        <translation>Usar este</translation>
+        <source>Connect</source>
+        <translation>Conectar</translation>
     </message>
     <message>
         <source>Connect to the mount by the selected adapter</source>
@@ -7112,7 +7112,7 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
         <translation>Quem responde</translation>
     </message>
     <message>
-        <source>List the adapters anew, after one was plugged in</source>
+        <source>List the adapters again, after one was plugged in</source>
         <translation>Listar de novo os adaptadores, depois de conectar um</translation>
     </message>
     <message>
@@ -7120,16 +7120,16 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
         <translation>%1 (desconhecido do Boresight)</translation>
     </message>
     <message>
-        <source>select an adapter first</source>
-        <translation>selecione primeiro um adaptador</translation>
+        <source>Select an adapter first.</source>
+        <translation>Selecione primeiro um adaptador.</translation>
     </message>
     <message>
-        <source>%1 is being looked at</source>
-        <translation>%1 está sendo examinado</translation>
+        <source>Boresight is scanning %1. Wait a moment.</source>
+        <translation>O Boresight está examinando %1. Aguarde um momento.</translation>
     </message>
     <message>
-        <source>it is in use</source>
-        <translation>está em uso</translation>
+        <source>The mount is already connected by this adapter.</source>
+        <translation>A montagem já está conectada por este adaptador.</translation>
     </message>
     <message>
         <source>In use. %1.</source>
@@ -7140,12 +7140,12 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
         <translation>id %1: fora do perfil</translation>
     </message>
     <message>
-        <source>Asking who is there …</source>
-        <translation>Perguntando quem está ali …</translation>
+        <source>Scanning …</source>
+        <translation>Procurando …</translation>
     </message>
     <message>
-        <source>Press Scan to see who answers there. Scanning moves nothing.</source>
-        <translation>Clique em Procurar para ver quem responde ali. Procurar não move nada.</translation>
+        <source>Press Scan to list the drives on this bus. Scanning moves nothing.</source>
+        <translation>Clique em Procurar para listar os acionamentos neste barramento. Procurar não move nada.</translation>
     </message>
     <message>
         <source>In use.</source>
