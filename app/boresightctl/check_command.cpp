@@ -15,23 +15,24 @@ ExitStatus run(Arguments arguments)
     if (arguments.size() != 1) {
         return usageError(kCheckCommand, QStringLiteral("give one profile"));
     }
-    const std::string& path = arguments.front();
-    const Result<profile::Profile> profile = profile::loadProfile(toQString(path));
+    const QString path = toQString(arguments.front());
+    const Result<profile::Profile> profile = profile::loadProfile(path);
     if (!profile) {
         app::printError(profile.error().text);
         return kFoundWrong;
     }
-    if (const QString warning = profile::exposedSecret(*profile, toQString(path)); !warning.isEmpty()) {
+    if (const QString warning = profile::exposedSecret(*profile, path); !warning.isEmpty()) {
         app::printError(QStringLiteral("warning: ") + warning);
     }
     if (const auto fits = profile::fitsRealMount(*profile); !profile::namesNoBus(*profile) && !fits) {
-        app::printError(QStringLiteral("%1: %2").arg(toQString(path), fits.error().text));
+        app::printError(QStringLiteral("%1: %2").arg(path, fits.error().text));
         return kFoundWrong;
     }
-    print(path + ": in order: \"" + profile->mount.name + "\", bus " + profile->bus + ", azimuth id " +
-          std::to_string(profile->azimuth.id) + ", elevation id " + std::to_string(profile->elevation.id) + '\n');
+    printLine(QStringLiteral("%1: in order: \"%2\", bus %3, azimuth id %4, elevation id %5")
+                  .arg(path, toQString(profile->mount.name), toQString(profile->bus),
+                       QString::number(profile->azimuth.id), QString::number(profile->elevation.id)));
     for (const profile::Advice& advice : profile::adviceOn(*profile)) {
-        print(advice.key + ": " + advice.what.toStdString() + ". " + advice.remedy.toStdString() + '\n');
+        printLine(QStringLiteral("%1: %2. %3").arg(toQString(advice.key), advice.what, advice.remedy));
     }
     return kDone;
 }
@@ -41,11 +42,11 @@ ExitStatus run(Arguments arguments)
 const Subcommand kCheckCommand{
     .name = "check",
     .arguments = "PROFILE",
-    .summary = "Read a profile as the program would and tell every error in it",
+    .summary = "Read a profile as the program would and report every error in it",
     .details =
         R"(All errors come at once, one line each: FILE:LINE: KEY: reason. Nothing is changed. A file with a password that every
 user can read is a warning.
-What is permitted and hardly meant (brakes that are none) is told as KEY: with its numbers.
+What is permitted and hardly meant (brakes that are none) is reported as KEY: with its numbers.
 Exit status: 0 no error, 1 there are errors or the file cannot be read.
 
 Example:

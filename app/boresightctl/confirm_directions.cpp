@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/boresightctl/subcommand.h"
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/profile/directions_text.h"
 #include "core/profile/profile_file.h"
@@ -17,21 +16,26 @@ ExitStatus fail(const Error& error)
     return kFoundWrong;
 }
 
-std::string question(const profile::Profile& profile)
+QString question(const profile::Profile& profile)
 {
-    const auto speed = [](const profile::AxisSettings& axis) { return formatFixed(axis.limits.speed.degrees(), 1); };
-    return "Mount \"" + profile.mount.name + "\", bus " + profile.bus +
-           ".\nAfter this Boresight moves the mount to every place of its travel, at up to " + speed(profile.azimuth) +
-           " °/s in azimuth and " + speed(profile.elevation) +
-           " °/s in elevation.\nConfirm only what a person at the mast has seen:\n"
-           "  azimuth:   to the right (M 16) the beam turns clockwise, seen from above\n"
-           "  elevation: up (M 2) the beam rises\n"
-           "Type yes if both axes turn so: ";
+    const auto speed = [](const profile::AxisSettings& axis) {
+        return QString::number(axis.limits.speed.degrees(), 'f', 1);
+    };
+    return QStringLiteral(
+               "Mount \"%1\", bus %2.\n"
+               "After this Boresight moves the mount to every place of its travel, at up to %3 °/s in azimuth and %4 "
+               "°/s "
+               "in elevation.\n"
+               "Confirm only what a person at the mast has seen:\n"
+               "  azimuth:   to the right (M 16) the beam turns clockwise, seen from above\n"
+               "  elevation: up (M 2) the beam rises\n"
+               "Type yes if both axes turn so: ")
+        .arg(toQString(profile.mount.name), toQString(profile.bus), speed(profile.azimuth), speed(profile.elevation));
 }
 
 bool isConfirmedByHand(const profile::Profile& profile)
 {
-    print(question(profile));
+    print(question(profile).toStdString());
     std::string answer;
     std::getline(std::cin, answer);
     return answer == "yes";
@@ -53,7 +57,7 @@ ExitStatus run(Arguments arguments)
         return fail(confirmed.error());
     }
     if (profile->mount.directions == profile::Directions::Confirmed) {
-        print(arguments.front() + ": the directions are confirmed already\n");
+        printLine(QStringLiteral("%1: the directions are confirmed already").arg(path));
         return kDone;
     }
     if (!isConfirmedByHand(*profile)) {
@@ -63,7 +67,7 @@ ExitStatus run(Arguments arguments)
     if (!written) {
         return fail(written.error());
     }
-    print(arguments.front() + ": the directions are confirmed. Start Boresight again.\n");
+    printLine(QStringLiteral("%1: the directions are confirmed. Start Boresight again.").arg(path));
     return kDone;
 }
 
