@@ -128,7 +128,7 @@ void HostSearch::scan(const QString& bus)
     scan->thread.start();
 }
 
-// The adapter is free again before anybody hears of the result: the next thing may be to use it.
+// The adapter is free again before the result is reported: the next thing may be to use it.
 void HostSearch::endScan(const ScanResult& result)
 {
     m_scan.reset();

@@ -36,26 +36,25 @@ void addOptions(QCommandLineParser& parser)
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addOption({kProfile,
-                      QStringLiteral("Settings of the mount; without it the user's current profile, else the "
+                      QStringLiteral("Profile of the mount. Without it the current profile of the user is used, or the "
                                      "built-in reference mount."),
                       QStringLiteral("FILE")});
-    parser.addOption({kBus, QStringLiteral("fdcanusb:PATH, socketcan:IFACE or simulated; overrides the profile."),
+    parser.addOption({kBus, QStringLiteral("fdcanusb:PATH, socketcan:IFACE or simulated. Overrides the profile."),
                       QStringLiteral("BUS")});
     parser.addOption({kSimulate, QStringLiteral("Drive the built-in simulated mount: the same as --bus simulated. "
                                                 "--simulate=simple: a rotator of whole degrees, without rates and "
                                                 "watchdog. Nothing of it is written to the profile of a real "
                                                 "mount.")});
-    parser.addOption({kListen, QStringLiteral("Address of the rotctld server; port 0 picks a free one."),
+    parser.addOption({kListen, QStringLiteral("Address of the rotctld server. Port 0 picks a free one."),
                       QStringLiteral("HOST:PORT")});
-    parser.addOption({kStateDir,
-                      QStringLiteral("Where the log, the journal of the turns and the window's layout are kept."),
+    parser.addOption({kStateDir, QStringLiteral("Folder of the log, the position journal and the window layout."),
                       QStringLiteral("DIR")});
     parser.addOption(
         {kStandingAt,
          QStringLiteral(
-             "You have looked at the mount at this time: the axes stand at about this azimuth and elevation, "
-             "in degrees of the axes. Counts once, at most 10 minutes later, and only where the drives and "
-             "the journal can not tell. Example: 405,50@%1")
+             "You looked at the mount at this time, and the axes stood at this azimuth and elevation, in degrees "
+             "of the axes. Counts once, at most 10 minutes later, and only while neither drive nor position journal "
+             "knows the cable wrap. Example: 405,50@%1")
              .arg(timeOfNow()),
          QStringLiteral("AZ,EL@UTC")});
 }
@@ -74,7 +73,8 @@ Result<QStringList> takeSimulatedKind(Options& options, const QStringList& argum
         if (kind != QLatin1String("simple")) {
             return failure(
                 ErrorCode::InvalidInput,
-                QStringLiteral("--simulate=%1: give --simulate for two moteus, or --simulate=simple").arg(kind));
+                QStringLiteral("--simulate=%1 is unknown. Use --simulate for two moteus, or --simulate=simple")
+                    .arg(kind));
         }
         options.simulation = Simulation::Simple;
         left << QStringLiteral("--simulate");
@@ -107,8 +107,8 @@ void useRealBus(Options& options, const std::string& bus)
     options.profile = profile::forRealMount(options.profile);
     if (!options.isFirstStart()) {
         qWarning().noquote() << QStringLiteral(
-                                    "%1 is the profile of the simulated mount: its zeros, north, pointing model and "
-                                    "sensor are left out for %2, and directions are to be confirmed")
+                                    "%1 is the profile of the simulated mount. Its zeros, north, pointing model and "
+                                    "sensor are left out for %2. Confirm the directions of its axes.")
                                     .arg(options.profilePath, toQString(bus));
     }
 }
@@ -119,7 +119,7 @@ void warnSimulated(const Options& options)
     if (!options.isFirstStart() && options.simulation == Simulation::Off && profile::namesNoBus(options.profile)) {
         qWarning().noquote() << QStringLiteral(
                                     "%1 names no bus of a real mount, so the mount is simulated. Nothing of the "
-                                    "simulation is written to this file. Set bus.name, give --bus, or choose the "
+                                    "simulation is written to this file. Set bus.name, use --bus, or choose the "
                                     "adapter in the guide of the window.")
                                     .arg(options.profilePath);
     }
@@ -134,7 +134,7 @@ Result<> applyBus(Options& options, const QCommandLineParser& parser)
     if (parser.isSet(kSimulate) && bus != kSimulated) {
         return failure(
             ErrorCode::InvalidInput,
-            QStringLiteral("--simulate and --bus %1 exclude each other: give one of them").arg(toQString(bus)));
+            QStringLiteral("--simulate and --bus %1 exclude each other. Use one of them").arg(toQString(bus)));
     }
     return parseBusName(bus).map([&](const BusName& name) {
         if (name.kind != BusKind::Simulated) {
@@ -209,8 +209,9 @@ Result<QString> makeStateDir(const QCommandLineParser& parser)
                QStringLiteral("/boresight");
     }
     if (!QDir().mkpath(path)) {
-        return failure(ErrorCode::Io,
-                       QStringLiteral("cannot make the state folder %1: choose another with --state-dir").arg(path));
+        return failure(
+            ErrorCode::Io,
+            QStringLiteral("cannot make the state folder %1. Choose another one with --state-dir").arg(path));
     }
     return QDir(path).absolutePath();
 }
@@ -240,7 +241,7 @@ Result<Options> readOptions(const QStringList& arguments, const QString& descrip
     }
     parser.process(*plain);
     if (!parser.positionalArguments().isEmpty()) {
-        return failure(ErrorCode::InvalidInput, QStringLiteral("what is \"%1\"? Options begin with --; see --help")
+        return failure(ErrorCode::InvalidInput, QStringLiteral("\"%1\" is no option. Options begin with --. See --help")
                                                     .arg(parser.positionalArguments().constFirst()));
     }
     return readProfile(options, parser)

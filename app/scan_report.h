@@ -13,7 +13,7 @@ namespace boresight::app {
 
 using survey::FoundController;
 
-// One line per controller, units with every number; "?" is what it did not tell. Lines end with LF.
+// One line per controller, units with every number; "?" is what it did not report. Lines end with LF.
 [[nodiscard]] std::string table(std::span<const FoundController> controllers);
 
 // What is wrong and what to do about it, one paragraph each without its LF; empty if all is in order.

@@ -11,17 +11,17 @@ namespace boresight::ctl {
 namespace {
 
 // "azimuth id 1".
-std::string driverText(const std::string& axis, const profile::AxisSettings& settings)
+QString driverText(const QString& axis, const profile::AxisSettings& settings)
 {
     switch (settings.driver) {
         case profile::AxisDriver::Moteus:
-            return axis + " id " + std::to_string(settings.id);
+            return QStringLiteral("%1 id %2").arg(axis, QString::number(settings.id));
         case profile::AxisDriver::Simple:
-            return axis + " simple";
+            return axis + QStringLiteral(" simple");
         case profile::AxisDriver::None:
             break;
     }
-    return "no " + axis;
+    return QStringLiteral("no ") + axis;
 }
 
 ExitStatus run(Arguments arguments)
@@ -29,23 +29,25 @@ ExitStatus run(Arguments arguments)
     if (arguments.size() != 1) {
         return usageError(kCheckCommand, QStringLiteral("give one profile"));
     }
-    const std::string& path = arguments.front();
-    const Result<profile::Profile> profile = profile::loadProfile(toQString(path));
+    const QString path = toQString(arguments.front());
+    const Result<profile::Profile> profile = profile::loadProfile(path);
     if (!profile) {
         app::printError(profile.error().text);
         return kFoundWrong;
     }
-    if (const QString warning = profile::exposedSecret(*profile, toQString(path)); !warning.isEmpty()) {
+    if (const QString warning = profile::exposedSecret(*profile, path); !warning.isEmpty()) {
         app::printError(QStringLiteral("warning: ") + warning);
     }
     if (const auto fits = profile::fitsRealMount(*profile); !profile::namesNoBus(*profile) && !fits) {
-        app::printError(QStringLiteral("%1: %2").arg(toQString(path), fits.error().text));
+        app::printError(QStringLiteral("%1: %2").arg(path, fits.error().text));
         return kFoundWrong;
     }
-    print(path + ": in order: \"" + profile->mount.name + "\", bus " + profile->bus + ", " +
-          driverText("azimuth", profile->azimuth) + ", " + driverText("elevation", profile->elevation) + '\n');
+    printLine(QStringLiteral("%1: in order: \"%2\", bus %3, %4, %5")
+                  .arg(path, toQString(profile->mount.name), toQString(profile->bus),
+                       driverText(QStringLiteral("azimuth"), profile->azimuth),
+                       driverText(QStringLiteral("elevation"), profile->elevation)));
     for (const profile::Advice& advice : profile::adviceOn(*profile)) {
-        print(advice.key + ": " + advice.what.toStdString() + ". " + advice.remedy.toStdString() + '\n');
+        printLine(QStringLiteral("%1: %2. %3").arg(toQString(advice.key), advice.what, advice.remedy));
     }
     return kDone;
 }
@@ -55,11 +57,11 @@ ExitStatus run(Arguments arguments)
 const Subcommand kCheckCommand{
     .name = "check",
     .arguments = "PROFILE",
-    .summary = "Read a profile as the program would and tell every error in it",
+    .summary = "Read a profile as the program would and report every error in it",
     .details =
         R"(All errors come at once, one line each: FILE:LINE: KEY: reason. Nothing is changed. A file with a password that every
 user can read is a warning.
-What is permitted and hardly meant (brakes that are none) is told as KEY: with its numbers.
+What is permitted and hardly meant (brakes that are none) is reported as KEY: with its numbers.
 Exit status: 0 no error, 1 there are errors or the file cannot be read.
 
 Example:

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/boresightctl/subcommand.h"
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/profile/directions_text.h"
 #include "core/profile/profile_file.h"
@@ -18,26 +17,31 @@ ExitStatus fail(const Error& error)
 }
 
 // Of each axis that the mount has.
-std::string question(const profile::Profile& profile)
+QString question(const profile::Profile& profile)
 {
-    std::string speeds;
-    std::string seen;
-    const auto add = [&](const profile::AxisSettings& axis, const std::string& name, const std::string& what) {
+    QStringList speeds;
+    QStringList seen;
+    const auto add = [&](const profile::AxisSettings& axis, const QString& name, const QString& what) {
         if (axis.driver != profile::AxisDriver::None) {
-            speeds += (speeds.empty() ? "" : " and ") + formatFixed(axis.limits.speed.degrees(), 1) + " °/s in " + name;
-            seen += "  " + what + '\n';
+            speeds += QStringLiteral("%1 °/s in %2").arg(QString::number(axis.limits.speed.degrees(), 'f', 1), name);
+            seen += QStringLiteral("  %1\n").arg(what);
         }
     };
-    add(profile.azimuth, "azimuth", "azimuth:   to the right (M 16) the beam turns clockwise, seen from above");
-    add(profile.elevation, "elevation", "elevation: up (M 2) the beam rises");
-    return "Mount \"" + profile.mount.name + "\", bus " + profile.bus +
-           ".\nAfter this Boresight moves the mount to every place of its travel, at up to " + speeds +
-           ".\nConfirm only what a person at the mast has seen:\n" + seen + "Type yes if the mount turns so: ";
+    add(profile.azimuth, QStringLiteral("azimuth"),
+        QStringLiteral("azimuth:   to the right (M 16) the beam turns clockwise, seen from above"));
+    add(profile.elevation, QStringLiteral("elevation"), QStringLiteral("elevation: up (M 2) the beam rises"));
+    return QStringLiteral(
+               "Mount \"%1\", bus %2.\n"
+               "After this Boresight moves the mount to every place of its travel, at up to %3.\n"
+               "Confirm only what a person at the mast has seen:\n"
+               "%4Type yes if the mount turns so: ")
+        .arg(toQString(profile.mount.name), toQString(profile.bus), speeds.join(QStringLiteral(" and ")),
+             seen.join(QString()));
 }
 
 bool isConfirmedByHand(const profile::Profile& profile)
 {
-    print(question(profile));
+    print(question(profile).toStdString());
     std::string answer;
     std::getline(std::cin, answer);
     return answer == "yes";
@@ -59,7 +63,7 @@ ExitStatus run(Arguments arguments)
         return fail(confirmed.error());
     }
     if (profile->mount.directions == profile::Directions::Confirmed) {
-        print(arguments.front() + ": the directions are confirmed already\n");
+        printLine(QStringLiteral("%1: the directions are confirmed already").arg(path));
         return kDone;
     }
     if (!isConfirmedByHand(*profile)) {
@@ -69,7 +73,7 @@ ExitStatus run(Arguments arguments)
     if (!written) {
         return fail(written.error());
     }
-    print(arguments.front() + ": the directions are confirmed. Start Boresight again.\n");
+    printLine(QStringLiteral("%1: the directions are confirmed. Start Boresight again.").arg(path));
     return kDone;
 }
 

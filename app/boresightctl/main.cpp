@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // boresightctl: simulate, find and understand moteus controllers, check profiles. Never moves a real axis.
 #include "app/boresightctl/subcommand.h"
+#include "app/log_output.h"
+#include "core/base/text.h"
 #include "core/base/version.h"
 
 #include <QCoreApplication>
@@ -33,7 +35,7 @@ std::string overview()
                 std::string(one->summary) + '\n';
     }
     return text +
-           "\n\"boresightctl help SUBCOMMAND\" tells more. BUS is fdcanusb:PATH, socketcan:IFACE or simulated.\n"
+           "\n\"boresightctl help SUBCOMMAND\" explains it. BUS is fdcanusb:PATH, socketcan:IFACE or simulated.\n"
            "Exit status: 0 in order, 1 something is wrong, 2 the command line makes no sense.\n";
 }
 
@@ -45,7 +47,8 @@ std::string helpText(const Subcommand& subcommand)
 
 ExitStatus unknown(const std::string& name)
 {
-    std::fputs(("boresightctl: there is no subcommand \"" + name + "\"\n" + overview()).c_str(), stderr);
+    app::printError(QStringLiteral("boresightctl: there is no subcommand \"%1\"").arg(toQString(name)));
+    std::fputs(overview().c_str(), stderr);
     return kUsage;
 }
 

@@ -30,7 +30,7 @@ public:
         m_arguments = m_arguments.subspan(1);
         m_joined.reset();
         if (!argument.starts_with("--")) {
-            return refuse(QStringLiteral("what is \"%1\"? Options begin with --").arg(toQString(argument)));
+            return refuse(QStringLiteral("\"%1\" is no option. Options begin with --").arg(toQString(argument)));
         }
         const std::size_t equals = argument.find('=');
         if (equals != std::string::npos) {

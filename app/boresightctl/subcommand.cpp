@@ -14,6 +14,11 @@ void print(const std::string& text)
     std::fflush(stdout);
 }
 
+void printLine(const QString& line)
+{
+    print(line.toStdString() + '\n');
+}
+
 void complain(const Subcommand& subcommand, const QString& text)
 {
     app::printError(QStringLiteral("boresightctl %1: %2").arg(toQString(subcommand.name), text));
@@ -22,7 +27,7 @@ void complain(const Subcommand& subcommand, const QString& text)
 ExitStatus usageError(const Subcommand& subcommand, const QString& text)
 {
     complain(subcommand, text);
-    app::printError(QStringLiteral("usage: boresightctl %1 %2\n\"boresightctl help %1\" tells more")
+    app::printError(QStringLiteral("usage: boresightctl %1 %2\n\"boresightctl help %1\" explains it")
                         .arg(toQString(subcommand.name), toQString(subcommand.arguments)));
     return kUsage;
 }

@@ -35,8 +35,10 @@ extern const Subcommand kCheckCommand;
 extern const Subcommand kProfileCommand;
 extern const Subcommand kConfirmDirectionsCommand;
 
-// Standard output, at once, also into a pipe.
+// Standard output, at once, also into a pipe: what programs may read, and tables and help of a fixed width.
 void print(const std::string& text);
+// The same for one line to a person.
+void printLine(const QString& line);
 // "boresightctl scan: TEXT" on standard error.
 void complain(const Subcommand& subcommand, const QString& text);
 // The same, and where to read how it is used.

@@ -83,8 +83,8 @@ QString timingTrouble(const InterfaceReport& report)
     }
     const QString interface = QString::fromStdString(report.name);
     return Text::tr(
-               "wrong bit timing, the drives may stay silent: %1; `ip link set %2 down`, then `%3`; `ip -details link "
-               "show %2` shows what is set")
+               "wrong bit timing, so the drives may stay silent: %1. Enter `ip link set %2 down`, then `%3`. `ip "
+               "-details link show %2` shows the values in use")
         .arg(wrong.join(QLatin1String(", ")), interface, bringUpCommand(interface, false));
 }
 

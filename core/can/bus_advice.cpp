@@ -12,15 +12,15 @@ QString timingAdvice(const BusName& bus)
     const QString target = QString::fromStdString(bus.target);
     if (bus.kind == BusKind::SocketCan) {
         return socketcan::looksVirtual(target)
-                   ? Text::tr("%1 is a virtual bus: does `boresightctl simulate --can %1` run?").arg(target)
+                   ? Text::tr("%1 is a virtual bus. Is `boresightctl simulate --can %1` running?").arg(target)
                    : Text::tr(
-                         "Bit timing must be 1M/5M with the sample point at 0.666 in both phases: `ip -details link "
-                         "show %1` shows what is set, `packaging/can-up %1` sets it.")
+                         "Bit timing must be 1M/5M with the sample point at 0.666 in both phases. `ip -details link "
+                         "show %1` shows the values in use, and `packaging/can-up %1` sets them.")
                          .arg(target);
     }
     return Text::tr(
-        "Bit timing must be 1M/5M with the sample point at 0.666 in both phases: the adapter's can.bitrate 1000000, "
-        "can.fd_bitrate 5000000, can.sample_point and can.fd_sample_point 0.666 (its factory settings).");
+        "Bit timing must be 1M/5M with the sample point at 0.666 in both phases. The adapter needs can.bitrate "
+        "1000000, can.fd_bitrate 5000000, can.sample_point and can.fd_sample_point 0.666 (its factory settings).");
 }
 
 }  // namespace
@@ -43,14 +43,16 @@ QString silenceAdvice(const BusName& bus)
 {
     if (bus.kind == BusKind::Simulated) {
         return Text::tr(
-            "The simulated drives do not answer: a fault was asked for, or their ids are not those of the profile.");
+            "The simulated drives do not answer. Either a fault is simulated, or their ids differ from those in the "
+            "profile.");
     }
-    const QString who =
-        bus.kind == BusKind::Fdcanusb
-            ? Text::tr(
-                  "Do the ids in the profile belong to these drives? `boresightctl scan %1` shows who answers (release "
-                  "the bus first).")
-            : Text::tr("Do the ids in the profile belong to these drives? `boresightctl scan %1` shows who answers.");
+    const QString who = bus.kind == BusKind::Fdcanusb
+                            ? Text::tr(
+                                  "Do the ids in the profile belong to these drives? Release the bus, then "
+                                  "`boresightctl scan %1` shows which drives answer.")
+                            : Text::tr(
+                                  "Do the ids in the profile belong to these drives? `boresightctl scan %1` shows "
+                                  "which drives answer.");
     const QStringList sentences{
         Text::tr(
             "Are the drives powered, is the cable plugged in at both ends, is there 120 ohm at both ends of the bus?"),

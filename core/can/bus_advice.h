@@ -14,8 +14,8 @@ namespace boresight {
 // When frames are damaged on the wire.
 [[nodiscard]] QString errorAdvice();
 
-// When the bus is up and drives stay silent: everything that makes a drive deaf or mute, the likely first, with the
-// command that shows what is set. Whole sentences.
+// When the bus is up and drives stay silent: everything that keeps a drive from receiving or answering, the likely
+// first, with the command that shows what is set. Whole sentences.
 [[nodiscard]] QString silenceAdvice(const BusName& bus);
 
 }  // namespace boresight

@@ -85,7 +85,7 @@ Result<FileDescriptor> KernelCanInterface::openSocket()
     if (!socket.isOpen()) {
         if (errno == EAFNOSUPPORT || errno == EPROTONOSUPPORT) {
             return failure(ErrorCode::NotAvailable,
-                           Text::tr("this kernel has no SocketCAN: load it with `modprobe can-raw`, or use the adapter "
+                           Text::tr("this kernel has no SocketCAN. Load it with `modprobe can-raw`, or use the adapter "
                                     "as a serial port with --bus fdcanusb:PATH"));
         }
         return failure(ErrorCode::Io, systemError(QStringLiteral("CAN socket")));
@@ -110,8 +110,8 @@ Result<> KernelCanInterface::findInterface(int socket)
 {
     m_index = indexOf(m_name.toStdString());
     if (m_index == 0) {
-        return failure(ErrorCode::NoDevice, Text::tr("there is no interface %1: is the adapter plugged in and its "
-                                                     "driver loaded? (`ip -brief link` shows what is there)")
+        return failure(ErrorCode::NoDevice, Text::tr("there is no interface %1. Is the adapter plugged in and its "
+                                                     "driver loaded? `ip -brief link` shows the interfaces")
                                                 .arg(m_name));
     }
     ifreq request = requestFor(m_name);

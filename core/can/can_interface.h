@@ -13,8 +13,8 @@
 #include <memory>
 #include <optional>
 
-// A CAN network interface as SocketCanLink sees it: a socket, whether the interface is up, and what the kernel tells of
-// it. Behind an abstract class because most machines that build us have no AF_CAN. Lives with its link.
+// A CAN network interface as SocketCanLink sees it: a socket, whether the interface is up, and what the kernel reports
+// of it. Behind an abstract class because most machines that build us have no AF_CAN. Lives with its link.
 namespace boresight::socketcan {
 
 enum class InterfaceState
@@ -33,7 +33,7 @@ public:
     [[nodiscard]] virtual Result<FileDescriptor> openSocket() = 0;
     // Of the interface that the last socket belongs to.
     [[nodiscard]] virtual InterfaceState state() const = 0;
-    // Kind, bit timing and controller; nothing if the kernel does not answer. Nothing depends on it but what is said.
+    // Kind, bit timing and controller; nothing if the kernel does not answer. Only the texts depend on it.
     [[nodiscard]] virtual std::optional<InterfaceReport> report() const = 0;
 
 Q_SIGNALS:
@@ -41,7 +41,7 @@ Q_SIGNALS:
     void changed();
 };
 
-// The real one: AF_CAN, told of changes by the kernel (rtnetlink) at once, also when nothing is being sent.
+// The real one: AF_CAN. The kernel reports changes (rtnetlink) at once, also when nothing is being sent.
 class KernelCanInterface final : public CanInterface
 {
     Q_OBJECT

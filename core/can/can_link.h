@@ -11,8 +11,9 @@
 #include <span>
 
 // One CAN-FD bus, whatever carries it: SocketCAN, an fdcanusb adapter, the built-in simulated pair. Lives on the
-// station thread; nothing blocks. A link says what it knows of itself (interface down, adapter gone); whether a drive
-// still answers is judged by the age of its replies, above. A link never re-opens by itself: its owner calls open().
+// station thread; nothing blocks. A link reports what it knows of itself (interface down, adapter gone); whether a
+// drive still answers is judged by the age of its replies, above. A link never re-opens by itself: its owner calls
+// open().
 namespace boresight {
 
 enum class LinkState

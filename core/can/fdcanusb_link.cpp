@@ -23,7 +23,7 @@ namespace {
 
 Q_LOGGING_CATEGORY(lcFdcanusb, "boresight.can.fdcanusb")
 
-// Meaningless on USB; what the UART of a moteus speaks.
+// Meaningless on USB. The UART of a moteus has this one.
 constexpr qint32 kBaudRate = 921600;
 // Some twenty exchanges of two axes. An adapter that takes no data for so long is stuck.
 constexpr qint64 kMaxUnwritten = 8192;
@@ -45,8 +45,8 @@ bool hasUnread(int descriptor)
 QString inUse(const QString& device, const QString& holder)
 {
     const bool ours = holder.startsWith(QStringLiteral("boresight"));
-    return (ours ? Text::tr("%1 is in use by %2: end it first, or press \"Release bus\" on its Drives page")
-                 : Text::tr("%1 is in use by %2: end it first"))
+    return (ours ? Text::tr("%1 is in use by %2. End that program, or press \"Release bus\" on its Drives page")
+                 : Text::tr("%1 is in use by %2. End that program first"))
         .arg(device, holder);
 }
 
@@ -102,12 +102,12 @@ Result<> FdcanusbLink::open()
         m_port.close();
         return claimed;
     }
-    m_path.remember();
+    m_path.storeName();
     if (!m_port.setBaudRate(kBaudRate)) {
         qCDebug(lcFdcanusb) << m_port.portName() << "keeps its speed:" << m_port.errorString();
         m_port.clearError();
     }
-    m_port.clear();  // what was said before we came is not for us
+    m_port.clear();  // sent before the link was opened
     m_lastCheck = m_clock.now();
     m_lastRestart = m_lastCheck - kRestartPeriod;
     m_probe = {.begun = m_lastCheck};
@@ -134,9 +134,10 @@ Result<> FdcanusbLink::openPort(const QString& device)
     }
     const QString reason = m_port.errorString();
     if (m_port.error() == QSerialPort::PermissionError) {
-        return failure(ErrorCode::Busy,
-                       Text::tr("%1 is in use by another program (%2): `sudo fuser -v %1` shows which; end it first")
-                           .arg(device, reason));
+        return failure(
+            ErrorCode::Busy,
+            Text::tr("%1 is in use by another program (%2). `sudo fuser -v %1` shows which. End that program first")
+                .arg(device, reason));
     }
     return failure(ErrorCode::Io, Text::tr("%1 cannot be opened: %2").arg(device, reason));
 }
@@ -181,7 +182,7 @@ Result<> FdcanusbLink::send(std::span<const CanFrame> frames)
     }
     if (m_port.bytesToWrite() > kMaxUnwritten) {
         return failure(ErrorCode::NoAnswer,
-                       Text::tr("%1: the adapter takes no more data; plug it in again").arg(name()));
+                       Text::tr("%1: the adapter accepts no more data. Plug it in again").arg(name()));
     }
     const auto sendLines = linesOf(frames);
     if (!sendLines) {
@@ -278,15 +279,14 @@ void FdcanusbLink::handle(const fdcanusb::Refusal& refusal)
     if (refusal.notOnBus()) {
         ++m_status.busErrors;
         if (!m_busOff) {  // else the reason is known, and this its result
-            reportBus(LinkState::Down,
-                      Text::tr("the adapter is not on the bus (\"not in BusOn state\"); it is switched on again once a "
-                               "second: if that does not help, plug it in again"));
+            reportBus(LinkState::Down, Text::tr("the adapter is not on the bus (\"not in BusOn state\"). Boresight "
+                                                "restarts it once a second. If that does not help, plug it in again"));
         }
         restartController();
     } else if (command == Command::Frame) {
         ++m_status.busErrors;
         constexpr int kShown = 80;
-        m_adapterTrouble = Text::tr("the adapter refuses a frame: %1; check its firmware and its can.* settings")
+        m_adapterTrouble = Text::tr("the adapter refuses a frame: %1. Check its firmware and its can.* settings")
                                .arg(toQString(printable(refusal.text)).left(kShown));
         updateStatus(m_status.state);
     }  // else: "can status" is unknown to a moteus UART, "can off" is refused when already off
@@ -299,7 +299,7 @@ void FdcanusbLink::handle(const fdcanusb::BusStatus& bus)
     if (bus.busOff) {
         ++m_status.busErrors;
         reportBus(LinkState::Down, Text::tr("bus-off after too many errors: check the cable, the 120 ohm at both ends "
-                                            "and the bit rate; it is restarted once a second"));
+                                            "and the bit rate. Boresight restarts the adapter once a second"));
         restartController();
     } else if (bus.errorPassive) {
         reportBus(LinkState::Up, acknowledgeAdvice());
@@ -308,7 +308,7 @@ void FdcanusbLink::handle(const fdcanusb::BusStatus& bus)
     }
 }
 
-// Runs at every send and when the timer says so; the clock decides.
+// Runs at every send and at each end of the timer. The clock decides.
 void FdcanusbLink::checkDeadlines()
 {
     const SteadyTime now = m_clock.now();
@@ -319,7 +319,7 @@ void FdcanusbLink::checkDeadlines()
     if (missing > 0) {
         m_status.busErrors += missing;
         m_adapterTrouble = Text::tr(
-                               "the adapter does not confirm our frames (no OK within %1 ms): is this port an "
+                               "the adapter does not confirm our frames (no OK within %1 ms). Is this port an "
                                "fdcanusb? If so, plug it in again")
                                .arg(kOkDeadline.count());
         updateStatus(m_status.state);
@@ -408,11 +408,11 @@ void FdcanusbLink::lose()
         }
     };
     QMetaObject::invokeMethod(this, closeLostPort, Qt::QueuedConnection);
-    reportBus(
-        LinkState::Lost,
-        m_path.name().isEmpty()
-            ? Text::tr("the adapter is gone: plug it in again")
-            : Text::tr("the adapter is gone: plug it in again; it is found in any socket as %1").arg(m_path.name()));
+    reportBus(LinkState::Lost,
+              m_path.name().isEmpty()
+                  ? Text::tr("the adapter is gone: plug it in again")
+                  : Text::tr("the adapter is gone: plug it in again, in any socket. Boresight finds it as %1")
+                        .arg(m_path.name()));
 }
 
 }  // namespace boresight

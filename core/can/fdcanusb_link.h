@@ -41,7 +41,7 @@ public:
     // Ten exchanges with both axes missed: so that bus-off is on the screen within 300 ms.
     static constexpr std::chrono::milliseconds kCheckPeriod{200};
     static constexpr std::chrono::seconds kRestartPeriod{1};
-    // An adapter answers within 50 ms. Shorter than a scan of the bus, which then tells why nobody answers.
+    // An adapter answers within 50 ms. Shorter than a scan of the bus, which then reports why nobody answers.
     static constexpr std::chrono::milliseconds kProbeTime{500};
 
     // `clock` outlives the link.
@@ -108,7 +108,7 @@ private:
     fdcanusb::LineSplitter m_splitter;
     std::deque<Pending> m_pending;
     LinkStatus m_status;
-    bool m_busOff = false;     // as its last status said, until a frame is received
+    bool m_busOff = false;     // by its last status, until a frame is received
     QString m_busTrouble;      // until a frame is received or the bus status is good
     QString m_adapterTrouble;  // until a frame is accepted again
     std::uint64_t m_unreadableLines = 0;

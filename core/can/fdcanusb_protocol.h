@@ -21,7 +21,7 @@ inline constexpr std::string_view kBusOnLine = "can on";
 inline constexpr std::string_view kBusOffLine = "can off";
 inline constexpr std::string_view kBusStatusLine = "can status";
 
-// What a line from the adapter says.
+// What a line from the adapter means.
 struct Accepted  // "OK": the command is queued, not delivered
 {};
 struct Refusal  // "ERR …"

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-// What the kernel tells about a network interface over rtnetlink, as far as a CAN bus is concerned: the question as
+// What the kernel reports about a network interface over rtnetlink, as far as a CAN bus is concerned: the question as
 // bytes, and its answer read from bytes (linux/rtnetlink.h, linux/can/netlink.h; all in the machine's own byte order).
-// Pure; works on kernels without AF_CAN. What is not told stays empty: a virtual interface has no bit timing.
+// Pure; works on kernels without AF_CAN. What is not reported stays empty: a virtual interface has no bit timing.
 namespace boresight::socketcan {
 
 enum class ControllerState  // CAN_STATE_…
@@ -28,7 +28,7 @@ enum class ControllerState  // CAN_STATE_…
 struct PhaseTiming
 {
     std::uint32_t bitRate = 0;  // bit/s; 0: not set
-    double samplePoint = 0.0;   // 0…1; 0: the driver does not tell
+    double samplePoint = 0.0;   // 0…1; 0: not reported
 
     bool operator==(const PhaseTiming&) const = default;
 };

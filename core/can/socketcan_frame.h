@@ -25,7 +25,7 @@ struct RawFrame
 
 [[nodiscard]] bool isErrorFrame(const RawFrame& raw);
 
-// What an error frame tells (linux/can/error.h). Several may be true at once.
+// The content of an error frame (linux/can/error.h). Several may be true at once.
 struct ErrorReport
 {
     bool busOff = false;

@@ -173,7 +173,7 @@ ssize_t SocketCanLink::readFrame(socketcan::RawFrame& raw)
     return size;
 }
 
-// A frame that came through shows that the bus is well again; the kernel does not always say so.
+// A frame that came through shows that the bus works again. The kernel does not always report it.
 void SocketCanLink::handleFrame(const CanFrame& frame)
 {
     CanFrame stamped = frame;
@@ -188,7 +188,7 @@ void SocketCanLink::handleFrame(const CanFrame& frame)
     Q_EMIT frameReceived(stamped);
 }
 
-// Told above the rate, forgotten below half of it: the text does not flicker.
+// Reported above the rate and cleared below half of it, so that the text does not flicker.
 void SocketCanLink::countLoad(SteadyTime now)
 {
     ++m_loadFrames;
@@ -279,19 +279,20 @@ void SocketCanLink::lose(const QString& reason)
     setStatus(LinkState::Lost, reason);
 }
 
-// The worst first. A wrong bit timing is told last, but also beside what it may well be the cause of.
+// The worst first. A wrong bit timing comes last, but beside a trouble that it may have caused.
 QString SocketCanLink::troubleText() const
 {
     if (m_trouble.interfaceDown) {
-        return Text::tr("the interface is down; bring it up with `%1`")
+        return Text::tr("the interface is down. Bring it up with `%1`")
             .arg(socketcan::bringUpCommand(m_interface, m_isVirtual));
     }
     QStringList troubles;
     if (m_trouble.busOff) {
-        troubles << Text::tr(
-                        "bus-off after too many errors: check the cable, the 120 ohm at both ends and the bit rate; "
-                        "with restart-ms set it comes back by itself, else `ip link set %1 type can restart`")
-                        .arg(m_interface);
+        troubles
+            << Text::tr(
+                   "bus-off after too many errors: check the cable, the 120 ohm at both ends and the bit rate. With "
+                   "restart-ms set the bus comes back by itself. Otherwise enter `ip link set %1 type can restart`")
+                   .arg(m_interface);
     } else if (m_trouble.transmitQueueFull) {
         troubles
             << Text::tr("the transmit queue is full: another program fills the bus, or %1").arg(acknowledgeAdvice());
@@ -303,8 +304,8 @@ QString SocketCanLink::troubleText() const
         troubles << Text::tr("damaged frames on the bus: %1").arg(errorAdvice());
     } else if (m_trouble.flooded) {
         troubles << Text::tr(
-                        "more than %1 frames a second on the bus, ten times what two drives need: another program "
-                        "floods it; end that program (`candump %2` shows its identifiers)")
+                        "more than %1 frames a second on the bus, ten times what two drives need. Another program "
+                        "floods the bus. End that program (`candump %2` shows its identifiers)")
                         .arg(kFloodRate)
                         .arg(m_interface);
     }

@@ -12,9 +12,9 @@
 #include <memory>
 
 // A CAN-FD bus behind a Linux network interface, by a raw AF_CAN socket. Lives on the thread of its owner's event loop.
-// Bit rates and sample points belong to the interface and are set with `ip link`; wrong ones are said. Error frames are
-// read, so a bus that nobody acknowledges, error-passive and bus-off are told apart; frames that the kernel dropped are
-// counted.
+// Bit rates and sample points belong to the interface and are set with `ip link`. Wrong ones are reported. Error frames
+// are read, so a bus that nobody acknowledges, error-passive and bus-off are distinguished. Frames that the kernel
+// dropped are counted.
 namespace boresight {
 
 class SocketCanLink final : public CanLink
@@ -73,7 +73,7 @@ private:
     int m_loadFrames = 0;
     QString m_timingTrouble;
     bool m_isVirtual = false;
-    std::uint32_t m_socketDrops = 0;  // what the kernel says of this socket since it was opened
+    std::uint32_t m_socketDrops = 0;  // reported by the kernel for this socket since it was opened
 };
 
 }  // namespace boresight

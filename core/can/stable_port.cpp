@@ -24,7 +24,7 @@ QString stableNameOf(const QString& port, const QString& namesFolder)
     return {};
 }
 
-// The remembered adapter, wherever it is plugged in now; else a spare one that took its place. Any other device that
+// The stored adapter, wherever it is plugged in now; else a spare one that took its place. Any other device that
 // got the configured name must be left alone.
 QString StablePort::device() const
 {
@@ -34,7 +34,7 @@ QString StablePort::device() const
     return useConfigured ? m_path : m_name;
 }
 
-void StablePort::remember()
+void StablePort::storeName()
 {
     if (!QFileInfo(m_path).isSymbolicLink()) {
         const QString name = stableNameOf(device(), m_namesFolder);

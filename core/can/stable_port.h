@@ -4,7 +4,7 @@
 #include <QString>
 
 // The serial port of an adapter, found again after it was unplugged. A name that the kernel gave (/dev/ttyACM0) may
-// belong to another device then, so the name by maker and serial number that leads to the same port is remembered when
+// belong to another device then, so the name by maker and serial number that leads to the same port is stored when
 // the port is opened, and counts from then on. A symbolic link that the operator chose stays what counts.
 namespace boresight {
 
@@ -23,12 +23,12 @@ public:
     {}
 
     [[nodiscard]] const QString& path() const { return m_path; }  // as configured
-    [[nodiscard]] const QString& name() const { return m_name; }  // remembered; empty if there is none
+    [[nodiscard]] const QString& name() const { return m_name; }  // stored; empty if there is none
 
     // What to open now.
     [[nodiscard]] QString device() const;
     // To be called when device() was opened.
-    void remember();
+    void storeName();
 
 private:
     QString m_path;

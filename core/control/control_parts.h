@@ -7,6 +7,7 @@
 #include "core/control/cable_guard.h"
 #include "core/control/client_lead.h"
 #include "core/control/current_motion.h"
+#include "core/control/standstill_watch.h"
 #include "core/control/sun_watch.h"
 #include "core/motion/motion.h"
 #include "core/mount/mount_driver.h"
@@ -28,6 +29,7 @@ struct ControlParts
     const pointing::MountModel& model;
     const MountDriver& mount;
     const Motion& motion;
+    const StandstillWatch& standstill;
     const CurrentMotion& current;
     const Arming& arming;
     const ClientLead& lead;

@@ -161,7 +161,7 @@ Result<> Gates::hasAxis(Axis axis) const
 Result<> Gates::isWayOn(Axis axis, bool upwards) const
 {
     const auto place = m_of.mount.measured(axis);
-    const TravelRange& travel = m_of.model.axis(axis).travel;
+    const TravelRange& travel = m_of.motion.travel(axis);
     if (!place || !m_of.mount.report(axis).wrapKnown || travel.max <= travel.min) {
         return {};
     }
@@ -217,10 +217,7 @@ Result<> Gates::maySet(Axis axis) const
 // Somebody may turn an axis by hand, or it coasts behind its set-point.
 Result<> Gates::axesStand() const
 {
-    const auto turns = [this](Axis axis) {
-        const auto rate = m_of.mount.report(axis).rate;
-        return rate && abs(*rate) > kStandingRate;
-    };
+    const auto turns = [this](Axis axis) { return m_of.standstill.moves(axis); };
     return std::ranges::any_of(kAxes, turns) ? failure(ErrorCode::Refused, Text::tr("The mount moves. Stop it first."))
                                              : Result<>{};
 }

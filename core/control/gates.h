@@ -14,8 +14,6 @@ namespace boresight {
 
 // A measured position older than this is no evidence.
 inline constexpr std::chrono::seconds kOldestPosition{1};
-// An axis that is measured to be no faster stands. Faster than the Sun except near the zenith.
-inline constexpr AngularRate kStandingRate = AngularRate::fromDegrees(0.1);
 
 class Gates
 {

@@ -76,6 +76,7 @@ ControlParts StationControl::parts() const
             .model = m_model,
             .mount = m_mount,
             .motion = m_motion,
+            .standstill = m_standstill,
             .current = m_current,
             .arming = m_arming,
             .lead = m_lead,
@@ -230,6 +231,7 @@ void StationControl::profileChanged(const profile::Profile& before, const profil
     if (before.mount.directions != after.mount.directions) {
         m_firstMoves.beginAnew();  // the small way begins where the mount stands now
     }
+    m_standstill.forget();
     m_region.profileChanged(before, after);
     for (const Axis axis : kAxes) {
         m_motion.setLimits(axis, after.axis(axis).limits);
@@ -290,6 +292,9 @@ void StationControl::tick()
     m_now = now;
     ++m_tick;
     m_mount.observe(now);
+    for (const Axis axis : kAxes) {
+        m_standstill.look(axis, m_mount.report(axis));
+    }
     if (m_arming.losesConnection(now)) {
         holdHere(Activity::None);
     }

@@ -19,6 +19,7 @@
 #include "core/control/orderly_end.h"
 #include "core/control/region_keeper.h"
 #include "core/control/source_log.h"
+#include "core/control/standstill_watch.h"
 #include "core/control/status_report.h"
 #include "core/control/target_alarm.h"
 #include "core/messages/request.h"
@@ -92,6 +93,8 @@ public:
     // Whether the beam can be pointed there from where it is, by all that is permitted.
     [[nodiscard]] Result<> reaches(const SkyPointing& direction) const { return m_helm.reaches(direction); }
     [[nodiscard]] const pointing::PermittedRegion& region() const { return m_motion.region(); }
+    // Those of the profile, as far as the rotator can go along.
+    [[nodiscard]] const tracking::MotionLimits& limits(Axis axis) const { return m_motion.limits(axis); }
     // Whether other terms of the pointing model would leave the motion what it is.
     [[nodiscard]] Result<> mayChangePointing() const { return gates().mayChangePointing(); }
     // What a client may do now, into its part of the status; `lastMotion` is when it last asked for a motion.
@@ -103,6 +106,7 @@ public:
     [[nodiscard]] Result<AxisPosition> measured() const;
     // How that differs from what the axes show, as far as it is known with the axes that there are.
     [[nodiscard]] const pointing::PointingModel& pointing() const { return m_model.pointing(); }
+    [[nodiscard]] bool isSeenToMove(Axis axis) const { return m_standstill.moves(axis); }
     // Where the beam points, while that is known and measured within the last second.
     [[nodiscard]] std::optional<SkyPointing> direction() const;
     // The same by other terms of the pointing model.
@@ -167,6 +171,7 @@ private:
     MountDriver& m_mount;
     pointing::MountModel m_model;
     Motion m_motion;
+    StandstillWatch m_standstill;
     Arming m_arming;
     ClientLead m_lead;
     CableGuard m_cable;

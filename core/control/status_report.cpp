@@ -101,7 +101,7 @@ bool StatusReport::atTravelEnd(Axis axis) const
     if (!m_of.mount.report(axis).wrapKnown) {
         return false;
     }
-    const TravelRange& travel = m_of.model.axis(axis).travel;
+    const TravelRange& travel = m_of.motion.travel(axis);
     const Angle place = m_of.motion.setpoint(axis).position;
     return place - travel.min < kAtTravelEnd || travel.max - place < kAtTravelEnd;
 }

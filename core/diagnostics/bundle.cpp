@@ -81,7 +81,7 @@ std::vector<BundleFile> collect(const Snapshot& snapshot)
     const QString folder = snapshot.stateDir + QLatin1Char('/');
     const QString memory =
         folder + safeFileName(QString::fromStdString(inForce.mount.name)) + QStringLiteral(".memory.json");
-    addFile(files, memory, QStringLiteral("What the mount remembers: the journal of the turns, crash-stop proofs."));
+    addFile(files, memory, QStringLiteral("The position journal and the crash-stop proofs."));
     addFile(files, memory + QStringLiteral(".previous"), QStringLiteral("The version before it."));
     addFile(files, folder + QStringLiteral("events.log"), QStringLiteral("The log, times in UTC."));
     addFile(files, folder + QStringLiteral("events.log.1"), QStringLiteral("The log before that."));

@@ -45,6 +45,8 @@ public:
     void enforce(bool enforced);
 
     [[nodiscard]] const pointing::PermittedRegion& region() const { return m_region; }
+    // Of the profile, between the last steps that the rotator reaches there.
+    [[nodiscard]] const pointing::AxisBox& travel() const { return m_travel; }
     [[nodiscard]] bool enforced() const { return m_enforced; }
     [[nodiscard]] const tracking::Setpoint& setpoint(Axis axis) const;
     [[nodiscard]] AxisPosition place() const;

@@ -64,6 +64,11 @@ public:
     [[nodiscard]] bool atRest() const { return m_axes.atRest(); }                    // both set-points stand still
 
     [[nodiscard]] const pointing::PermittedRegion& region() const { return m_axes.region(); }
+    // Of the profile, between the last steps that the rotator reaches there.
+    [[nodiscard]] const TravelRange& travel(Axis axis) const
+    {
+        return axis == Axis::Azimuth ? m_axes.travel().azimuth : m_axes.travel().elevation;
+    }
     // The way from one place to another; an error with the reason when there is none.
     [[nodiscard]] Result<std::vector<AxisPosition>> route(const AxisPosition& from, const AxisPosition& to) const;
     // What is still to be gone of a route around what is forbidden, its end included; empty on a direct way.

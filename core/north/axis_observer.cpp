@@ -2,7 +2,6 @@
 #include "core/north/axis_observer.h"
 
 #include "core/base/text.h"
-#include "core/control/gates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +28,8 @@ Seconds AxisObserver::unseenFor() const
 Result<> AxisObserver::standStill() const
 {
     return m_control.measured().and_then([&](const AxisPosition&) -> Result<> {
-        const auto axes = now();
-        if (!axes || std::max(abs(axes->rates.azimuth), abs(axes->rates.elevation)) > kStandingRate) {
+        const auto moves = [this](Axis axis) { return m_control.isSeenToMove(axis); };
+        if (!now() || std::ranges::any_of(kAxes, moves)) {
             return failure(ErrorCode::Refused, Text::tr("the mount still moves"));
         }
         return {};

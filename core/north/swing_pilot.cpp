@@ -40,7 +40,7 @@ SwingPlan SwingPilot::planned() const
         plan.obstacle = here.error().text;
         return plan;
     }
-    return planSwing(m_wish, *here, m_control.region(), m_profile->azimuth.limits);
+    return planSwing(m_wish, *here, m_control.region(), m_control.limits(Axis::Azimuth));
 }
 
 Result<> SwingPilot::mayStart() const
@@ -59,7 +59,7 @@ Result<> SwingPilot::mayStart() const
 void SwingPilot::start(const SwingPlan& plan)
 {
     m_restarts = m_sensor.restarts();
-    m_run.emplace(plan, *m_control.measured(), m_profile->azimuth.limits, m_profile->sensor, m_clock.now());
+    m_run.emplace(plan, *m_control.measured(), m_control.limits(Axis::Azimuth), m_profile->sensor, m_clock.now());
     m_log.add(Severity::Advisory, kSwingSource, Text::tr("swings the compass: %1").arg(plan.text));
 }
 

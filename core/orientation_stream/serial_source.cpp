@@ -25,8 +25,8 @@ Result<> checkPort(const QString& device)
 {
     const Result<> check = checkSerialPort(device);
     if (!check && check.error().code == ErrorCode::Denied) {
-        return failure(ErrorCode::Denied, Text::tr("%1: no permission: join the group dialout (`sudo usermod -aG "
-                                                   "dialout $USER`, then log in again)")
+        return failure(ErrorCode::Denied, Text::tr("%1: no permission. Join the group dialout with `sudo usermod -aG "
+                                                   "dialout $USER`, then log in again")
                                               .arg(device));
     }
     return check;
@@ -97,7 +97,7 @@ void SerialSource::takeHolder()
         return;
     }
     if (const std::optional<QString> holder = m_holder.lookUp.result()) {
-        tryLater(Text::tr("%1 is in use by %2: end it first").arg(m_holder.device, *holder));
+        tryLater(Text::tr("%1 is in use by %2. End that program first").arg(m_holder.device, *holder));
     } else if (const Result<> opened = openPort(); !opened) {
         tryLater(opened.error().text);
     } else {
@@ -107,7 +107,7 @@ void SerialSource::takeHolder()
 
 void SerialSource::begin()
 {
-    m_path.remember();
+    m_path.storeName();
     ioctl(m_port.handle(), TIOCNXCL);  // as for the bus: Qt's lock file keeps others out
     m_port.clear();                    // half a sentence from before
     m_stream.clear();
@@ -127,10 +127,11 @@ Result<> SerialSource::openPort()
     const QString reason = m_port.errorString();
     const bool held = m_port.error() == QSerialPort::PermissionError;
     m_port.clearError();
-    return failure(held ? ErrorCode::Busy : ErrorCode::Io,
-                   held ? Text::tr("%1 is in use by another program (%2): `sudo fuser -v %1` shows which; end it first")
-                              .arg(m_holder.device, reason)
-                        : Text::tr("%1 cannot be opened: %2").arg(m_holder.device, reason));
+    return failure(
+        held ? ErrorCode::Busy : ErrorCode::Io,
+        held ? Text::tr("%1 is in use by another program (%2). `sudo fuser -v %1` shows which. End that program first")
+                   .arg(m_holder.device, reason)
+             : Text::tr("%1 cannot be opened: %2").arg(m_holder.device, reason));
 }
 
 void SerialSource::close()

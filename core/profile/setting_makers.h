@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/profile/setting.h"
+#include "core/records/field_list.h"
 
 #include <algorithm>
 #include <string>
@@ -15,11 +16,7 @@ namespace boresight::profile::makers {
 
 inline constexpr auto kNow = Applies::Now;
 
-struct Range
-{
-    double min;
-    double max;
-};
+using records::Range;
 
 [[nodiscard]] Result<> checkRange(double value, Range range);
 // To the decimals of the file: what is checked is then what will be written and read again.

@@ -15,6 +15,8 @@
 // One simulated moteus r4.11 with its motor, gearbox and axis: power-up, physics, frames, configuration memory. What
 // its registers show is in state_registers.h, what is written to them in FrameWrites. Pure, stepped by its owner,
 // answers frames at once; the reply shows the state before the command.
+//
+// More than 15 members: the parts of one board and its memory, which a power-up begins together.
 namespace boresight::sim {
 
 struct MoteusSettings

@@ -727,20 +727,20 @@ do eixo</translation>
         <translation>ponto de amostragem de dados %1 (esperado %2)</translation>
     </message>
     <message>
-        <source>wrong bit timing, the drives may stay silent: %1; `ip link set %2 down`, then `%3`; `ip -details link show %2` shows what is set</source>
-        <translation>temporização de bits errada, os acionamentos podem ficar mudos: %1; `ip link set %2 down`, depois `%3`; `ip -details link show %2` mostra o que está definido</translation>
+        <source>wrong bit timing, so the drives may stay silent: %1. Enter `ip link set %2 down`, then `%3`. `ip -details link show %2` shows the values in use</source>
+        <translation>temporização de bits errada, por isso os acionamentos podem ficar mudos: %1. Execute `ip link set %2 down`, depois `%3`. `ip -details link show %2` mostra os valores em uso</translation>
     </message>
     <message>
-        <source>%1 is a virtual bus: does `boresightctl simulate --can %1` run?</source>
-        <translation>%1 é um barramento virtual: `boresightctl simulate --can %1` está em execução?</translation>
+        <source>%1 is a virtual bus. Is `boresightctl simulate --can %1` running?</source>
+        <translation>%1 é um barramento virtual. `boresightctl simulate --can %1` está em execução?</translation>
     </message>
     <message>
-        <source>Bit timing must be 1M/5M with the sample point at 0.666 in both phases: `ip -details link show %1` shows what is set, `packaging/can-up %1` sets it.</source>
-        <translation>A temporização de bits tem de ser 1M/5M com o ponto de amostragem em 0.666 nas duas fases: `ip -details link show %1` mostra o que está definido, `packaging/can-up %1` define-a.</translation>
+        <source>Bit timing must be 1M/5M with the sample point at 0.666 in both phases. `ip -details link show %1` shows the values in use, and `packaging/can-up %1` sets them.</source>
+        <translation>A temporização de bits tem de ser 1M/5M com o ponto de amostragem em 0.666 nas duas fases. `ip -details link show %1` mostra os valores em uso, e `packaging/can-up %1` define-os.</translation>
     </message>
     <message>
-        <source>Bit timing must be 1M/5M with the sample point at 0.666 in both phases: the adapter&apos;s can.bitrate 1000000, can.fd_bitrate 5000000, can.sample_point and can.fd_sample_point 0.666 (its factory settings).</source>
-        <translation>A temporização de bits tem de ser 1M/5M com o ponto de amostragem em 0.666 nas duas fases: no adaptador can.bitrate 1000000, can.fd_bitrate 5000000, can.sample_point e can.fd_sample_point 0.666 (os valores de fábrica).</translation>
+        <source>Bit timing must be 1M/5M with the sample point at 0.666 in both phases. The adapter needs can.bitrate 1000000, can.fd_bitrate 5000000, can.sample_point and can.fd_sample_point 0.666 (its factory settings).</source>
+        <translation>A temporização de bits tem de ser 1M/5M com o ponto de amostragem em 0.666 nas duas fases. O adaptador precisa de can.bitrate 1000000, can.fd_bitrate 5000000, can.sample_point e can.fd_sample_point 0.666 (os valores de fábrica).</translation>
     </message>
     <message>
         <source>nobody acknowledges our frames: check the drives&apos; power, the cable, the 120 ohm at both ends and the bit rate</source>
@@ -751,16 +751,16 @@ do eixo</translation>
         <translation>verifique a alimentação dos acionamentos, o cabo e o seu comprimento, os 120 ohm nas duas pontas, as taxas de bits e os pontos de amostragem</translation>
     </message>
     <message>
-        <source>The simulated drives do not answer: a fault was asked for, or their ids are not those of the profile.</source>
-        <translation>Os acionamentos simulados não respondem: foi pedida uma falha, ou os seus ids não são os do perfil.</translation>
+        <source>The simulated drives do not answer. Either a fault is simulated, or their ids differ from those in the profile.</source>
+        <translation>Os acionamentos simulados não respondem. Ou uma falha está sendo simulada, ou os seus ids são diferentes dos do perfil.</translation>
     </message>
     <message>
-        <source>Do the ids in the profile belong to these drives? `boresightctl scan %1` shows who answers (release the bus first).</source>
-        <translation>Os ids do perfil são destes acionamentos? `boresightctl scan %1` mostra quem responde (libere antes o barramento).</translation>
+        <source>Do the ids in the profile belong to these drives? Release the bus, then `boresightctl scan %1` shows which drives answer.</source>
+        <translation>Os ids do perfil são destes acionamentos? Libere o barramento, e `boresightctl scan %1` mostra quais acionamentos respondem.</translation>
     </message>
     <message>
-        <source>Do the ids in the profile belong to these drives? `boresightctl scan %1` shows who answers.</source>
-        <translation>Os ids do perfil são destes acionamentos? `boresightctl scan %1` mostra quem responde.</translation>
+        <source>Do the ids in the profile belong to these drives? `boresightctl scan %1` shows which drives answer.</source>
+        <translation>Os ids do perfil são destes acionamentos? `boresightctl scan %1` mostra quais acionamentos respondem.</translation>
     </message>
     <message>
         <source>Are the drives powered, is the cable plugged in at both ends, is there 120 ohm at both ends of the bus?</source>
@@ -771,12 +771,12 @@ do eixo</translation>
         <translation>o SocketCAN deste kernel não tem CAN-FD</translation>
     </message>
     <message>
-        <source>this kernel has no SocketCAN: load it with `modprobe can-raw`, or use the adapter as a serial port with --bus fdcanusb:PATH</source>
-        <translation>este kernel não tem SocketCAN: carregue-o com `modprobe can-raw`, ou use o adaptador como porta serial com --bus fdcanusb:CAMINHO</translation>
+        <source>this kernel has no SocketCAN. Load it with `modprobe can-raw`, or use the adapter as a serial port with --bus fdcanusb:PATH</source>
+        <translation>este kernel não tem SocketCAN. Carregue-o com `modprobe can-raw`, ou use o adaptador como porta serial com --bus fdcanusb:CAMINHO</translation>
     </message>
     <message>
-        <source>there is no interface %1: is the adapter plugged in and its driver loaded? (`ip -brief link` shows what is there)</source>
-        <translation>não existe a interface %1: o adaptador está ligado e o seu driver carregado? (`ip -brief link` mostra o que existe)</translation>
+        <source>there is no interface %1. Is the adapter plugged in and its driver loaded? `ip -brief link` shows the interfaces</source>
+        <translation>não existe a interface %1. O adaptador está ligado e o seu driver carregado? `ip -brief link` mostra as interfaces</translation>
     </message>
     <message>
         <source>%1 is not a CAN interface</source>
@@ -787,16 +787,16 @@ do eixo</translation>
         <translation>%1 não é uma interface CAN-FD (mtu %2): `ip link set %1 down`, depois `%3`</translation>
     </message>
     <message>
-        <source>%1 is in use by %2: end it first, or press &quot;Release bus&quot; on its Drives page</source>
-        <translation>%1 está em uso por %2: encerre-o primeiro, ou clique em &quot;Liberar barramento&quot; na sua página Acionamentos</translation>
+        <source>%1 is in use by %2. End that program, or press &quot;Release bus&quot; on its Drives page</source>
+        <translation>%1 está em uso por %2. Encerre esse programa, ou clique em &quot;Liberar barramento&quot; na sua página Acionamentos</translation>
     </message>
     <message>
-        <source>%1 is in use by %2: end it first</source>
-        <translation>%1 está em uso por %2: encerre-o primeiro</translation>
+        <source>%1 is in use by %2. End that program first</source>
+        <translation>%1 está em uso por %2. Encerre antes esse programa</translation>
     </message>
     <message>
-        <source>%1 is in use by another program (%2): `sudo fuser -v %1` shows which; end it first</source>
-        <translation>%1 está em uso por outro programa (%2): `sudo fuser -v %1` mostra qual; encerre-o primeiro</translation>
+        <source>%1 is in use by another program (%2). `sudo fuser -v %1` shows which. End that program first</source>
+        <translation>%1 está em uso por outro programa (%2). `sudo fuser -v %1` mostra qual. Encerre antes esse programa</translation>
     </message>
     <message>
         <source>%1 cannot be opened: %2</source>
@@ -807,32 +807,32 @@ do eixo</translation>
         <translation>%1 não está aberto</translation>
     </message>
     <message>
-        <source>%1: the adapter takes no more data; plug it in again</source>
-        <translation>%1: o adaptador já não aceita dados; desligue-o e ligue-o de novo</translation>
+        <source>%1: the adapter accepts no more data. Plug it in again</source>
+        <translation>%1: o adaptador já não aceita dados. Desconecte-o e conecte-o de novo</translation>
     </message>
     <message>
-        <source>the adapter is not on the bus (&quot;not in BusOn state&quot;); it is switched on again once a second: if that does not help, plug it in again</source>
-        <translation>o adaptador não está no barramento (&quot;not in BusOn state&quot;); é ligado de novo uma vez por segundo: se isso não ajudar, desconecte-o e conecte-o de novo</translation>
+        <source>the adapter is not on the bus (&quot;not in BusOn state&quot;). Boresight restarts it once a second. If that does not help, plug it in again</source>
+        <translation>o adaptador não está no barramento (&quot;not in BusOn state&quot;). O Boresight reinicia-o uma vez por segundo. Se isso não ajudar, desconecte-o e conecte-o de novo</translation>
     </message>
     <message>
-        <source>the adapter refuses a frame: %1; check its firmware and its can.* settings</source>
-        <translation>o adaptador recusa um quadro: %1; verifique o seu firmware e os seus parâmetros can.*</translation>
+        <source>the adapter refuses a frame: %1. Check its firmware and its can.* settings</source>
+        <translation>o adaptador recusa um quadro: %1. Verifique o seu firmware e os seus parâmetros can.*</translation>
     </message>
     <message>
-        <source>bus-off after too many errors: check the cable, the 120 ohm at both ends and the bit rate; it is restarted once a second</source>
-        <translation>bus-off após muitos erros: verifique o cabo, os 120 ohm nas duas pontas e a taxa de bits; é reiniciado uma vez por segundo</translation>
+        <source>bus-off after too many errors: check the cable, the 120 ohm at both ends and the bit rate. Boresight restarts the adapter once a second</source>
+        <translation>bus-off após muitos erros: verifique o cabo, os 120 ohm nas duas pontas e a taxa de bits. O Boresight reinicia o adaptador uma vez por segundo</translation>
     </message>
     <message>
-        <source>the adapter does not confirm our frames (no OK within %1 ms): is this port an fdcanusb? If so, plug it in again</source>
-        <translation>o adaptador não confirma os nossos quadros (nenhum OK em %1 ms): esta porta é um fdcanusb? Se for, desconecte-o e conecte-o de novo</translation>
+        <source>the adapter does not confirm our frames (no OK within %1 ms). Is this port an fdcanusb? If so, plug it in again</source>
+        <translation>o adaptador não confirma os nossos quadros (nenhum OK em %1 ms). Esta porta é um fdcanusb? Se for, desconecte-o e conecte-o de novo</translation>
     </message>
     <message>
         <source>the adapter is gone: plug it in again</source>
         <translation>o adaptador desapareceu: conecte-o de novo</translation>
     </message>
     <message>
-        <source>the adapter is gone: plug it in again; it is found in any socket as %1</source>
-        <translation>o adaptador desapareceu: conecte-o de novo; em qualquer tomada é reconhecido como %1</translation>
+        <source>the adapter is gone: plug it in again, in any socket. Boresight finds it as %1</source>
+        <translation>o adaptador desapareceu: conecte-o de novo, em qualquer porta. O Boresight encontra-o como %1</translation>
     </message>
     <message>
         <source>the kernel&apos;s description of the interface cannot be read</source>
@@ -859,8 +859,8 @@ do eixo</translation>
         <translation>%1 não é uma porta serial</translation>
     </message>
     <message>
-        <source>%1: no permission: install packaging/udev/70-boresight-fdcanusb.rules to /etc/udev/rules.d, plug the adapter in again and join the group dialout (`sudo usermod -aG dialout $USER`, then log in again)</source>
-        <translation>%1: sem permissão: instale packaging/udev/70-boresight-fdcanusb.rules em /etc/udev/rules.d, conecte de novo o adaptador e entre no grupo dialout (`sudo usermod -aG dialout $USER`, depois inicie nova sessão)</translation>
+        <source>%1: no permission. Install packaging/udev/70-boresight-fdcanusb.rules to /etc/udev/rules.d. Plug the adapter in again. Join the group dialout with `sudo usermod -aG dialout $USER`, then log in again</source>
+        <translation>%1: sem permissão. Instale packaging/udev/70-boresight-fdcanusb.rules em /etc/udev/rules.d. Conecte de novo o adaptador. Entre no grupo dialout com `sudo usermod -aG dialout $USER`, depois inicie nova sessão</translation>
     </message>
     <message>
         <source>%1 (%2 of %3 frames sent)</source>
@@ -871,12 +871,12 @@ do eixo</translation>
         <translation>a interface foi removida: conecte de novo o adaptador</translation>
     </message>
     <message>
-        <source>the interface is down; bring it up with `%1`</source>
-        <translation>a interface está inativa; ative-a com `%1`</translation>
+        <source>the interface is down. Bring it up with `%1`</source>
+        <translation>a interface está inativa. Ative-a com `%1`</translation>
     </message>
     <message>
-        <source>bus-off after too many errors: check the cable, the 120 ohm at both ends and the bit rate; with restart-ms set it comes back by itself, else `ip link set %1 type can restart`</source>
-        <translation>bus-off após muitos erros: verifique o cabo, os 120 ohm nas duas pontas e a taxa de bits; com restart-ms definido volta por si, senão `ip link set %1 type can restart`</translation>
+        <source>bus-off after too many errors: check the cable, the 120 ohm at both ends and the bit rate. With restart-ms set the bus comes back by itself. Otherwise enter `ip link set %1 type can restart`</source>
+        <translation>bus-off após muitos erros: verifique o cabo, os 120 ohm nas duas pontas e a taxa de bits. Com restart-ms definido o barramento volta por si. Senão, execute `ip link set %1 type can restart`</translation>
     </message>
     <message>
         <source>the transmit queue is full: another program fills the bus, or %1</source>
@@ -891,8 +891,8 @@ do eixo</translation>
         <translation>quadros danificados no barramento: %1</translation>
     </message>
     <message>
-        <source>more than %1 frames a second on the bus, ten times what two drives need: another program floods it; end that program (`candump %2` shows its identifiers)</source>
-        <translation>mais de %1 quadros por segundo no barramento, dez vezes o que dois acionamentos precisam: outro programa inunda-o; encerre esse programa (`candump %2` mostra os seus identificadores)</translation>
+        <source>more than %1 frames a second on the bus, ten times what two drives need. Another program floods the bus. End that program (`candump %2` shows its identifiers)</source>
+        <translation>mais de %1 quadros por segundo no barramento, dez vezes o que dois acionamentos precisam. Outro programa inunda o barramento. Encerre esse programa (`candump %2` mostra os seus identificadores)</translation>
     </message>
     <message>
         <source>Disturbed or wrong wiring at an aux port</source>
@@ -3049,8 +3049,8 @@ do eixo</translation>
         <translation>A posição do acionamento foi definida por outra ferramenta</translation>
     </message>
     <message>
-        <source>%1: no permission: join the group dialout (`sudo usermod -aG dialout $USER`, then log in again)</source>
-        <translation>%1: sem permissão: entre no grupo dialout (`sudo usermod -aG dialout $USER`, depois inicie a sessão de novo)</translation>
+        <source>%1: no permission. Join the group dialout with `sudo usermod -aG dialout $USER`, then log in again</source>
+        <translation>%1: sem permissão. Entre no grupo dialout com `sudo usermod -aG dialout $USER`, depois inicie a sessão de novo</translation>
     </message>
     <message>
         <source>%1: nothing comes: has the sensor power, and its WiFi (without it, it is silent)?</source>
@@ -7100,20 +7100,20 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
         <translation>Recusado</translation>
     </message>
     <message>
-        <source>Look again</source>
-        <translation>Ver de novo</translation>
+        <source>Refresh</source>
+        <translation>Atualizar</translation>
     </message>
     <message>
         <source>Scan</source>
         <translation>Procurar</translation>
     </message>
     <message>
-        <source>Ask who is on the selected bus; nothing moves</source>
-        <translation>Perguntar quem está no barramento selecionado; nada se move</translation>
+        <source>List the drives on the selected bus. Nothing moves</source>
+        <translation>Listar os acionamentos no barramento selecionado. Nada se move</translation>
     </message>
     <message>
-        <source>Use this</source>
-        <translation>Usar este</translation>
+        <source>Connect</source>
+        <translation>Conectar</translation>
     </message>
     <message>
         <source>Connect to the mount by the selected adapter</source>
@@ -7128,7 +7128,7 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
         <translation>Quem responde</translation>
     </message>
     <message>
-        <source>List the adapters anew, after one was plugged in</source>
+        <source>List the adapters again, after one was plugged in</source>
         <translation>Listar de novo os adaptadores, depois de conectar um</translation>
     </message>
     <message>
@@ -7136,16 +7136,16 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
         <translation>%1 (desconhecido do Boresight)</translation>
     </message>
     <message>
-        <source>select an adapter first</source>
-        <translation>selecione primeiro um adaptador</translation>
+        <source>Select an adapter first.</source>
+        <translation>Selecione primeiro um adaptador.</translation>
     </message>
     <message>
-        <source>%1 is being looked at</source>
-        <translation>%1 está sendo examinado</translation>
+        <source>Boresight is scanning %1. Wait a moment.</source>
+        <translation>O Boresight está examinando %1. Aguarde um momento.</translation>
     </message>
     <message>
-        <source>it is in use</source>
-        <translation>está em uso</translation>
+        <source>The mount is already connected by this adapter.</source>
+        <translation>A montagem já está conectada por este adaptador.</translation>
     </message>
     <message>
         <source>In use. %1.</source>
@@ -7156,12 +7156,12 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
         <translation>id %1: fora do perfil</translation>
     </message>
     <message>
-        <source>Asking who is there …</source>
-        <translation>Perguntando quem está ali …</translation>
+        <source>Scanning …</source>
+        <translation>Procurando …</translation>
     </message>
     <message>
-        <source>Press Scan to see who answers there. Scanning moves nothing.</source>
-        <translation>Clique em Procurar para ver quem responde ali. Procurar não move nada.</translation>
+        <source>Press Scan to list the drives on this bus. Scanning moves nothing.</source>
+        <translation>Clique em Procurar para listar os acionamentos neste barramento. Procurar não move nada.</translation>
     </message>
     <message>
         <source>In use.</source>

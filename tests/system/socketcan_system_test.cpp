@@ -158,7 +158,7 @@ protected:
 TEST_F(SocketCanOutage, InterfaceDownInMotionStopsTheMountUntilReArmed)
 {
     expectStop("interface down", "ip link set vcan0 down",
-               "socketcan:vcan0: the interface is down; bring it up with `ip link set vcan0 mtu 72 up`");
+               "socketcan:vcan0: the interface is down. Bring it up with `ip link set vcan0 mtu 72 up`");
     expectRestUntilReArmed("ip link set vcan0 up");
 }
 
@@ -210,7 +210,7 @@ TEST_P(SocketCanFlood, MountStaysUnderControlOrStopsAndSaysSo)
                 mount.log().substr(logBefore).c_str());
     constexpr double kSurelyAFlood = 3000.0;  // frames a second; a busy machine may manage less
     if (static_cast<double>(flood) / seconds > kSurelyAFlood) {
-        EXPECT_NE(mount.log().find("another program floods it", logBefore), std::string::npos);
+        EXPECT_NE(mount.log().find("Another program floods the bus", logBefore), std::string::npos);
     }
     // Frames that come late or in pairs are caught up with, at most at the drives' own limit, which is 1.5 times the
     // profile's. A drive that catches up while the set-point brakes overshoots by at most what it was behind: 0.25 s at

@@ -72,11 +72,11 @@ GuideConnect::GuideConnect(ProfileChange& change, RequestDesk& desk, HostDesk& h
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_list(new QListWidget(this)),
       m_found(new QPlainTextEdit(this)),
-      m_refresh(makePushButton(
-          {.text = tr("Look again"), .help = tr("List the adapters anew, after one was plugged in")}, this)),
-      m_scan(new CommandButton(tr("Scan"), tr("Ask who is on the selected bus; nothing moves"), desk, *m_notice, this)),
-      m_use(
-          new CommandButton(tr("Use this"), tr("Connect to the mount by the selected adapter"), desk, *m_notice, this))
+      m_refresh(makePushButton({.text = tr("Refresh"), .help = tr("List the adapters again, after one was plugged in")},
+                               this)),
+      m_scan(new CommandButton(tr("Scan"), tr("List the drives on the selected bus. Nothing moves"), desk, *m_notice,
+                               this)),
+      m_use(new CommandButton(tr("Connect"), tr("Connect to the mount by the selected adapter"), desk, *m_notice, this))
 {
     build();
     connect(m_refresh, &QPushButton::clicked, &m_host, &HostDesk::adaptersWanted);
@@ -175,14 +175,14 @@ void GuideConnect::showButtons()
 {
     const QString bus = selectedBus();
     const bool inUse = bus == busInUse();
-    const QString none = bus.isEmpty() ? tr("select an adapter first") : QString();
+    const QString none = bus.isEmpty() ? tr("Select an adapter first.") : QString();
     m_scan->setBlocked(!none.isEmpty()         ? none
-                       : !m_scanning.isEmpty() ? tr("%1 is being looked at").arg(m_scanning)
+                       : !m_scanning.isEmpty() ? tr("Boresight is scanning %1. Wait a moment.").arg(m_scanning)
                        : inUse                 ? m_status.permissions.reason(Action::ReadDrives)
                                                : QString());
     const auto take = useSelected();
     m_use->setBlocked(!none.isEmpty()            ? none
-                      : m_change.isAlready(take) ? tr("it is in use")
+                      : m_change.isAlready(take) ? tr("The mount is already connected by this adapter.")
                                                  : m_change.whyNot(m_status, take));
     showFound();
 }
@@ -216,14 +216,14 @@ void GuideConnect::showFound()
         lines << (m_status.drives ? tr("In use. %1.").arg(surveySentence(*m_status.drives).text) : tr("In use."));
         lines << linesOfDrives(m_status);
     } else if (selectedBus() == m_scanning) {
-        lines << tr("Asking who is there …");
+        lines << tr("Scanning …");
     } else if (m_result && m_result->bus == selectedBus()) {
         for (const ScannedDrive& one : m_result->drives) {
             lines << line(one);
         }
         lines << m_result->problems;
     } else {
-        lines << tr("Press Scan to see who answers there. Scanning moves nothing.");
+        lines << tr("Press Scan to list the drives on this bus. Scanning moves nothing.");
     }
     const QString text = lines.join(QLatin1Char('\n'));
     if (text != m_found->toPlainText()) {

@@ -152,11 +152,11 @@ TEST(BitTimingTest, EveryWrongValueIsNamedBesideTheWantedOneAndTheCommands)
     report.data = PhaseTiming{.bitRate = 2'000'000, .samplePoint = 0.75};
     EXPECT_EQ(
         timingTrouble(report).toStdString(),
-        "wrong bit timing, the drives may stay silent: bit rate 500000 (wanted 1000000), sample point 0.875 "
-        "(wanted 0.666), data bit rate 2000000 (wanted 5000000), data sample point 0.750 (wanted 0.666); `ip link "
-        "set can0 down`, then `ip link set can0 up type can bitrate 1000000 dbitrate 5000000 sjw 10 dsjw 5 "
-        "sample-point 0.666 dsample-point 0.666 restart-ms 1000 fd on`; `ip -details link show can0` shows what "
-        "is set");
+        "wrong bit timing, so the drives may stay silent: bit rate 500000 (wanted 1000000), sample point 0.875 "
+        "(wanted 0.666), data bit rate 2000000 (wanted 5000000), data sample point 0.750 (wanted 0.666). Enter "
+        "`ip link set can0 down`, then `ip link set can0 up type can bitrate 1000000 dbitrate 5000000 sjw 10 dsjw 5 "
+        "sample-point 0.666 dsample-point 0.666 restart-ms 1000 fd on`. `ip -details link show can0` shows the "
+        "values in use");
 }
 
 TEST(BitTimingTest, SamplePointLeftToTheKernelIsSaid)

@@ -76,7 +76,7 @@ TEST_F(FdcanusbLinkTest, ErrIsShownWithTheAdaptersWords)
     adapter.write("ERR invalid data\r\n");
     ASSERT_TRUE(waitUntil([this] { return !text().empty(); }));
     EXPECT_EQ(text(), link.name().toStdString() +
-                          ": the adapter refuses a frame: invalid data; check its firmware and its can.* "
+                          ": the adapter refuses a frame: invalid data. Check its firmware and its can.* "
                           "settings");
     EXPECT_EQ(link.status().busErrors, 1U);
     EXPECT_EQ(link.status().state, LinkState::Up);
@@ -92,7 +92,7 @@ TEST_F(FdcanusbLinkTest, ShowsADamagedRefusalPrintable)
     adapter.write("ERR inv\x1b[2Jalid\x7f\r\n");
     ASSERT_TRUE(waitUntil([this] { return link.status().busErrors == 1; }));
     EXPECT_EQ(text(), link.name().toStdString() +
-                          ": the adapter refuses a frame: inv?[2Jalid?; check its firmware and its can.* settings");
+                          ": the adapter refuses a frame: inv?[2Jalid?. Check its firmware and its can.* settings");
 }
 
 TEST_F(FdcanusbLinkTest, ReceiverMayCloseTheLink)
@@ -113,7 +113,7 @@ TEST_F(FdcanusbLinkTest, AdapterThatTakesNoDataIsReported)
     }
     ASSERT_FALSE(result.has_value());
     EXPECT_EQ(result.error().code, ErrorCode::NoAnswer);
-    EXPECT_THAT(textOf(result.error()), HasSubstr("takes no more data"));
+    EXPECT_THAT(textOf(result.error()), HasSubstr("accepts no more data"));
 }
 
 // REQ-CAN-04: An impossible frame is refused before any frame of its batch is sent.

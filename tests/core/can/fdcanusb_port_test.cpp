@@ -113,7 +113,7 @@ TEST_F(FdcanusbLinkTest, PortInUseNamesTheProgramThatHoldsIt)
     ASSERT_FALSE(busy.has_value());
     EXPECT_EQ(busy.error().code, ErrorCode::Busy);
     EXPECT_EQ(textOf(busy.error()), adapter.path().toStdString() + " is in use by sleep (process " +
-                                        std::to_string(tool.processId()) + "): end it first");
+                                        std::to_string(tool.processId()) + "). End that program first");
     ASSERT_TRUE(waitUntil([&tool] { return tool.state() == QProcess::NotRunning; }));
     open(link);
 }
@@ -131,7 +131,7 @@ TEST_F(FdcanusbLinkTest, PortThatIsLockedInAnyWayIsRefused)
     ASSERT_FALSE(busy.has_value());
     EXPECT_EQ(busy.error().code, ErrorCode::Busy);
     EXPECT_EQ(textOf(busy.error()), adapter.path().toStdString() + " is in use by can_test (process " +
-                                        std::to_string(getpid()) + "): end it first");
+                                        std::to_string(getpid()) + "). End that program first");
     EXPECT_EQ(adapter.written, QByteArray());
     ASSERT_EQ(flock(holder.number(), LOCK_UN), 0);
     open(link);

@@ -246,7 +246,7 @@ TEST_F(SocketCanFakeTest, FloodOfAnotherProgramIsSaid)
     ASSERT_TRUE(receiveOver(30, milliseconds(2)));
     EXPECT_EQ(link.status().state, LinkState::Up);
     EXPECT_THAT(text(), HasSubstr("more than 2000 frames a second on the bus"));
-    EXPECT_THAT(text(), HasSubstr("another program floods it; end that program (`candump can0`"));
+    EXPECT_THAT(text(), HasSubstr("Another program floods the bus. End that program (`candump can0`"));
     ASSERT_TRUE(receiveOver(300, milliseconds(201)));  // 1500 a second: not yet over
     EXPECT_EQ(changes.size(), 1);
     ASSERT_TRUE(receiveOver(40, milliseconds(201)));  // two drives at 100 Hz
@@ -281,7 +281,7 @@ TEST_F(SocketCanTimingTest, WrongBitRateIsAWarningUntilTheInterfaceIsSetRight)
     EXPECT_THAT(text(), HasSubstr("bit rate 500000 (wanted 1000000)"));
     EXPECT_THAT(text(), HasSubstr("`ip -details link show can0`"));
     can.become(InterfaceState::Down);
-    EXPECT_THAT(text(), HasSubstr("the interface is down; bring it up with `ip link set can0 up type can"));
+    EXPECT_THAT(text(), HasSubstr("the interface is down. Bring it up with `ip link set can0 up type can"));
     can.told = adapter();
     can.become(InterfaceState::Up);
     EXPECT_EQ(text(), "");

@@ -213,7 +213,7 @@ TEST_F(SocketCanLinkTest, DownAndUpAreNoticedWithoutSending)
 {
     ASSERT_TRUE(run("ip link set boresight0 down"));
     ASSERT_TRUE(becomes(LinkState::Down));
-    EXPECT_THAT(text(), HasSubstr("is down; bring it up with `ip link set boresight0 mtu 72 up`"));
+    EXPECT_THAT(text(), HasSubstr("is down. Bring it up with `ip link set boresight0 mtu 72 up`"));
     const auto sent = link.send(std::array{frameTo(0x8001)});
     ASSERT_FALSE(sent.has_value());
     EXPECT_THAT(textOf(sent.error()), HasSubstr("is down"));

@@ -133,5 +133,22 @@ TEST(MountPort, ARotatorOfStepsStaysInsideLimitsBetweenTwoSteps)
     }
 }
 
+// Story: a jog was offered at the last step before the end of the travel, and moved nothing.
+TEST(MountPort, AJogBeyondTheLastStepOfTheTravelIsNotOffered)
+{
+    profile::Profile profile = slowProfile();
+    profile.azimuth.geometry.travel = {.min = 5.4_deg, .max = 60.6_deg};
+    SimpleBench bench({}, profile);
+    bench.run(Seconds(1.0));
+    ASSERT_TRUE(bench.goTo(60.0, 30.0));
+    bench.run(Seconds(20.0));
+    const Permissions may = bench.control().status().permissions;
+    EXPECT_EQ(may.reason(Action::JogRight), QStringLiteral("at the upper limit 60.0°"));
+    EXPECT_TRUE(may.allows(Action::JogLeft)) << may.reason(Action::JogLeft).toStdString();
+    ASSERT_TRUE(bench.ask(request::Move{{.azimuth = AngularRate::fromDegrees(5.0)}}));
+    bench.run(Seconds(1.0));
+    EXPECT_EQ(bench.control().status().azimuth.state, AxisState::Limit);
+}
+
 }  // namespace
 }  // namespace boresight

@@ -137,7 +137,7 @@ TEST_F(GuideTest, NothingIsSetForAMountThatWaitsForItsReconnect)
     open<GuideConnect>(GuideStep::Connect);
     Q_EMIT window.host().adaptersFound(adaptersOf({}, {{QStringLiteral("can0"), true}}));
     inGuide<QListWidget>("Adapters of this computer").setCurrentRow(0);
-    click("Use this");
+    click("Connect");
     status.waitingKeys = {"bus.name"};
     accept();
     give(samples::refusal(status, requests.back().id, "the drives move"));
@@ -165,7 +165,7 @@ TEST_F(GuideTest, AdaptersAreListedByTheirNamesAndScannedWithoutMovingAnything)
     auto& list = inGuide<QListWidget>("Adapters of this computer");
     ASSERT_EQ(list.count(), 2);
     EXPECT_EQ(list.currentRow(), 1) << "the one in use";
-    EXPECT_FALSE(inGuide<QPushButton>("Use this").isEnabled());
+    EXPECT_FALSE(inGuide<QPushButton>("Connect").isEnabled());
     EXPECT_TRUE(inGuide<QPlainTextEdit>("Who answers").toPlainText().contains(QStringLiteral("azimuth, id 1: 24.1 V")));
     click("Scan");
     EXPECT_EQ(asked<request::ReadDrives>().size(), 1u) << "the station has this bus and looks itself";
@@ -186,7 +186,7 @@ TEST_F(GuideTest, AdaptersAreListedByTheirNamesAndScannedWithoutMovingAnything)
     EXPECT_TRUE(found.contains(QStringLiteral("fault 38")));
     EXPECT_TRUE(requests.empty());
 
-    click("Use this");
+    click("Connect");
     EXPECT_TRUE(asked<request::ApplyProfile>().empty()) << "nothing is made of the simulated mount";
     ASSERT_EQ(asked<request::Reconnect>().size(), 1u);
     const profile::Profile wanted = asked<request::Reconnect>().front().profile;
@@ -208,11 +208,11 @@ TEST_F(GuideTest, WhatIsRefusedStandsBesideTheButtonAndLeavesNoEditBehind)
     open<GuideConnect>(GuideStep::Connect);
     Q_EMIT window.host().adaptersFound(adaptersOf({}, {{QStringLiteral("can0"), true}}));
     inGuide<QListWidget>("Adapters of this computer").setCurrentRow(0);
-    click("Use this");
+    click("Connect");
     give(samples::refusal(status, requests.back().id, "Boresight is closing"));
     EXPECT_TRUE(asked<request::Reconnect>().empty());
     EXPECT_TRUE(inGuide<ValueLabel>("Refused").text().contains(QStringLiteral("closing")));
-    EXPECT_TRUE(inGuide<QPushButton>("Use this").isEnabled()) << "nothing is left half done";
+    EXPECT_TRUE(inGuide<QPushButton>("Connect").isEnabled()) << "nothing is left half done";
 }
 
 TEST_F(GuideTest, DrivesThatAreNotFitAreMendedFirst)

@@ -77,7 +77,7 @@ TEST_F(ProfileChangeTest, ABusThatLeavesTheSimulationIsAReconnect)
 {
     put("simulated");
     ValueLabel notice(QStringLiteral("Refused"), fonts::label(), {}, nullptr);
-    CommandButton button(QStringLiteral("Use this"), {}, desk, notice);
+    CommandButton button(QStringLiteral("Connect"), {}, desk, notice);
     change.ask(button, [](profile::Profile& edited) { edited.bus = "socketcan:can1"; });
     ASSERT_TRUE(std::holds_alternative<request::Reconnect>(asked.request));
     EXPECT_EQ(std::get<request::Reconnect>(asked.request).profile.bus, "socketcan:can1");
@@ -86,7 +86,7 @@ TEST_F(ProfileChangeTest, ABusThatLeavesTheSimulationIsAReconnect)
     EXPECT_FALSE(button.isWaiting());
 }
 
-// Story: "Use this" with the simulated mount selected began to lose what had been found of the real one.
+// Story: "Connect" with the simulated mount selected began to lose what had been found of the real one.
 // REQ-PROFILE-17c
 TEST_F(ProfileChangeTest, ARealMountIsNotMadeTheSimulatedOne)
 {

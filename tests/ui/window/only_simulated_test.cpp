@@ -77,7 +77,7 @@ TEST_F(OnlySimulatedTest, TheTagSaysHowLongAndTheGuideOffersNoAdapter)
             adapters->setCurrentRow(row);
         }
     }
-    const auto* const use = named<CommandButton>("Use this");
+    const auto* const use = named<CommandButton>("Connect");
     EXPECT_FALSE(use->isEnabled());
     EXPECT_TRUE(use->toolTip().contains(QStringLiteral("start Boresight with --bus socketcan:can0")))
         << use->toolTip().toStdString();

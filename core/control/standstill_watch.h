@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mount/mount_report.h"
+#include "core/units/sky.h"
+
+#include <array>
+#include <deque>
+
+// Whether an axis moves, judged by the angles that it has reported over a short time. The rate that a drive reports is
+// no evidence near standstill: behind a low gear its noise alone is faster than a slow motion. Station thread only.
+namespace boresight {
+
+class StandstillWatch
+{
+public:
+    // Once per tick.
+    void look(Axis axis, const AxisReport& report);
+    // The angles count from somewhere else now.
+    void forget() { m_places = {}; }
+    // Faster than the Sun goes, except near the zenith.
+    [[nodiscard]] bool moves(Axis axis) const;
+
+private:
+    struct Place
+    {
+        SteadyTime time;
+        Angle angle;
+    };
+    using Places = std::deque<Place>;  // by time
+
+    std::array<Places, 2> m_places;
+};
+
+}  // namespace boresight
