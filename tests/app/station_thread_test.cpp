@@ -75,7 +75,7 @@ protected:
     {
         aDiskHangs = true;
         ask(request::Reconnect{mount("Field")});
-        return QTest::qWaitFor([this] { return waiting.has_value(); });
+        return fakes::waitUntil([this] { return waiting.has_value(); });
     }
     // Why this request was refused; empty: it was not.
     [[nodiscard]] QString refusalOf(std::uint64_t id) const
@@ -179,7 +179,7 @@ TEST_F(StationThreadTest, AStopBetweenTwoStationsHoldsAtTheNextOne)
     thread.begin(*waiting);
     thread.begin(mount("Roof"));  // nobody asked for a third one
     ASSERT_TRUE(shows("Field"));
-    EXPECT_TRUE(QTest::qWaitFor([this] { return isStopped; }));
+    EXPECT_TRUE(fakes::waitUntil([this] { return isStopped; }));
     EXPECT_EQ(refusalOf(lastId - 1), QString());
     EXPECT_EQ(refusalOf(lastId), QStringLiteral("No mount was connected at that moment. Try again."));
     EXPECT_EQ(built, 1);
@@ -209,7 +209,7 @@ TEST_F(StationThreadTest, TheProgramEndsWhileTheNextStationIsBuilt)
     thread.begin(*waiting);
     Q_EMIT thread.shutDownRequested();
     EXPECT_EQ(finished.count(), 1);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return built == 1; }));
+    EXPECT_TRUE(fakes::waitUntil([this] { return built == 1; }));
     EXPECT_TRUE(started.isEmpty());
 }
 
