@@ -163,10 +163,10 @@ TEST(BitTimingTest, SamplePointLeftToTheKernelIsSaid)
 {
     InterfaceReport report = adapter();
     report.nominal->samplePoint = 0.75;
-    EXPECT_THAT(timingTrouble(report).toStdString(), HasSubstr(": sample point 0.750 (wanted 0.666); `ip"));
+    EXPECT_THAT(timingTrouble(report).toStdString(), HasSubstr(": sample point 0.750 (wanted 0.666). Enter `ip"));
     report = adapter();
     report.data->samplePoint = 0.75;
-    EXPECT_THAT(timingTrouble(report).toStdString(), HasSubstr(": data sample point 0.750 (wanted 0.666); `ip"));
+    EXPECT_THAT(timingTrouble(report).toStdString(), HasSubstr(": data sample point 0.750 (wanted 0.666). Enter `ip"));
 }
 
 TEST(BitTimingTest, ClassicModeIsSaidOnce)
@@ -174,7 +174,7 @@ TEST(BitTimingTest, ClassicModeIsSaidOnce)
     InterfaceReport report = adapter();
     report.flexibleData = false;
     report.data = PhaseTiming{};
-    EXPECT_THAT(timingTrouble(report).toStdString(), HasSubstr(": CAN-FD off (wanted on); `ip"));
+    EXPECT_THAT(timingTrouble(report).toStdString(), HasSubstr(": CAN-FD off (wanted on). Enter `ip"));
 }
 
 // REQ-CAN-16: Silence on a bus that is up has one advice for every kind of bus.
@@ -186,7 +186,7 @@ TEST(BusAdviceTest, SilenceNamesTimingWiringPowerAndIds)
         EXPECT_THAT(onCan, HasSubstr(part));
     }
     const std::string onUsb = silenceAdvice({BusKind::Fdcanusb, "/dev/ttyACM0"}).toStdString();
-    for (const char* part : {"powered", "120 ohm", "1M/5M", "0.666", "can.fd_bitrate", "ids", "release the bus"}) {
+    for (const char* part : {"powered", "120 ohm", "1M/5M", "0.666", "can.fd_bitrate", "ids", "Release the bus"}) {
         EXPECT_THAT(onUsb, HasSubstr(part));
     }
     EXPECT_THAT(onUsb, Not(HasSubstr("ip -details")));

@@ -270,7 +270,8 @@ TEST_F(LimitsTest, TheLiveCheckSpeaksBeforeApply)
 {
     QAbstractItemModel& model = *named<QTableView>("Keep-outs")->model();
     EXPECT_TRUE(model.setData(model.index(0, 4), QStringLiteral("0"), Qt::EditRole));
-    EXPECT_TRUE(text("Changes of the profile").startsWith(QStringLiteral("keep_out[1]")));
+    EXPECT_TRUE(text("Changes of the profile").startsWith(QStringLiteral("elevation_min_deg (keep_out[1]): ")))
+        << text("Changes of the profile").toStdString();
     EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled());
     EXPECT_FALSE(model.index(0, 0).data(Qt::ToolTipRole).toString().isEmpty());
     QTest::mouseClick(named<CommandButton>("Revert"), Qt::LeftButton);
