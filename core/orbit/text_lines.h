@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+// The lines of a text, numbered from 1, without their ends (LF, CR LF), trailing blanks and a byte order mark. Pure.
+namespace boresight::orbit {
+
+class TextLines
+{
+public:
+    explicit TextLines(std::string_view text);
+
+    // False at the end of the text. Before the first call there is no line.
+    [[nodiscard]] bool next();
+    [[nodiscard]] std::string_view line() const { return m_line; }
+    [[nodiscard]] int number() const { return m_number; }
+
+private:
+    std::string_view m_rest;
+    std::string_view m_line;
+    int m_number = 0;
+};
+
+// Without blanks and tabs at both ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+}  // namespace boresight::orbit

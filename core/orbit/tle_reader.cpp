@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/orbit/tle_reader.h"
+
+#include "core/base/control_characters.h"
+#include "core/base/text.h"
+#include "core/orbit/element_check.h"
+#include "core/orbit/text_lines.h"
+#include "core/orbit/tle_fields.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace boresight::orbit {
+
+namespace {
+
+constexpr std::size_t kLongestName = 60;  // the format has 24 columns for it
+
+struct TleTextLine
+{
+    int number = 0;
+    std::string_view text;
+};
+
+// A name has at most 24 columns, so a longer text is not one that begins with "1 " by chance.
+bool isElementLine(std::string_view text, char digit)
+{
+    constexpr std::size_t kColumnsOfName = 24;
+    return text.size() > kColumnsOfName + 2 && text[0] == digit && text[1] == ' ';
+}
+
+class TleTextReader
+{
+public:
+    void take(const TleTextLine& line)
+    {
+        if (line.text.empty() || line.text.front() == '#') {
+            return;
+        }
+        if (isElementLine(line.text, '1')) {
+            dropFirst();
+            m_first = line;
+        } else if (isElementLine(line.text, '2')) {
+            takeSecond(line);
+        } else {
+            dropFirst();
+            dropName();
+            m_name = line;
+        }
+    }
+
+    ElementList finish()
+    {
+        dropFirst();
+        dropName();
+        return std::move(m_list);
+    }
+
+private:
+    void takeSecond(const TleTextLine& line)
+    {
+        if (!m_first) {
+            m_list.addProblem(line.number, Text::tr("There is no line 1 before this line 2."));
+            m_name.reset();
+            return;
+        }
+        auto elements = parseTle(m_first->text, line.text);
+        if (elements) {
+            elements->name = takeName();
+            m_list.sets.push_back(std::move(*elements));
+        } else {
+            const ElementProblem& problem = elements.error();
+            m_list.addProblem(problem.line == 1 ? m_first->number : line.number, problem.reason);
+        }
+        m_first.reset();
+        m_name.reset();
+    }
+
+    void dropFirst()
+    {
+        if (m_first) {
+            m_list.addProblem(m_first->number, Text::tr("There is no line 2 after this line 1."));
+            m_first.reset();
+            m_name.reset();
+        }
+    }
+
+    void dropName()
+    {
+        if (m_name) {
+            m_list.addProblem(m_name->number,
+                              Text::tr("\"%1\" is no part of an element set.").arg(quoted(m_name->text)));
+            m_name.reset();
+        }
+    }
+
+    std::string takeName()
+    {
+        if (!m_name) {
+            return {};
+        }
+        std::string_view name = m_name->text;
+        if (name.starts_with("0 ")) {
+            name.remove_prefix(2);
+        }
+        name = trimmed(name);
+        const bool isUsual = name.size() <= kLongestName && !hasControlCharacters(name);
+        return isUsual ? std::string(name) : quoted(name).toStdString();
+    }
+
+    ElementList m_list;
+    std::optional<TleTextLine> m_name;
+    std::optional<TleTextLine> m_first;
+};
+
+}  // namespace
+
+ElementList readTle(std::string_view text)
+{
+    TleTextReader reader;
+    TextLines lines(text);
+    while (lines.next()) {
+        reader.take({lines.number(), lines.line()});
+    }
+    return reader.finish();
+}
+
+}  // namespace boresight::orbit
