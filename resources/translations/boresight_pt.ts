@@ -5777,6 +5777,194 @@ do eixo</translation>
         <source>No mount was connected at that moment. Try again.</source>
         <translation>Nesse momento não estava ligada nenhuma montagem. Tente de novo.</translation>
     </message>
+    <message>
+        <source>The catalogue number %1 has more than 9 digits or is negative.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The eccentricity %1 is not from 0 to below 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mean motion %1 rev/day is not above 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The inclination %1° is not from 0° to 180°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The angle %1° is not from -360° to 360°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A text in double quotes does not end in its line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The line has %1 values, its header %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is no JSON object: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no JSON of element sets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no line KEY = value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2. SGP4 needs %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;. This cannot be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is no XML: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The XML has no element &lt;omm&gt;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mean eccentricity leaves the range 0 to 1: the elements do not hold at this time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mean motion is not above 0: the elements do not hold at this time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sun and Moon drive the eccentricity out of the range 0 to 1: the elements do not hold.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The orbit is no ellipse at this time: the elements do not hold.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The satellite has decayed: the orbit is below the surface of the Earth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The time is more than 100 years from the epoch of the elements.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The line has %1 columns instead of 69.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The line continues after column 69.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column %1 is not blank. Is a column missing or added?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the catalogue number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The checksum in column 69 is &quot;%1&quot;, expected %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Columns %1 to %2, %3, hold &quot;%4&quot;. This is no such number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the year of the epoch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the day of the epoch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The day %1 of the epoch is not in the year %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the first derivative of the mean motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the second derivative of the mean motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the drag term</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the ephemeris type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The set is made for SGP4-XP (ephemeris type 4), not for SGP4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the set number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line 1 has the catalogue number %1, line 2 has %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the inclination</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the ascending node</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the eccentricity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the argument of the perigee</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mean anomaly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mean motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the revolution number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no line 1 before this line 2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no line 2 after this line 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no part of an element set.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
