@@ -6,7 +6,7 @@
 #include "core/orbit/omm_xml.h"
 #include "core/orbit/sgp4.h"
 #include "core/orbit/tle_reader.h"
-#include "tests/core/orbit/reference_data.h"
+#include "tests/fakes/reference_data.h"
 
 #include <gmock/gmock.h>
 
@@ -17,6 +17,7 @@
 
 using namespace boresight;
 using namespace boresight::orbit;
+using namespace boresight::fakes;
 using testing::HasSubstr;
 
 namespace {

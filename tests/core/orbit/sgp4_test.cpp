@@ -5,7 +5,7 @@
 #include "core/orbit/earth_gravity.h"
 #include "core/orbit/text_lines.h"
 #include "core/orbit/tle_fields.h"
-#include "tests/core/orbit/reference_data.h"
+#include "tests/fakes/reference_data.h"
 
 #include <gmock/gmock.h>
 
@@ -18,6 +18,7 @@
 
 using namespace boresight;
 using namespace boresight::orbit;
+using namespace boresight::fakes;
 
 namespace {
 

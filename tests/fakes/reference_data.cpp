@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/core/orbit/reference_data.h"
+#include "tests/fakes/reference_data.h"
 
 #include <QFile>
 
 #include <fstream>
 #include <sstream>
 
-namespace boresight::orbit {
+namespace boresight::fakes {
 
 std::string referencePath(const std::string& name)
 {
@@ -43,4 +43,4 @@ std::vector<std::vector<std::string>> referenceRows(const std::string& name)
     return rows;
 }
 
-}  // namespace boresight::orbit
+}  // namespace boresight::fakes

@@ -6,7 +6,7 @@
 
 // Published files that are not ours to hand on: they lie beside the checkout, or in the folder that the environment
 // variable BORESIGHT_REFERENCE_DATA names.
-namespace boresight::orbit {
+namespace boresight::fakes {
 
 [[nodiscard]] std::string referencePath(const std::string& name);
 [[nodiscard]] bool hasReference(const std::string& name);
@@ -14,4 +14,4 @@ namespace boresight::orbit {
 // Without comments that begin with "#". Each is cut at the commas.
 [[nodiscard]] std::vector<std::vector<std::string>> referenceRows(const std::string& name);
 
-}  // namespace boresight::orbit
+}  // namespace boresight::fakes
