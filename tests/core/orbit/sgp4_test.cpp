@@ -2,9 +2,9 @@
 #include "core/orbit/sgp4.h"
 
 #include "core/base/numbers.h"
+#include "core/elements/text_lines.h"
+#include "core/elements/tle_fields.h"
 #include "core/orbit/earth_gravity.h"
-#include "core/orbit/text_lines.h"
-#include "core/orbit/tle_fields.h"
 #include "tests/fakes/reference_data.h"
 
 #include <gmock/gmock.h>

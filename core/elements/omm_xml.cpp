@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/orbit/omm_xml.h"
+#include "core/elements/omm_xml.h"
 
 #include "core/base/text.h"
-#include "core/orbit/omm_record.h"
+#include "core/elements/omm_record.h"
 
 #include <QXmlStreamReader>
 

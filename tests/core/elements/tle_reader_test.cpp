@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/orbit/tle_reader.h"
+#include "core/elements/tle_reader.h"
 
-#include "core/orbit/tle_fields.h"
+#include "core/elements/tle_fields.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/orbit/julian_date.h"
+#include "core/elements/julian_date.h"
 
 #include <algorithm>
 #include <chrono>

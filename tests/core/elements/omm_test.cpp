@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/orbit/element_reader.h"
-#include "core/orbit/omm_csv.h"
-#include "core/orbit/omm_json.h"
-#include "core/orbit/omm_kvn.h"
-#include "core/orbit/omm_xml.h"
+#include "core/elements/element_reader.h"
+#include "core/elements/omm_csv.h"
+#include "core/elements/omm_json.h"
+#include "core/elements/omm_kvn.h"
+#include "core/elements/omm_xml.h"
+#include "core/elements/tle_reader.h"
 #include "core/orbit/sgp4.h"
-#include "core/orbit/tle_reader.h"
 #include "tests/fakes/reference_data.h"
 
 #include <gmock/gmock.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/orbit/omm_json.h"
+#include "core/elements/omm_json.h"
 
 #include "core/base/text.h"
-#include "core/orbit/element_check.h"
-#include "core/orbit/omm_record.h"
+#include "core/elements/element_check.h"
+#include "core/elements/omm_record.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>

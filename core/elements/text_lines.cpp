@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/orbit/text_lines.h"
+#include "core/elements/text_lines.h"
 
 #include <algorithm>
 

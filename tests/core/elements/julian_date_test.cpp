@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/orbit/julian_date.h"
+#include "core/elements/julian_date.h"
 
-#include "core/orbit/iso_epoch.h"
+#include "core/elements/iso_epoch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/orbit/tle_fields.h"
+#include "core/elements/tle_fields.h"
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
-#include "core/orbit/element_check.h"
-#include "core/orbit/text_lines.h"
+#include "core/elements/element_check.h"
+#include "core/elements/text_lines.h"
 
 #include <algorithm>
 #include <array>

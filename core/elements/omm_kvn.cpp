@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/orbit/omm_kvn.h"
+#include "core/elements/omm_kvn.h"
 
 #include "core/base/text.h"
-#include "core/orbit/element_check.h"
-#include "core/orbit/omm_record.h"
-#include "core/orbit/text_lines.h"
+#include "core/elements/element_check.h"
+#include "core/elements/omm_record.h"
+#include "core/elements/text_lines.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/orbit/iso_epoch.h"
+#include "core/elements/iso_epoch.h"
 
 #include "core/base/numbers.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/orbit/element_reader.h"
+#include "core/elements/element_reader.h"
 
-#include "core/orbit/omm_csv.h"
-#include "core/orbit/omm_json.h"
-#include "core/orbit/omm_kvn.h"
-#include "core/orbit/omm_xml.h"
-#include "core/orbit/text_lines.h"
-#include "core/orbit/tle_reader.h"
+#include "core/elements/omm_csv.h"
+#include "core/elements/omm_json.h"
+#include "core/elements/omm_kvn.h"
+#include "core/elements/omm_xml.h"
+#include "core/elements/text_lines.h"
+#include "core/elements/tle_reader.h"
 
 namespace boresight::orbit {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/orbit/omm_record.h"
+#include "core/elements/omm_record.h"
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
-#include "core/orbit/element_check.h"
-#include "core/orbit/iso_epoch.h"
-#include "core/orbit/text_lines.h"
+#include "core/elements/element_check.h"
+#include "core/elements/iso_epoch.h"
+#include "core/elements/text_lines.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/orbit/element_check.h"
+#include "core/elements/element_check.h"
 
 #include "core/base/text.h"
 

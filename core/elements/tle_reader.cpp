@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/orbit/tle_reader.h"
+#include "core/elements/tle_reader.h"
 
 #include "core/base/control_characters.h"
 #include "core/base/text.h"
-#include "core/orbit/element_check.h"
-#include "core/orbit/text_lines.h"
-#include "core/orbit/tle_fields.h"
+#include "core/elements/element_check.h"
+#include "core/elements/text_lines.h"
+#include "core/elements/tle_fields.h"
 
 #include <optional>
 #include <string>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/orbit/omm_csv.h"
+#include "core/elements/omm_csv.h"
 
 #include "core/base/text.h"
-#include "core/orbit/omm_record.h"
-#include "core/orbit/text_lines.h"
+#include "core/elements/omm_record.h"
+#include "core/elements/text_lines.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/orbit/element_list.h"
+#include "core/elements/element_list.h"
 
 #include <cstdint>
 #include <optional>
