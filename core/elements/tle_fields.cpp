@@ -151,7 +151,7 @@ private:
     Value taken(const std::optional<Value>& value, std::size_t first, std::size_t last, const QString& name)
     {
         if (!value) {
-            complain(Text::tr("Columns %1 to %2 (%3) hold \"%4\". This is not such a number.")
+            complain(Text::tr("Columns %1 to %2 (%3) hold \"%4\". This is not a number.")
                          .arg(QString::number(first), QString::number(last), name, quoted(columns(first, last))));
         }
         return value.value_or(Value{});
