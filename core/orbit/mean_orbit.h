@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/orbit/element_set.h"
+#include "core/elements/element_set.h"
 
 // The mean orbit at the epoch in the units of SGP4: radians, minutes, Earth radii (WGS-72). Pure.
 namespace boresight::orbit {

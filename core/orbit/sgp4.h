@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/elements/element_set.h"
 #include "core/orbit/air_drag.h"
-#include "core/orbit/element_set.h"
 #include "core/orbit/mean_orbit.h"
 #include "core/orbit/orbit_state.h"
 #include "core/orbit/osculating.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/orbit/julian_date.h"
+#include "core/elements/julian_date.h"
 #include "core/orbit/orbit_state.h"
 #include "core/units/site.h"
 #include "core/units/sky.h"

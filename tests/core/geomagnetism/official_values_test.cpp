@@ -4,6 +4,7 @@
 #include "core/base/numbers.h"
 #include "core/geomagnetism/coefficient_file.h"
 #include "core/geomagnetism/magnetic_model.h"
+#include "tests/fakes/reference_data.h"
 #include "tests/fakes/text_of.h"
 
 #include <QFile>
@@ -24,8 +25,7 @@ namespace {
 
 QString referenceFile(const char* name)
 {
-    return qEnvironmentVariable("BORESIGHT_REFERENCE_DATA", QStringLiteral(BORESIGHT_REFERENCE_DATA_BESIDE)) +
-           QLatin1Char('/') + QLatin1String(name);
+    return QString::fromStdString(fakes::referencePath(name));
 }
 
 // The 18 numbers of each row: year, km, latitude, longitude, D, I, H, X, Y, Z, F, and the changes of D I H X Y Z F.

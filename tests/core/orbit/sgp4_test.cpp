@@ -2,10 +2,10 @@
 #include "core/orbit/sgp4.h"
 
 #include "core/base/numbers.h"
+#include "core/elements/text_lines.h"
+#include "core/elements/tle_fields.h"
 #include "core/orbit/earth_gravity.h"
-#include "core/orbit/text_lines.h"
-#include "core/orbit/tle_fields.h"
-#include "tests/core/orbit/reference_data.h"
+#include "tests/fakes/reference_data.h"
 
 #include <gmock/gmock.h>
 
@@ -18,6 +18,7 @@
 
 using namespace boresight;
 using namespace boresight::orbit;
+using namespace boresight::fakes;
 
 namespace {
 
@@ -222,7 +223,7 @@ TEST(Sgp4, NothingIsEverNotANumber)
 TEST(Sgp4, EachFaultHasItsWords)
 {
     EXPECT_EQ(describe(OrbitFault::Decayed).toStdString(),
-              "The satellite has decayed: the orbit is below the surface of the Earth.");
+              "The satellite has decayed. Its orbit is below the surface of the Earth.");
     for (const int code : {1, 2, 3, 4, 6, 7}) {
         EXPECT_FALSE(describe(static_cast<OrbitFault>(code)).isEmpty()) << code;
     }

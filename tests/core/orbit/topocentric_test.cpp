@@ -2,10 +2,10 @@
 #include "core/orbit/topocentric.h"
 
 #include "core/base/numbers.h"
-#include "core/orbit/iso_epoch.h"
+#include "core/elements/iso_epoch.h"
+#include "core/elements/tle_reader.h"
 #include "core/orbit/sgp4.h"
-#include "core/orbit/tle_reader.h"
-#include "tests/core/orbit/reference_data.h"
+#include "tests/fakes/reference_data.h"
 
 #include <gtest/gtest.h>
 
@@ -17,6 +17,7 @@
 
 using namespace boresight;
 using namespace boresight::orbit;
+using namespace boresight::fakes;
 
 namespace {
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/elements/element_list.h"
+
+#include <string_view>
+
+// Element sets in any of the forms that we read: TLE, or OMM as JSON, CSV, XML or KVN. The text itself shows which one
+// it is, since names of files and types of servers do not. Pure.
+namespace boresight::orbit {
+
+enum class ElementForm
+{
+    Tle,
+    Json,
+    Csv,
+    Xml,
+    Kvn
+};
+
+[[nodiscard]] ElementForm elementForm(std::string_view text);
+[[nodiscard]] ElementList readElements(std::string_view text);
+
+}  // namespace boresight::orbit

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+
+// A UTC time as a Julian date in two parts: one double alone resolves only 40 µs. Pure value, any thread.
+namespace boresight::orbit {
+
+struct JulianDate
+{
+    double day = 0.0;       // ends with .5: midnight
+    double fraction = 0.0;  // of the day, [0, 1)
+
+    bool operator==(const JulianDate&) const = default;
+};
+
+inline constexpr double kMinutesPerDay = 1440.0;
+
+[[nodiscard]] JulianDate julianDate(UtcTime utc);
+// To the microsecond. Dates that UtcTime cannot hold (before 1678, after 2262) become its first or its last day.
+[[nodiscard]] UtcTime utcTime(const JulianDate& date);
+// `days` after the first midnight of a year of the Gregorian calendar. Negative and greater than a year is permitted.
+[[nodiscard]] JulianDate julianDate(int year, double days);
+
+// Leap seconds inside the span do not count, which is the convention of element sets.
+[[nodiscard]] inline double minutesBetween(const JulianDate& from, const JulianDate& to)
+{
+    return (to.day - from.day) * kMinutesPerDay + (to.fraction - from.fraction) * kMinutesPerDay;
+}
+
+}  // namespace boresight::orbit

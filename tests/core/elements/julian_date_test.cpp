@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/elements/julian_date.h"
+
+#include "core/elements/iso_epoch.h"
+
+#include <gtest/gtest.h>
+
+using namespace boresight;
+using namespace boresight::orbit;
+
+namespace {
+
+constexpr std::chrono::sys_days kDay{std::chrono::year{2024} / 5 / 9};
+
+}  // namespace
+
+// REQ-ORBIT-04: Times keep their microseconds: a Julian date has two parts.
+TEST(JulianDates, KeepTheMicrosecond)
+{
+    const UtcTime time = kDay + std::chrono::hours(8) + std::chrono::microseconds(2'899'938'816);
+    EXPECT_EQ(julianDate(time).day, 2460439.5);
+    EXPECT_EQ(utcTime(julianDate(time)), time);
+    EXPECT_EQ(utcTime(julianDate(2024, 129.0)), UtcTime(kDay));
+    EXPECT_NEAR(minutesBetween(julianDate(kDay), julianDate(time)) * 60e6, 31'699'938'816.0, 0.01);
+}
+
+TEST(JulianDates, ThoseThatTheClockCannotHoldAreItsEnds)
+{
+    EXPECT_LT(utcTime({1e300, 0.0}), UtcTime::max());
+    EXPECT_GT(utcTime({-1e300, 0.0}), UtcTime::min());
+}
+
+// REQ-ORBIT-04
+TEST(IsoEpoch, ReadsBothFormsOfTheDate)
+{
+    const auto epoch = parseIsoEpoch("2024-05-09T08:48:19.938816");
+    ASSERT_TRUE(epoch);
+    EXPECT_EQ(utcTime(*epoch), UtcTime(kDay + std::chrono::microseconds(31'699'938'816)));
+    EXPECT_EQ(parseIsoEpoch("2024-130T08:48:19.938816Z"), epoch);
+    EXPECT_EQ(parseIsoEpoch("2024-05-09 08:48:19.938816"), epoch);
+    EXPECT_TRUE(parseIsoEpoch("2016-12-31T23:59:60"));
+    EXPECT_TRUE(parseIsoEpoch("2024-366T00:00:00"));
+}
+
+// REQ-ORBIT-04
+TEST(IsoEpoch, RefusesWhatIsNoTime)
+{
+    for (const char* const wrong :
+         {"", "2024", "2024-05-09", "2024-13-01T00:00:00", "2023-02-29T00:00:00", "2023-366T00:00:00",
+          "2024-000T00:00:00", "2024-05-09T24:00:00", "2024-05-09T00:60:00", "2024-05-09T00:00:61",
+          "2024-05-09T00:00:", "2024-05-09T00:00", "2024-05-09T00:00:1e1", "1956-05-09T00:00:00", "9999-05-09T00:00:00",
+          "2024/05/09T00:00:00", "-024-05-09T00:00:00", "2024-05-09T00:00:nan"}) {
+        EXPECT_FALSE(parseIsoEpoch(wrong)) << wrong;
+    }
+}
