@@ -279,20 +279,20 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>Cliente: que programa segue os satélites?</translation>
     </message>
     <message>
-        <source>every drive must answer and be read first</source>
-        <translation>todos os acionamentos têm primeiro de responder e ser lidos</translation>
+        <source>Every drive must answer and be read first.</source>
+        <translation>Todos os acionamentos têm primeiro de responder e ser lidos.</translation>
     </message>
     <message>
-        <source>the drives have not been read</source>
-        <translation>os acionamentos não foram lidos</translation>
+        <source>The drives have not been read.</source>
+        <translation>Os acionamentos não foram lidos.</translation>
     </message>
     <message>
-        <source>the directions are not confirmed</source>
-        <translation>os sentidos não estão confirmados</translation>
+        <source>The directions are not confirmed.</source>
+        <translation>Os sentidos não estão confirmados.</translation>
     </message>
     <message>
-        <source>no site has been set</source>
-        <translation>nenhum local foi definido</translation>
+        <source>No site has been set.</source>
+        <translation>Nenhum local foi definido.</translation>
     </message>
 </context>
 <context>
@@ -7615,8 +7615,8 @@ trocar os motores</translation>
         <translation>Este passo está certo; para o seguinte (Alt+Direita)</translation>
     </message>
     <message>
-        <source>Not yet: %1. Skip leaves it for later.</source>
-        <translation>Ainda não: %1. Saltar deixa-o para depois.</translation>
+        <source>%1 Skip leaves it for later.</source>
+        <translation>%1 Saltar deixa-o para depois.</translation>
     </message>
     <message>
         <source>Boresight asks which turn the %1 is on: press Ctrl+9 to answer, F3 to come back</source>

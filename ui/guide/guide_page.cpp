@@ -282,7 +282,7 @@ void GuidePage::showSteps()
     const QString reason = whyNotDone(m_progress.current, m_status);
     m_next->setEnabled(reason.isEmpty());
     m_next->setToolTip(reason.isEmpty() ? tr("This step is right; to the next one (Alt+Right)")
-                                        : tr("Not yet: %1. Skip leaves it for later.").arg(reason));
+                                        : tr("%1 Skip leaves it for later.").arg(reason));
     showHint();
 }
 

@@ -87,16 +87,16 @@ QString whyNotDone(GuideStep step, const StationStatus& status)
 {
     switch (step) {
         case GuideStep::Connect:
-            return everyDriveAnswers(status) ? QString() : GuideWords::tr("every drive must answer and be read first");
+            return everyDriveAnswers(status) ? QString() : GuideWords::tr("Every drive must answer and be read first.");
         case GuideStep::Protection:
-            return !everyDriveAnswers(status) ? GuideWords::tr("the drives have not been read")
+            return !everyDriveAnswers(status) ? GuideWords::tr("The drives have not been read.")
                                               : drivesOf(status).armingObstacle;
         case GuideStep::Directions:
             return status.profile->mount.directions == profile::Directions::Confirmed
                        ? QString()
-                       : GuideWords::tr("the directions are not confirmed");
+                       : GuideWords::tr("The directions are not confirmed.");
         case GuideStep::Site:
-            return status.profile->site.known ? QString() : GuideWords::tr("no site has been set");
+            return status.profile->site.known ? QString() : GuideWords::tr("No site has been set.");
         default:
             return {};
     }
