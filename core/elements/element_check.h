@@ -5,6 +5,7 @@
 
 #include <QString>
 
+#include <string>
 #include <string_view>
 
 // What the readers of all formats ask of an element set. Pure.
@@ -15,5 +16,11 @@ namespace boresight::orbit {
 
 // A text of a file as a message quotes it: printable, and not longer than a line of a message.
 [[nodiscard]] QString quoted(std::string_view text);
+
+// A name or a designator of a file as a set keeps it: printable UTF-8 of a length that a list can show.
+[[nodiscard]] std::string nameOf(std::string_view text);
+
+// The first letter of a classification. Another text is 'U', unclassified.
+[[nodiscard]] char classificationOf(std::string_view text);
 
 }  // namespace boresight::orbit

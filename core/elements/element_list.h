@@ -25,10 +25,15 @@ struct ElementList
 {
     // A file of another kind has a problem in each line: no more than these are kept, the rest is counted.
     static constexpr std::size_t kMostProblems = 1000;
+    // So many are no element sets any more, however large the file is.
+    static constexpr std::size_t kMostFurtherProblems = 100'000;
 
     std::vector<ElementSet> sets;
     std::vector<ElementProblem> problems;
     std::size_t furtherProblems = 0;
+
+    // The readers stop here.
+    [[nodiscard]] bool isHopeless() const { return furtherProblems >= kMostFurtherProblems; }
 
     void addProblem(int line, QString reason)
     {

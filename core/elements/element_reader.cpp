@@ -36,7 +36,7 @@ ElementForm elementForm(std::string_view text)
     if (line.starts_with('<')) {
         return ElementForm::Xml;
     }
-    if (line.find("MEAN_MOTION,") != std::string_view::npos || line.find("\"MEAN_MOTION\"") != std::string_view::npos) {
+    if (line.find("MEAN_MOTION") != std::string_view::npos && line.find(',') != std::string_view::npos) {
         return ElementForm::Csv;
     }
     const bool isKvn = line.starts_with("CCSDS_OMM_VERS") || line.starts_with("OBJECT_NAME");

@@ -4,15 +4,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
 
 namespace boresight::orbit {
 
 namespace {
 
 constexpr double kUnixEpochDay = 2440587.5;      // Julian date of 1970-01-01 0h
-constexpr double kStandardEpochDay = 2451545.0;  // of 2000-01-01 12h
-constexpr double kDaysPerCentury = 36525.0;
 constexpr double kMicrosecondsPerDay = 86400e6;
 constexpr double kDaysOfUtcTime = 106751.0;  // either side of 1970, 64 bits of nanoseconds
 
@@ -39,15 +36,6 @@ JulianDate julianDate(int year, double days)
     const std::chrono::sys_days newYear = std::chrono::year(year) / std::chrono::January / 1;
     const double whole = std::floor(days);
     return {kUnixEpochDay + static_cast<double>(newYear.time_since_epoch().count()) + whole, days - whole};
-}
-
-double siderealTime(const JulianDate& date)
-{
-    const double centuries = ((date.day - kStandardEpochDay) + date.fraction) / kDaysPerCentury;
-    const double seconds =
-        67310.54841 + centuries * ((876600.0 * 3600.0 + 8640184.812866) + centuries * (0.093104 - centuries * 6.2e-6));
-    const double turns = seconds / 86400.0;
-    return (turns - std::floor(turns)) * 2.0 * std::numbers::pi;
 }
 
 }  // namespace boresight::orbit

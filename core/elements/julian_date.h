@@ -28,8 +28,4 @@ inline constexpr double kMinutesPerDay = 1440.0;
     return (to.day - from.day) * kMinutesPerDay + (to.fraction - from.fraction) * kMinutesPerDay;
 }
 
-// Greenwich mean sidereal time of 1982 in radians, [0, 2π). UT1 is taken as UTC. TEME turns with it, not with the
-// apparent one. (Aoki et al., Astronomy and Astrophysics 105, 1982; AIAA 2006-6753, appendix C.)
-[[nodiscard]] double siderealTime(const JulianDate& date);
-
 }  // namespace boresight::orbit

@@ -34,11 +34,12 @@ bool takeQuoted(std::string_view& rest, std::string& value)
     return false;
 }
 
-// Empty: quotes do not end.
+// Empty: quotes do not end. What follows the first thousand is ignored: a line of commas must not fill the memory.
 std::optional<CsvFields> csvFields(std::string_view line)
 {
+    constexpr std::size_t kMostFields = 1000;
     CsvFields fields;
-    for (bool more = true; more;) {
+    for (bool more = true; more && fields.size() < kMostFields;) {
         std::string value;
         if (line.starts_with('"') && !takeQuoted(line, value)) {
             return std::nullopt;
@@ -59,7 +60,7 @@ ElementList readOmmCsv(std::string_view text)
     ElementList list;
     std::optional<CsvFields> keys;
     TextLines lines(text);
-    while (lines.next()) {
+    while (!list.isHopeless() && lines.next()) {
         const auto values = lines.line().empty() ? CsvFields{} : csvFields(lines.line());
         if (!values) {
             list.addProblem(lines.number(), Text::tr("A text in double quotes does not end in its line."));
@@ -68,8 +69,9 @@ ElementList readOmmCsv(std::string_view text)
         } else if (!keys) {
             keys = values;
         } else if (values->size() != keys->size()) {
-            list.addProblem(lines.number(),
-                            Text::tr("The line has %1 values, its header %2.").arg(values->size()).arg(keys->size()));
+            list.addProblem(
+                lines.number(),
+                Text::tr("The line has %1 values. The header has %2.").arg(values->size()).arg(keys->size()));
         } else {
             OmmRecord record;
             for (std::size_t i = 0; i < keys->size(); ++i) {

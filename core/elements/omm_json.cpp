@@ -63,7 +63,7 @@ private:
             countLine(m_at == begin ? ' ' : character);
             if (isText) {
                 m_at += character == '\\' ? 1 : 0;
-                isText = character != '"';
+                isText = character != '"' && character != '\n';  // a text has no line end
             } else if (character == '"') {
                 isText = true;
             } else {
@@ -97,7 +97,7 @@ void readObject(const JsonSlice& slice, ElementList& list)
     const auto bytes = QByteArray::fromRawData(slice.text.data(), static_cast<qsizetype>(slice.text.size()));
     const QJsonObject object = QJsonDocument::fromJson(bytes, &error).object();
     if (error.error != QJsonParseError::NoError) {
-        list.addProblem(slice.line, Text::tr("This is no JSON object: %1.").arg(error.errorString()));
+        list.addProblem(slice.line, Text::tr("This is not a JSON object: %1.").arg(error.errorString()));
         return;
     }
     OmmRecord record;
@@ -114,12 +114,12 @@ ElementList readOmmJson(std::string_view text)
 {
     ElementList list;
     JsonObjects objects(text);
-    while (const auto slice = objects.next()) {
+    for (auto slice = objects.next(); slice && !list.isHopeless(); slice = objects.next()) {
         readObject(*slice, list);
     }
     if (objects.stray().line > 0) {
         list.addProblem(objects.stray().line,
-                        Text::tr("\"%1\" is no JSON of element sets.").arg(quoted(objects.stray().text)));
+                        Text::tr("\"%1\" is not an element set in JSON.").arg(quoted(objects.stray().text)));
     }
     return list;
 }

@@ -31,14 +31,15 @@ ElementList readOmmKvn(std::string_view text)
         }
     };
     TextLines lines(text);
-    while (lines.next()) {
+    while (!list.isHopeless() && lines.next()) {
         const std::string_view line = trimmed(lines.line());
         const std::size_t equals = line.find('=');
         if (line.empty() || line.starts_with("COMMENT")) {
             continue;
         }
         if (equals == std::string_view::npos) {
-            list.addProblem(lines.number(), Text::tr("\"%1\" is no line KEY = value.").arg(quoted(line)));
+            list.addProblem(lines.number(),
+                            Text::tr("\"%1\" is not a line of the form KEY = value.").arg(quoted(line)));
             continue;
         }
         const std::string_view key = trimmed(line.substr(0, equals));

@@ -123,9 +123,10 @@ tl::expected<ElementSet, ElementProblem> OmmRecord::elements() const
     fields.require("TIME_SYSTEM", {"UTC"});
     fields.require("MEAN_ELEMENT_THEORY", {"SGP4", "SGP/SGP4", "SDP4"});
     fields.require("EPHEMERIS_TYPE", {"0", "1", "2", "3"});
-    ElementSet set{.name = quoted(fields.text("OBJECT_NAME")).toStdString(),
+    ElementSet set{.name = nameOf(fields.text("OBJECT_NAME")),
                    .number = fields.count("NORAD_CAT_ID", Presence::Required),
-                   .designator = quoted(fields.text("OBJECT_ID")).toStdString(),
+                   .designator = nameOf(fields.text("OBJECT_ID")),
+                   .classification = classificationOf(fields.text("CLASSIFICATION_TYPE")),
                    .epoch = fields.epoch("EPOCH"),
                    .revolutionsPerDay = fields.number("MEAN_MOTION"),
                    .eccentricity = fields.number("ECCENTRICITY"),
@@ -138,9 +139,6 @@ tl::expected<ElementSet, ElementProblem> OmmRecord::elements() const
                    .meanMotionDoubleDot = fields.number("MEAN_MOTION_DDOT", Presence::Optional),
                    .setNumber = fields.count("ELEMENT_SET_NO"),
                    .revolution = fields.count("REV_AT_EPOCH")};
-    if (const std::string_view classification = fields.text("CLASSIFICATION_TYPE"); !classification.empty()) {
-        set.classification = classification.front();
-    }
     if (const QString problem = elementProblem(set); !problem.isEmpty()) {
         fields.complain("OBJECT_NAME", problem);
     }

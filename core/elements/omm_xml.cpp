@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/elements/omm_xml.h"
 
+#include "core/base/control_characters.h"
 #include "core/base/text.h"
 #include "core/elements/omm_record.h"
 
@@ -22,11 +23,11 @@ public:
 
     ElementList read()
     {
-        while (!m_xml.atEnd()) {
+        while (!m_xml.atEnd() && !m_list.isHopeless()) {
             take(m_xml.readNext());
         }
         if (m_xml.hasError()) {
-            m_list.addProblem(line(), Text::tr("This is no XML: %1").arg(m_xml.errorString()));
+            m_list.addProblem(line(), Text::tr("This is not valid XML: %1").arg(printable(m_xml.errorString())));
         } else if (!m_isFound) {
             m_list.addProblem(1, Text::tr("The XML has no element <omm>."));
         }

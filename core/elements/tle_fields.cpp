@@ -36,7 +36,7 @@ std::optional<double> plainNumber(std::string_view text)
     return text.find_first_not_of("+-.0123456789") == std::string_view::npos ? parseFinite(text) : std::nullopt;
 }
 
-// " 12345-3" is 0.12345e-3: point and "e" are implied. A written point, a written "e" and no exponent do no harm.
+// " 12345-3" is 0.12345e-3: point and "e" are implied. Both may be written, and the exponent may be absent.
 std::optional<double> impliedNumber(std::string_view text)
 {
     const bool isNegative = text.starts_with('-');
@@ -87,7 +87,7 @@ public:
 
     [[nodiscard]] std::string_view columns(std::size_t first, std::size_t last) const
     {
-        return first <= m_text.size() ? trimmed(m_text.substr(first - 1, last - first + 1)) : std::string_view();
+        return trimmed(untrimmed(first, last));
     }
 
     double number(std::size_t first, std::size_t last, const QString& name)
@@ -100,21 +100,28 @@ public:
         return taken(impliedNumber(columns(first, last)), first, last, name);
     }
 
-    // Digits only; blank is 0.
-    std::int64_t count(std::size_t first, std::size_t last, const QString& name)
+    std::int64_t digits(std::size_t first, std::size_t last, const QString& name)
     {
         const std::string_view text = columns(first, last);
-        const auto value = areDigits(text) ? parseInteger(text) : std::nullopt;
-        return text.empty() ? 0 : taken(value, first, last, name);
+        return taken(areDigits(text) ? parseInteger(text) : std::nullopt, first, last, name);
+    }
+
+    // Blank is 0.
+    std::int64_t count(std::size_t first, std::size_t last, const QString& name)
+    {
+        return columns(first, last).empty() ? 0 : digits(first, last, name);
     }
 
     std::int64_t satellite() { return taken(tleNumber(columns(3, 7)), 3, 7, Text::tr("the catalogue number")); }
 
+    // "0." is implied before the first column, so a blank at the end is not nothing.
     double fraction(std::size_t first, std::size_t last, const QString& name)
     {
-        const std::string_view text = columns(first, last);
-        const std::string zeros(last - first + 1 - std::min(text.size(), last - first + 1), '0');
-        return taken(areDigits(text) ? parseFinite("0." + zeros + std::string(text)) : std::nullopt, first, last, name);
+        std::string text(untrimmed(first, last));
+        for (std::size_t i = 0; i + 1 < text.size() && text[i] == ' '; ++i) {
+            text[i] = '0';
+        }
+        return taken(areDigits(text) ? parseFinite("0." + text) : std::nullopt, first, last, name);
     }
 
     void complain(const QString& reason)
@@ -125,6 +132,11 @@ public:
     }
 
 private:
+    [[nodiscard]] std::string_view untrimmed(std::size_t first, std::size_t last) const
+    {
+        return first <= m_text.size() ? m_text.substr(first - 1, last - first + 1) : std::string_view();
+    }
+
     void checkSum()
     {
         const int expected = tleChecksum(m_text);
@@ -139,7 +151,7 @@ private:
     Value taken(const std::optional<Value>& value, std::size_t first, std::size_t last, const QString& name)
     {
         if (!value) {
-            complain(Text::tr("Columns %1 to %2, %3, hold \"%4\". This is no such number.")
+            complain(Text::tr("Columns %1 to %2 (%3) hold \"%4\". This is not a number.")
                          .arg(QString::number(first), QString::number(last), name, quoted(columns(first, last))));
         }
         return value.value_or(Value{});
@@ -154,15 +166,15 @@ private:
 std::string designatorOf(std::string_view columns)
 {
     if (columns.size() < 5 || !areDigits(columns.substr(0, 5))) {
-        return std::string(columns);
+        return nameOf(columns);
     }
     const bool isOld = columns.substr(0, 2) >= std::to_string(kFirstYearOfTheCentury);
-    return (isOld ? "19" : "20") + std::string(columns.substr(0, 2)) + "-" + std::string(columns.substr(2));
+    return (isOld ? "19" : "20") + std::string(columns.substr(0, 2)) + "-" + nameOf(columns.substr(2));
 }
 
 JulianDate epochOf(TleLine& line)
 {
-    const auto shortYear = static_cast<int>(line.count(19, 20, Text::tr("the year of the epoch")));
+    const auto shortYear = static_cast<int>(line.digits(19, 20, Text::tr("the year of the epoch")));
     const int year = shortYear + (shortYear < kFirstYearOfTheCentury ? 2000 : 1900);
     const double day = line.number(21, 32, Text::tr("the day of the epoch"));
     const double days = std::chrono::year(year).is_leap() ? 366.0 : 365.0;
@@ -177,8 +189,7 @@ void readFirst(TleLine& line, ElementSet& elements)
 {
     line.checkForm({2, 9, 18, 33, 44, 53, 62, 64});
     elements.number = line.satellite();
-    const std::string_view classification = line.columns(8, 8);
-    elements.classification = classification.empty() ? 'U' : classification.front();
+    elements.classification = classificationOf(line.columns(8, 8));
     elements.designator = designatorOf(line.columns(10, 17));
     elements.epoch = epochOf(line);
     elements.meanMotionDot = line.number(34, 43, Text::tr("the first derivative of the mean motion"));

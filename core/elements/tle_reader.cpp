@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/elements/tle_reader.h"
 
-#include "core/base/control_characters.h"
 #include "core/base/text.h"
 #include "core/elements/element_check.h"
 #include "core/elements/text_lines.h"
@@ -14,8 +13,6 @@
 namespace boresight::orbit {
 
 namespace {
-
-constexpr std::size_t kLongestName = 60;  // the format has 24 columns for it
 
 struct TleTextLine
 {
@@ -41,7 +38,7 @@ public:
         if (isElementLine(line.text, '1')) {
             dropFirst();
             m_first = line;
-        } else if (isElementLine(line.text, '2')) {
+        } else if (isElementLine(line.text, '2') || (m_first && line.text.starts_with("2 "))) {  // also one cut short
             takeSecond(line);
         } else {
             dropFirst();
@@ -49,6 +46,8 @@ public:
             m_name = line;
         }
     }
+
+    [[nodiscard]] bool isHopeless() const { return m_list.isHopeless(); }
 
     ElementList finish()
     {
@@ -90,7 +89,7 @@ private:
     {
         if (m_name) {
             m_list.addProblem(m_name->number,
-                              Text::tr("\"%1\" is no part of an element set.").arg(quoted(m_name->text)));
+                              Text::tr("\"%1\" is not part of an element set.").arg(quoted(m_name->text)));
             m_name.reset();
         }
     }
@@ -104,9 +103,7 @@ private:
         if (name.starts_with("0 ")) {
             name.remove_prefix(2);
         }
-        name = trimmed(name);
-        const bool isUsual = name.size() <= kLongestName && !hasControlCharacters(name);
-        return isUsual ? std::string(name) : quoted(name).toStdString();
+        return nameOf(trimmed(name));
     }
 
     ElementList m_list;
@@ -120,7 +117,7 @@ ElementList readTle(std::string_view text)
 {
     TleTextReader reader;
     TextLines lines(text);
-    while (lines.next()) {
+    while (!reader.isHopeless() && lines.next()) {
         reader.take({lines.number(), lines.line()});
     }
     return reader.finish();

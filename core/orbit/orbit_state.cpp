@@ -9,15 +9,17 @@ QString describe(OrbitFault fault)
 {
     switch (fault) {
         case OrbitFault::MeanEccentricity:
-            return Text::tr("The mean eccentricity leaves the range 0 to 1: the elements do not hold at this time.");
+            return Text::tr(
+                "The mean eccentricity is outside the range 0 to 1. The elements are not valid at this time.");
         case OrbitFault::MeanMotion:
-            return Text::tr("The mean motion is not above 0: the elements do not hold at this time.");
+            return Text::tr("The mean motion is not above 0. The elements are not valid at this time.");
         case OrbitFault::PerturbedEccentricity:
-            return Text::tr("Sun and Moon drive the eccentricity out of the range 0 to 1: the elements do not hold.");
+            return Text::tr(
+                "Sun and Moon move the eccentricity out of the range 0 to 1. The elements are not valid at this time.");
         case OrbitFault::SemiLatusRectum:
-            return Text::tr("The orbit is no ellipse at this time: the elements do not hold.");
+            return Text::tr("The orbit is not an ellipse. The elements are not valid at this time.");
         case OrbitFault::Decayed:
-            return Text::tr("The satellite has decayed: the orbit is below the surface of the Earth.");
+            return Text::tr("The satellite has decayed. Its orbit is below the surface of the Earth.");
         case OrbitFault::TooFarFromEpoch:
             return Text::tr("The time is more than 100 years from the epoch of the elements.");
     }

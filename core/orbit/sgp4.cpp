@@ -2,6 +2,7 @@
 #include "core/orbit/sgp4.h"
 
 #include "core/orbit/earth_gravity.h"
+#include "core/orbit/sidereal_time.h"
 #include "core/orbit/turn.h"
 
 #include <algorithm>

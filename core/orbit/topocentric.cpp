@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/orbit/topocentric.h"
 
+#include "core/orbit/sidereal_time.h"
+
 #include <cmath>
 
 namespace boresight::orbit {

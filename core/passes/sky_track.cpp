@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/passes/sky_track.h"
 
+#include "core/orbit/sidereal_time.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -5778,192 +5778,192 @@ do eixo</translation>
         <translation>Nesse momento não estava ligada nenhuma montagem. Tente de novo.</translation>
     </message>
     <message>
-        <source>The catalogue number %1 has more than 9 digits or is negative.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The eccentricity %1 is not from 0 to below 1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The mean motion %1 rev/day is not above 0.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The inclination %1° is not from 0° to 180°.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The angle %1° is not from -360° to 360°.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A text in double quotes does not end in its line.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The line has %1 values, its header %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This is no JSON object: %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no JSON of element sets.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no line KEY = value.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um texto entre aspas não termina na sua linha.</translation>
     </message>
     <message>
         <source>%1 is %2. SGP4 needs %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é %2. O SGP4 precisa de %3.</translation>
     </message>
     <message>
         <source>%1 is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Falta %1.</translation>
     </message>
     <message>
         <source>%1 is &quot;%2&quot;. This cannot be read.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This is no XML: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é &quot;%2&quot;. Não é possível ler isto.</translation>
     </message>
     <message>
         <source>The XML has no element &lt;omm&gt;.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The mean eccentricity leaves the range 0 to 1: the elements do not hold at this time.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The mean motion is not above 0: the elements do not hold at this time.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sun and Moon drive the eccentricity out of the range 0 to 1: the elements do not hold.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The orbit is no ellipse at this time: the elements do not hold.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The satellite has decayed: the orbit is below the surface of the Earth.</source>
-        <translation type="unfinished"></translation>
+        <translation>O XML não tem nenhum elemento &lt;omm&gt;.</translation>
     </message>
     <message>
         <source>The time is more than 100 years from the epoch of the elements.</source>
-        <translation type="unfinished"></translation>
+        <translation>A hora está a mais de 100 anos da época dos elementos.</translation>
     </message>
     <message>
         <source>The line has %1 columns instead of 69.</source>
-        <translation type="unfinished"></translation>
+        <translation>A linha tem %1 colunas em vez de 69.</translation>
     </message>
     <message>
         <source>The line continues after column 69.</source>
-        <translation type="unfinished"></translation>
+        <translation>A linha continua depois da coluna 69.</translation>
     </message>
     <message>
         <source>Column %1 is not blank. Is a column missing or added?</source>
-        <translation type="unfinished"></translation>
+        <translation>A coluna %1 não está em branco. Falta ou sobra uma coluna?</translation>
     </message>
     <message>
         <source>the catalogue number</source>
-        <translation type="unfinished"></translation>
+        <translation>o número de catálogo</translation>
     </message>
     <message>
         <source>The checksum in column 69 is &quot;%1&quot;, expected %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Columns %1 to %2, %3, hold &quot;%4&quot;. This is no such number.</source>
-        <translation type="unfinished"></translation>
+        <translation>A soma de verificação na coluna 69 é &quot;%1&quot;, esperava-se %2.</translation>
     </message>
     <message>
         <source>the year of the epoch</source>
-        <translation type="unfinished"></translation>
+        <translation>o ano da época</translation>
     </message>
     <message>
         <source>the day of the epoch</source>
-        <translation type="unfinished"></translation>
+        <translation>o dia da época</translation>
     </message>
     <message>
         <source>The day %1 of the epoch is not in the year %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>O dia %1 da época não existe no ano %2.</translation>
     </message>
     <message>
         <source>the first derivative of the mean motion</source>
-        <translation type="unfinished"></translation>
+        <translation>a primeira derivada do movimento médio</translation>
     </message>
     <message>
         <source>the second derivative of the mean motion</source>
-        <translation type="unfinished"></translation>
+        <translation>a segunda derivada do movimento médio</translation>
     </message>
     <message>
         <source>the drag term</source>
-        <translation type="unfinished"></translation>
+        <translation>o termo de arrasto</translation>
     </message>
     <message>
         <source>the ephemeris type</source>
-        <translation type="unfinished"></translation>
+        <translation>o tipo de efeméride</translation>
     </message>
     <message>
         <source>The set is made for SGP4-XP (ephemeris type 4), not for SGP4.</source>
-        <translation type="unfinished"></translation>
+        <translation>O conjunto é feito para o SGP4-XP (tipo de efeméride 4), não para o SGP4.</translation>
     </message>
     <message>
         <source>the set number</source>
-        <translation type="unfinished"></translation>
+        <translation>o número do conjunto</translation>
     </message>
     <message>
         <source>Line 1 has the catalogue number %1, line 2 has %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>A linha 1 tem o número de catálogo %1, a linha 2 tem %2.</translation>
     </message>
     <message>
         <source>the inclination</source>
-        <translation type="unfinished"></translation>
+        <translation>a inclinação</translation>
     </message>
     <message>
         <source>the ascending node</source>
-        <translation type="unfinished"></translation>
+        <translation>o nodo ascendente</translation>
     </message>
     <message>
         <source>the eccentricity</source>
-        <translation type="unfinished"></translation>
+        <translation>a excentricidade</translation>
     </message>
     <message>
         <source>the argument of the perigee</source>
-        <translation type="unfinished"></translation>
+        <translation>o argumento do perigeu</translation>
     </message>
     <message>
         <source>the mean anomaly</source>
-        <translation type="unfinished"></translation>
+        <translation>a anomalia média</translation>
     </message>
     <message>
         <source>the mean motion</source>
-        <translation type="unfinished"></translation>
+        <translation>o movimento médio</translation>
     </message>
     <message>
         <source>the revolution number</source>
-        <translation type="unfinished"></translation>
+        <translation>o número da revolução</translation>
     </message>
     <message>
         <source>There is no line 1 before this line 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Não há linha 1 antes desta linha 2.</translation>
     </message>
     <message>
         <source>There is no line 2 after this line 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Não há linha 2 depois desta linha 1.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no part of an element set.</source>
-        <translation type="unfinished"></translation>
+        <source>The catalogue number is %1. It must be from 0 to 999999999.</source>
+        <translation>O número de catálogo é %1. Tem de estar entre 0 e 999999999.</translation>
+    </message>
+    <message>
+        <source>The eccentricity is %1. It must be at least 0 and below 1.</source>
+        <translation>A excentricidade é %1. Tem de ser pelo menos 0 e inferior a 1.</translation>
+    </message>
+    <message>
+        <source>The mean motion is %1 rev/day. It must be above 0.</source>
+        <translation>O movimento médio é %1 rev/dia. Tem de ser superior a 0.</translation>
+    </message>
+    <message>
+        <source>The inclination is %1°. It must be from 0° to 180°.</source>
+        <translation>A inclinação é %1°. Tem de estar entre 0° e 180°.</translation>
+    </message>
+    <message>
+        <source>An angle is %1°. It must be from -360° to 360°.</source>
+        <translation>Um ângulo é %1°. Tem de estar entre -360° e 360°.</translation>
+    </message>
+    <message>
+        <source>The line has %1 values. The header has %2.</source>
+        <translation>A linha tem %1 valores. O cabeçalho tem %2.</translation>
+    </message>
+    <message>
+        <source>This is not a JSON object: %1.</source>
+        <translation>Isto não é um objeto JSON: %1.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an element set in JSON.</source>
+        <translation>&quot;%1&quot; não é um conjunto de elementos em JSON.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a line of the form KEY = value.</source>
+        <translation>&quot;%1&quot; não é uma linha da forma CHAVE = valor.</translation>
+    </message>
+    <message>
+        <source>This is not valid XML: %1</source>
+        <translation>Isto não é XML válido: %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not part of an element set.</source>
+        <translation>&quot;%1&quot; não faz parte de um conjunto de elementos.</translation>
+    </message>
+    <message>
+        <source>The mean eccentricity is outside the range 0 to 1. The elements are not valid at this time.</source>
+        <translation>A excentricidade média está fora do intervalo de 0 a 1. Os elementos não são válidos a esta hora.</translation>
+    </message>
+    <message>
+        <source>The mean motion is not above 0. The elements are not valid at this time.</source>
+        <translation>O movimento médio não é superior a 0. Os elementos não são válidos a esta hora.</translation>
+    </message>
+    <message>
+        <source>Sun and Moon move the eccentricity out of the range 0 to 1. The elements are not valid at this time.</source>
+        <translation>O Sol e a Lua levam a excentricidade para fora do intervalo de 0 a 1. Os elementos não são válidos a esta hora.</translation>
+    </message>
+    <message>
+        <source>The orbit is not an ellipse. The elements are not valid at this time.</source>
+        <translation>A órbita não é uma elipse. Os elementos não são válidos a esta hora.</translation>
+    </message>
+    <message>
+        <source>The satellite has decayed. Its orbit is below the surface of the Earth.</source>
+        <translation>O satélite reentrou na atmosfera. A sua órbita está abaixo da superfície da Terra.</translation>
+    </message>
+    <message>
+        <source>Columns %1 to %2 (%3) hold &quot;%4&quot;. This is not a number.</source>
+        <translation>As colunas %1 a %2 (%3) contêm &quot;%4&quot;. Isto não é um número.</translation>
     </message>
 </context>
 <context>

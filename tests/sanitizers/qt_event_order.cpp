@@ -13,6 +13,7 @@
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QDeadlineTimer>
+#include <QtCore/QRunnable>
 #include <QtCore/QThread>
 #include <QtCore/QThreadPool>
 #include <QtCore/QThreadStorage>
@@ -132,21 +133,32 @@ extern "C" bool __wrap__ZN7QThread4waitE14QDeadlineTimer(QThread* thread, QDeadl
     return ended;
 }
 
-// Likewise work for a pool: a thread of the pool that is there already takes it by a mutex of Qt's own.
-extern "C" void __real__ZN11QThreadPool5startESt8functionIFvvEEi(QThreadPool* pool, std::function<void()> work,
-                                                                 int priority);
+// Likewise work for a pool: a thread of the pool that is there already takes it by a mutex of Qt's own. It must not
+// look into the work before it is ordered, so it does not receive a std::function.
+namespace {
+
+class PoolWork : public QRunnable
+{
+public:
+    explicit PoolWork(std::function<void()> work) : m_work(std::move(work)) { __tsan_release(&s_order); }
+    void run() override
+    {
+        __tsan_acquire(&s_order);
+        m_work();
+    }
+
+private:
+    static inline char s_order = 0;
+
+    std::function<void()> m_work;
+};
+
+}  // namespace
+
 extern "C" void __wrap__ZN11QThreadPool5startESt8functionIFvvEEi(QThreadPool* pool, std::function<void()> work,
                                                                  int priority)
 {
-    static char s_order = 0;
-    __tsan_release(&s_order);
-    __real__ZN11QThreadPool5startESt8functionIFvvEEi(
-        pool,
-        [work = std::move(work)] {
-            __tsan_acquire(&s_order);
-            work();
-        },
-        priority);
+    pool->start(new PoolWork(std::move(work)), priority);
 }
 
 // A call that is posted is freed by whoever is last, the thread that posts it or the one that carries it out; Qt counts

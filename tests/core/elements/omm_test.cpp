@@ -137,6 +137,57 @@ TEST(Omm, AllFormsGiveTheSameSet)
     }
 }
 
+// REQ-ORBIT-05
+TEST(Omm, ACsvNameMayHoldCommasAndQuotes)
+{
+    const OmmTexts named = with(goodOmm(), "OBJECT_NAME", "A \"\"B\"\", C");
+    const ElementList list = readElements(csvLine(goodOmm(), true) + csvLine(named, false));
+    ASSERT_EQ(list.sets.size(), 1U);
+    EXPECT_EQ(list.sets.front().name, "A \"B\", C");
+    EXPECT_EQ(elementForm("BSTAR,\"MEAN_MOTION\"\n"), ElementForm::Csv);
+    EXPECT_EQ(elementForm("\xEF\xBB\xBF\r\nBSTAR,MEAN_MOTION\r\n"), ElementForm::Csv);
+}
+
+// REQ-ORBIT-05
+TEST(Omm, JsonNumbersNeedNoQuotes)
+{
+    std::string json = asJson(goodOmm());
+    for (const auto& [key, value] : goodOmm()) {
+        const bool isNumber = value.find_first_not_of("0123456789.-E") == std::string::npos && value.front() != '.';
+        const std::string quotedValue = "\"" + value + "\"";
+        if (isNumber && value.find("-.") == std::string::npos) {
+            json.replace(json.find(quotedValue), quotedValue.size(), value);
+        }
+    }
+    const ElementList list = readElements(json);
+    ASSERT_EQ(list.sets.size(), 1U) << json;
+    EXPECT_EQ(list.sets, readElements(asJson(goodOmm())).sets);
+}
+
+// REQ-ORBIT-05
+TEST(Omm, XmlMayHaveNamespaces)
+{
+    std::string xml = asXml(goodOmm());
+    for (const std::string name : {"omm", "EPOCH"}) {
+        for (const std::string begin : {"<", "</"}) {
+            const std::size_t at = xml.find(begin + name);
+            xml.replace(at, begin.size(), begin + "ndm:");
+        }
+    }
+    const ElementList list = readElements("<ndm:ndm xmlns:ndm=\"urn:ccsds\">" + xml + "</ndm:ndm>");
+    ASSERT_EQ(list.sets.size(), 1U) << xml;
+    EXPECT_EQ(list.sets, readElements(asXml(goodOmm())).sets);
+}
+
+// REQ-ORBIT-05
+TEST(Omm, KvnNeedsNoHeadAndKeepsBracketsOfAName)
+{
+    const std::string kvn = asKvn(with(goodOmm(), "OBJECT_NAME", "COSMOS [DEB]"));
+    const ElementList list = readElements("COMMENT x\n" + kvn.substr(kvn.find("OBJECT_NAME")));
+    ASSERT_EQ(list.sets.size(), 1U);
+    EXPECT_EQ(list.sets.front().name, "COSMOS [DEB]");
+}
+
 // REQ-ORBIT-06: Each bad OMM record is reported with its line and the reason, in each form, and the others are used.
 TEST(Omm, EachBadRecordIsReportedAndTheOthersAreUsed)
 {
@@ -148,12 +199,12 @@ TEST(Omm, EachBadRecordIsReportedAndTheOthersAreUsed)
         {"EPHEMERIS_TYPE", {"4", "EPHEMERIS_TYPE is 4."}},
         {"EPOCH", {"yesterday", "EPOCH is \"yesterday\". This cannot be read."}},
         {"MEAN_MOTION", {"", "MEAN_MOTION is missing."}},
-        {"ECCENTRICITY", {"1", "eccentricity 1 is not from 0 to below 1"}},
-        {"INCLINATION", {"-1", "inclination -1"}},
-        {"RA_OF_ASC_NODE", {"1e9", "is not from -360"}},
+        {"ECCENTRICITY", {"1", "eccentricity is 1. It must be"}},
+        {"INCLINATION", {"-1", "inclination is -1"}},
+        {"RA_OF_ASC_NODE", {"1e9", "must be from -360"}},
         {"MEAN_ANOMALY", {"nan", "MEAN_ANOMALY is \"nan\""}},
         {"BSTAR", {"0x1", "BSTAR is \"0x1\""}},
-        {"NORAD_CAT_ID", {"1234567890", "more than 9 digits"}},
+        {"NORAD_CAT_ID", {"1234567890", "from 0 to 999999999"}},
         {"REV_AT_EPOCH", {"many", "REV_AT_EPOCH is \"many\""}}};
     for (const ElementForm form : kOmmForms) {
         for (const auto& [key, value] : wrong) {
@@ -189,13 +240,16 @@ TEST(Omm, BrokenFormsAreReportedWithTheirLine)
                    ? std::string("none")
                    : std::to_string(list.problems.front().line) + " " + list.problems.front().reason.toStdString();
     };
-    EXPECT_THAT(first(readOmmJson("[\n{\"a\":}\n]")), testing::StartsWith("2 This is no JSON object"));
-    EXPECT_EQ(first(readOmmJson("[1]\n")), "1 \"1]\" is no JSON of element sets.");
-    EXPECT_THAT(first(readOmmXml("<a>\n<omm>\n</b>")), testing::StartsWith("3 This is no XML"));
+    EXPECT_THAT(first(readOmmJson("[\n{\"a\":}\n]")), testing::StartsWith("2 This is not a JSON object"));
+    EXPECT_EQ(first(readOmmJson("[1]\n")), "1 \"1]\" is not an element set in JSON.");
+    EXPECT_EQ(readOmmJson("[{\"a\":\"b\n}, " + asJson(goodOmm()) + "]").sets.size(), 1U);
+    EXPECT_THAT(first(readOmmXml("<a>\n<omm>\n</b>")), testing::StartsWith("3 This is not valid XML"));
+    EXPECT_THAT(first(readOmmXml("<?xm\x1b ?>")), testing::Not(HasSubstr("\x1b")));
     EXPECT_EQ(first(readOmmXml("<a></a>")), "1 The XML has no element <omm>.");
-    EXPECT_EQ(first(readOmmCsv("MEAN_MOTION,BSTAR\n1\n")), "2 The line has 1 values, its header 2.");
+    EXPECT_EQ(first(readOmmCsv("MEAN_MOTION,BSTAR\n1\n")), "2 The line has 1 values. The header has 2.");
     EXPECT_EQ(first(readOmmCsv("MEAN_MOTION,BSTAR\n\"1,2\n")), "2 A text in double quotes does not end in its line.");
-    EXPECT_EQ(first(readOmmKvn("OBJECT_NAME = A\nnonsense\n")), "2 \"nonsense\" is no line KEY = value.");
+    EXPECT_EQ(first(readOmmKvn("OBJECT_NAME = A\nnonsense\n")),
+              "2 \"nonsense\" is not a line of the form KEY = value.");
     EXPECT_EQ(first(readElements("")), "none");
 }
 
@@ -213,6 +267,8 @@ TEST(Omm, DeepNestingDoesNoHarm)
     EXPECT_FALSE(readElements(xml).problems.empty());
     EXPECT_FALSE(readElements(json).problems.empty());
     EXPECT_FALSE(readElements(std::string(many, '[') + "x").problems.empty());
+    EXPECT_EQ(readElements("MEAN_MOTION,\n" + std::string(many, ',')).problems.front().reason.toStdString(),
+              "The line has 1000 values. The header has 2.");
 }
 
 // REQ-ORBIT-07: TLE, CSV and JSON of one satellite agree to 2e-6 km after 1.5 days.

@@ -123,12 +123,12 @@ TEST(TleReader, EachBadSetIsReportedAndTheOthersAreUsed)
         {"numbers", changed(kFirst, 3, "25545") + "\n" + kSecond, 4, "25545, line 2 has 25544"},
         {"no line 2", kFirst, 3, "no line 2"},
         {"no line 1", kSecond, 3, "no line 1"},
-        {"letters", kFirst + "\n" + changed(kSecond, 9, " 51.x381"), 4, "the inclination, hold \"51.x381\""},
+        {"letters", kFirst + "\n" + changed(kSecond, 9, " 51.x381"), 4, "(the inclination) hold \"51.x381\""},
         {"exponent", kFirst + "\n" + changed(kSecond, 9, " 5.1e001"), 4, "the inclination"},
         {"eccentricity", kFirst + "\n" + changed(kSecond, 27, "00-3466"), 4, "the eccentricity"},
-        {"motion", kFirst + "\n" + changed(kSecond, 53, " 0.00000000"), 4, "mean motion 0 rev/day is not above 0"},
-        {"backwards", kFirst + "\n" + changed(kSecond, 53, "-1.00000000"), 4, "not above 0"},
-        {"inclination", kFirst + "\n" + changed(kSecond, 9, "190.0000"), 4, "inclination 190"},
+        {"motion", kFirst + "\n" + changed(kSecond, 53, " 0.00000000"), 4, "mean motion is 0 rev/day"},
+        {"backwards", kFirst + "\n" + changed(kSecond, 53, "-1.00000000"), 4, "must be above 0"},
+        {"inclination", kFirst + "\n" + changed(kSecond, 9, "190.0000"), 4, "inclination is 190"},
         {"angle", kFirst + "\n" + changed(kSecond, 18, "361.0000"), 4, "361"},
         {"blank", kFirst + "\n" + changed(kSecond, 35, "        "), 4, "argument of the perigee"},
         {"day", changed(kFirst, 21, "367.00000000") + "\n" + kSecond, 3,
@@ -136,8 +136,12 @@ TEST(TleReader, EachBadSetIsReportedAndTheOthersAreUsed)
         {"day 0", changed(kFirst, 21, "000.50000000") + "\n" + kSecond, 3, "day 0.5"},
         {"drag", changed(kFirst, 54, " 27777-x") + "\n" + kSecond, 3, "the drag term"},
         {"theory", changed(kFirst, 63, "4") + "\n" + kSecond, 3, "SGP4-XP"},
+        {"year", changed(kFirst, 19, "  ") + "\n" + kSecond, 3, "the year of the epoch"},
+        {"cut digits", kFirst + "\n" + changed(kSecond, 27, "000346 "), 4, "the eccentricity"},
+        {"sum of a plus", changed(kFirst, 54, "+27777-3").replace(68, 1, "3") + "\n" + kSecond, 3, "expected 2"},
+        {"cut file", kFirst + "\n2 25544  51.6381", 4, "16 columns instead of 69"},
         {"number", changed(kFirst, 3, "I5544") + "\n" + kSecond, 3, "catalogue number"},
-        {"page", "<html>not found</html>\nNAME", 3, "\"<html>not found</html>\" is no part"}};
+        {"page", "<html>not found</html>\nNAME", 3, "\"<html>not found</html>\" is not part"}};
     for (const BadTle& bad : cases) {
         const ElementList list = readTle(good + bad.text + "\n" + good);
         EXPECT_EQ(list.sets.size(), 2U) << bad.name;
@@ -145,6 +149,29 @@ TEST(TleReader, EachBadSetIsReportedAndTheOthersAreUsed)
         EXPECT_EQ(list.problems.front().line, bad.line) << bad.name;
         EXPECT_THAT(list.problems.front().reason.toStdString(), HasSubstr(bad.reason)) << bad.name;
     }
+}
+
+// REQ-ORBIT-01
+TEST(TleReader, ANameMayBeginLikeALineOfElements)
+{
+    const std::string pair = kFirst + "\n" + kSecond + "\n";
+    const ElementList list = readTle("1 SMALL SAT\n" + pair + "2 SMALL SAT\n" + pair + "0 0 SAT\n" + pair);
+    ASSERT_EQ(list.sets.size(), 3U);
+    EXPECT_EQ(list.sets[0].name, "1 SMALL SAT");
+    EXPECT_EQ(list.sets[1].name, "2 SMALL SAT");
+    EXPECT_EQ(list.sets[2].name, "0 SAT");
+    EXPECT_TRUE(list.problems.empty());
+}
+
+// REQ-ORBIT-03
+TEST(TleReader, KeepsPrintableWordsOnly)
+{
+    const std::string first = changed(changed(kFirst, 8, "\x01"), 10, "98\x1b[1mA");
+    const ElementList list = readTle("Caf\xE9 \x1b[1m" + std::string(80, 'x') + "\n" + first + "\n" + kSecond);
+    ASSERT_EQ(list.sets.size(), 1U);
+    EXPECT_EQ(list.sets.front().name, "Caf\xEF\xBF\xBD ?[1m" + std::string(51, 'x') + "\xE2\x80\xA6");
+    EXPECT_EQ(list.sets.front().classification, 'U');
+    EXPECT_EQ(list.sets.front().designator, "98?[1mA");
 }
 
 // REQ-ORBIT-03
@@ -172,7 +199,17 @@ TEST(TleReader, KeepsTheFirstProblemsOfAFileOfAnotherKind)
     const ElementList list = readTle(text);
     EXPECT_EQ(list.problems.size(), ElementList::kMostProblems);
     EXPECT_EQ(list.furtherProblems, 4000U);
-    EXPECT_EQ(list.problems.front().reason.toStdString(), "\"?garbage\xEF\xBF\xBD\" is no part of an element set.");
+    EXPECT_EQ(list.problems.front().reason.toStdString(), "\"?garbage\xEF\xBF\xBD\" is not part of an element set.");
+}
+
+// REQ-ORBIT-03
+TEST(TleReader, AHugeFileOfAnotherKindIsNotReadToItsEnd)
+{
+    std::string text;
+    for (int i = 0; i < 200'000; ++i) {
+        text += "x\n";
+    }
+    EXPECT_LE(readTle(text).furtherProblems, ElementList::kMostFurtherProblems + 1);
 }
 
 // REQ-ORBIT-01

@@ -223,7 +223,7 @@ TEST(Sgp4, NothingIsEverNotANumber)
 TEST(Sgp4, EachFaultHasItsWords)
 {
     EXPECT_EQ(describe(OrbitFault::Decayed).toStdString(),
-              "The satellite has decayed: the orbit is below the surface of the Earth.");
+              "The satellite has decayed. Its orbit is below the surface of the Earth.");
     for (const int code : {1, 2, 3, 4, 6, 7}) {
         EXPECT_FALSE(describe(static_cast<OrbitFault>(code)).isEmpty()) << code;
     }
