@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // boresightctl as a shell starts it: what is printed, where, and the exit status.
-#include "tests/fakes/program.h"
+#include "tests/app/ctl_outcome.h"
 
 #include <QTemporaryDir>
 
@@ -13,25 +13,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-struct Outcome
-{
-    int status = -1;
-    std::string output;
-    std::string errors;
-};
-
-Outcome ctl(const QStringList& arguments)
-{
-    fakes::Program program(QStringLiteral(BORESIGHTCTL), arguments);
-    const int status = program.waitForEnd();
-    return {status, program.output().toStdString(), program.errors().toStdString()};
-}
-
-QStringList words(const char* text)
-{
-    return QString::fromUtf8(text).split(QLatin1Char(' '));
-}
 
 TEST(Boresightctl, ExplainsItselfAndEverySubcommandWithAnExample)
 {
