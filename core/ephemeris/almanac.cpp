@@ -52,9 +52,10 @@ Vector scaled(const double (&vector)[3], double factor)
     return {factor * vector[0], factor * vector[1], factor * vector[2]};
 }
 
-// From the Earth's centre, kilometres, celestial frame. The Sun hardly moves while its light travels, so aberration by
-// the Earth's own motion is all there is.
-Vector sun(const JulianDate& terrestrial)
+constexpr double kKilometresPerSecond = kKilometresPerUnit / ERFA_DAYSEC;  // of an astronomical unit per day
+
+// The Sun hardly moves while its light travels, so aberration by the Earth's own motion is all there is.
+BodyMotion sun(const JulianDate& terrestrial)
 {
     double fromSun[2][3];
     double fromBarycentre[2][3];
@@ -68,15 +69,20 @@ Vector sun(const JulianDate& terrestrial)
     eraSxp(1.0 / ERFA_DC, fromBarycentre[1], velocity);
     double seen[3];
     eraAb(towards, velocity, distance, std::sqrt(1.0 - eraPdp(velocity, velocity)), seen);
-    return scaled(seen, distance * kKilometresPerUnit);
+    return {scaled(seen, distance * kKilometresPerUnit), scaled(fromSun[1], -kKilometresPerSecond)};
 }
 
 // Its aberration is its light time: both move around the Sun together.
-Vector moon(const JulianDate& terrestrial)
+BodyMotion moon(const JulianDate& terrestrial)
 {
     double state[2][3];
     eraMoon98(terrestrial.day, terrestrial.fraction - kMoonLightTime, state);
-    return scaled(state[0], kKilometresPerUnit);
+    return {scaled(state[0], kKilometresPerUnit), scaled(state[1], kKilometresPerSecond)};
+}
+
+UtcTime middleOf(std::int64_t minute)
+{
+    return UtcTime(std::chrono::minutes(minute) + std::chrono::seconds(30));
 }
 
 }  // namespace
@@ -97,29 +103,45 @@ Almanac::Almanac(const Site& site)
                  {cosLatitude * cosLongitude, cosLatitude * sinLongitude, sinLatitude}}};
 }
 
-// It turns by less than 0.0002″ in half a minute, and costs as much to reckon as all the rest.
-void Almanac::followEarthAxis(UtcTime utc)
+// The Earth's axis turns by less than 0.0002″ in half a minute. What bends the way of a body in that time is less.
+Almanac::Minute& Almanac::minuteOf(UtcTime utc)
 {
-    const auto minute = std::chrono::floor<std::chrono::minutes>(utc);
-    const std::int64_t number = minute.time_since_epoch().count();
-    if (!m_earthAxis || m_earthAxis->minute != number) {
-        const JulianDate middle = terrestrialTime(julianDate(minute + std::chrono::seconds(30)));
-        m_earthAxis = EarthAxis{.minute = number};
-        eraPnm06a(middle.day, middle.fraction, m_earthAxis->toDate);
+    const std::int64_t number = std::chrono::floor<std::chrono::minutes>(utc).time_since_epoch().count();
+    if (!m_minute || m_minute->number != number) {
+        const JulianDate middle = terrestrialTime(julianDate(middleOf(number)));
+        m_minute = Minute{.number = number};
+        eraPnm06a(middle.day, middle.fraction, m_minute->toDate);
+        double x = 0.0;
+        double y = 0.0;
+        eraBpn2xy(m_minute->toDate, &x, &y);
+        m_minute->origins = eraEors(m_minute->toDate, eraS06(middle.day, middle.fraction, x, y));
     }
+    return *m_minute;
+}
+
+Almanac::Vector Almanac::celestial(Body body, UtcTime utc)
+{
+    Minute& minute = minuteOf(utc);
+    const UtcTime middle = middleOf(minute.number);
+    std::optional<BodyMotion>& motion = minute.bodies[static_cast<std::size_t>(body)];
+    if (!motion) {
+        const JulianDate terrestrial = terrestrialTime(julianDate(middle));
+        motion = body == Body::Sun ? sun(terrestrial) : moon(terrestrial);
+    }
+    const double since = Seconds(utc - middle).count();
+    return {motion->place[0] + since * motion->rate[0], motion->place[1] + since * motion->rate[1],
+            motion->place[2] + since * motion->rate[2]};
 }
 
 // UT1 is taken as UTC, which is never wrong by more than 0.9 s; the pole as standing still.
 BodyPlace Almanac::place(Body body, UtcTime utc)
 {
+    Vector fromEarth = celestial(body, utc);
+    Minute& minute = minuteOf(utc);
     const JulianDate universal = julianDate(utc);
-    const JulianDate terrestrial = terrestrialTime(universal);
-    followEarthAxis(utc);
-    const double turned =
-        eraGst06(universal.day, universal.fraction, terrestrial.day, terrestrial.fraction, m_earthAxis->toDate);
-    Vector celestial = body == Body::Sun ? sun(terrestrial) : moon(terrestrial);
+    const double turned = eraEra00(universal.day, universal.fraction) - minute.origins;
     double ofDate[3];
-    eraRxp(m_earthAxis->toDate, celestial.data(), ofDate);
+    eraRxp(minute.toDate, fromEarth.data(), ofDate);
     const Vector seen = {std::cos(turned) * ofDate[0] + std::sin(turned) * ofDate[1] - m_site[0],
                          std::cos(turned) * ofDate[1] - std::sin(turned) * ofDate[0] - m_site[1],
                          ofDate[2] - m_site[2]};

@@ -12,7 +12,6 @@ set(BORESIGHT_TEST_RESULTS "${CMAKE_BINARY_DIR}/test-results")  # one XML file o
 #   long        in the release build: its cases take the paths of others again, for hours of simulated time, with other
 #               fonts or in other themes
 #   QT_MAIN     its main() has a QCoreApplication; OWN_MAIN: it brings a main() of its own
-#   SERIAL      it measures real time: nothing else runs beside it
 #   ONE_THREAD  ThreadSanitizer has nothing to find in it, or nothing that another test does not show: left out there
 #   SHARDS n    a long one, run as n tests of ctest beside each other
 #   TIMEOUT s   of each; 600 s if it is not said
@@ -20,7 +19,7 @@ set(BORESIGHT_TEST_RESULTS "${CMAKE_BINARY_DIR}/test-results")  # one XML file o
 #   HEADERS …   precompiled for this program besides the usual ones, which all other programs share
 #   OPTIMISED   for a long one; tests are not, for what they test is, and half of a build from nothing goes into them
 function(boresight_add_test name)
-  cmake_parse_arguments(T "QT_MAIN;OWN_MAIN;SERIAL;ONE_THREAD;OPTIMISED;FOLDERS_TOGETHER" "LABEL;TIMEOUT;SHARDS"
+  cmake_parse_arguments(T "QT_MAIN;OWN_MAIN;ONE_THREAD;OPTIMISED;FOLDERS_TOGETHER" "LABEL;TIMEOUT;SHARDS"
     "SOURCES;LIBRARIES;HEADERS" ${ARGN})
   if((T_ONE_THREAD AND BORESIGHT_SANITIZE MATCHES "thread") OR (T_LABEL STREQUAL "long" AND BORESIGHT_SANITIZE)
       OR (T_LABEL MATCHES "unit|ui" AND NOT BORESIGHT_UNIT_TESTS))
@@ -54,7 +53,7 @@ function(boresight_add_test name)
     target_precompile_headers(${name} REUSE_FROM boresight_test_headers)
   endif()
   target_compile_definitions(${name} PRIVATE BORESIGHT_TEST_DATA="${CMAKE_SOURCE_DIR}/tests/data")
-  boresight_add_runs(${name} "${T_LABEL}" "${T_SHARDS}" "${T_TIMEOUT}" "${T_SERIAL}")
+  boresight_add_runs(${name} "${T_LABEL}" "${T_SHARDS}" "${T_TIMEOUT}")
 endfunction()
 
 # Tests that run at the same time do not find each other's settings.
@@ -65,7 +64,7 @@ function(boresight_give_home run)
   endforeach()
 endfunction()
 
-function(boresight_add_runs name label shards timeout serial)
+function(boresight_add_runs name label shards timeout)
   if(NOT shards)
     set(shards 1)
   endif()
@@ -79,7 +78,7 @@ function(boresight_add_runs name label shards timeout serial)
     endif()
     math(EXPR index "${i} - 1")
     add_test(NAME ${run} COMMAND ${name} "--gtest_output=xml:${BORESIGHT_TEST_RESULTS}/${run}.xml")
-    set_tests_properties(${run} PROPERTIES LABELS "${label}" TIMEOUT ${timeout} RUN_SERIAL "${serial}"
+    set_tests_properties(${run} PROPERTIES LABELS "${label}" TIMEOUT ${timeout}
       ENVIRONMENT "GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
     boresight_give_home(${run})
     if(shards GREATER 1)

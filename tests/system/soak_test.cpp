@@ -13,7 +13,7 @@
 namespace boresight::system_test {
 namespace {
 
-constexpr double kUsualHours = 1.25;
+constexpr double kUsualHours = 0.75;
 
 // The log of events fills up to its 2000 entries, which takes some hours.
 constexpr std::size_t kMemoryBound = 256 * 1024;

@@ -118,7 +118,7 @@ Tries tryLines(double rise, double beams, double noise, int count)
 // wherever it lies in their middle half. Noise alone gives a peak on no more than 6.
 TEST(CrossScan, FindsAWeakSunAtAnyWidthOfTheScan)
 {
-    constexpr int kTries = 200;
+    constexpr int kTries = 100;
     for (const double rise : {1.0, 3.0, 4.8, 7.0, 10.0, 30.0}) {
         for (const double beams : {1.5, 2.0, 2.5, 3.0}) {
             const Tries tries = tryLines(rise, beams, 0.1, kTries);

@@ -114,7 +114,7 @@ TEST(MemoryText, KeepsTheFormOfItsFile)
 TEST(MemoryText, KeepsEveryDoubleToTheLastBit)
 {
     std::mt19937_64 random(3);
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < 5000; ++i) {
         const double value = std::bit_cast<double>(random());
         if (!std::isfinite(value) || std::abs(value) > 6000.0) {
             continue;

