@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// boresightctl: simulate, find and understand moteus controllers, check profiles. Never moves a real axis.
+// boresightctl: simulate, find and understand moteus controllers, check profiles, predict satellites, Sun and Moon.
+// Never moves a real axis.
 #include "app/boresightctl/subcommand.h"
 #include "app/log_output.h"
 #include "core/base/text.h"
@@ -17,8 +18,9 @@ namespace {
 using namespace boresight;
 using namespace boresight::ctl;
 
-constexpr std::array kSubcommands{&kSimulateCommand, &kScanCommand,    &kDecodeCommand,
-                                  &kCheckCommand,    &kProfileCommand, &kConfirmDirectionsCommand};
+constexpr std::array kSubcommands{&kSimulateCommand,  &kScanCommand,    &kDecodeCommand,
+                                  &kCheckCommand,     &kProfileCommand, &kConfirmDirectionsCommand,
+                                  &kEphemerisCommand, &kPassesCommand};
 constexpr std::size_t kNameWidth = 20;
 
 const Subcommand* findSubcommand(const std::string& name)

@@ -2,6 +2,7 @@
 #include "app/boresightctl/simulate_options.h"
 
 #include "app/boresightctl/injection_option.h"
+#include "app/boresightctl/option_reader.h"
 #include "app/boresightctl/sensor_option.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
@@ -14,51 +15,6 @@ tl::unexpected<Error> refuse(const QString& text)
 {
     return failure(ErrorCode::InvalidInput, text);
 }
-
-// Options and their values one after the other: "--name value", "--name=value", "--name".
-class OptionReader
-{
-public:
-    explicit OptionReader(Arguments arguments) : m_arguments(arguments) {}
-
-    [[nodiscard]] bool atEnd() const { return m_arguments.empty(); }
-
-    // The option without its dashes; what it may take as a value is then waiting.
-    Result<std::string> takeName()
-    {
-        const std::string argument = m_arguments.front();
-        m_arguments = m_arguments.subspan(1);
-        m_joined.reset();
-        if (!argument.starts_with("--")) {
-            return refuse(QStringLiteral("\"%1\" is no option. Options begin with --").arg(toQString(argument)));
-        }
-        const std::size_t equals = argument.find('=');
-        if (equals != std::string::npos) {
-            m_joined = argument.substr(equals + 1);
-        }
-        return argument.substr(2, equals - 2);
-    }
-
-    // Nothing if the next argument is an option itself. A negative number is a value.
-    std::optional<std::string> takeValue()
-    {
-        if (m_joined) {
-            return std::exchange(m_joined, std::nullopt);
-        }
-        if (atEnd() || m_arguments.front().starts_with("--")) {
-            return std::nullopt;
-        }
-        const std::string value = m_arguments.front();
-        m_arguments = m_arguments.subspan(1);
-        return value;
-    }
-
-    [[nodiscard]] bool hasUnusedValue() const { return m_joined.has_value(); }
-
-private:
-    Arguments m_arguments;
-    std::optional<std::string> m_joined;  // behind "="
-};
 
 Result<> takeText(const std::string& name, OptionReader& reader, std::string& text)
 {

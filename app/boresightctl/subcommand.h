@@ -34,6 +34,8 @@ extern const Subcommand kDecodeCommand;
 extern const Subcommand kCheckCommand;
 extern const Subcommand kProfileCommand;
 extern const Subcommand kConfirmDirectionsCommand;
+extern const Subcommand kEphemerisCommand;
+extern const Subcommand kPassesCommand;
 
 // Standard output, at once, also into a pipe: what programs may read, and tables and help of a fixed width.
 void print(const std::string& text);

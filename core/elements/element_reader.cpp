@@ -5,6 +5,7 @@
 #include "core/elements/omm_json.h"
 #include "core/elements/omm_kvn.h"
 #include "core/elements/omm_xml.h"
+#include "core/elements/satdata_reader.h"
 #include "core/elements/text_lines.h"
 #include "core/elements/tle_reader.h"
 
@@ -25,11 +26,21 @@ std::string_view firstLine(std::string_view text)
     return {};
 }
 
+// "[Satellite]" or "[25544]", where JSON has values in its brackets.
+bool isGroup(std::string_view line)
+{
+    return line.size() > 2 && line.front() == '[' && line.back() == ']' &&
+           line.find_first_of("{}\",") == std::string_view::npos;
+}
+
 }  // namespace
 
 ElementForm elementForm(std::string_view text)
 {
     const std::string_view line = firstLine(text);
+    if (isGroup(line)) {
+        return ElementForm::Satdata;
+    }
     if (line.starts_with('[') || line.starts_with('{')) {
         return ElementForm::Json;
     }
@@ -54,6 +65,8 @@ ElementList readElements(std::string_view text)
             return readOmmXml(text);
         case ElementForm::Kvn:
             return readOmmKvn(text);
+        case ElementForm::Satdata:
+            return readSatdata(text);
         case ElementForm::Tle:
             break;
     }

@@ -5,8 +5,8 @@
 
 #include <string_view>
 
-// Element sets in any of the forms that we read: TLE, or OMM as JSON, CSV, XML or KVN. The text itself shows which one
-// it is, since names of files and types of servers do not. Pure.
+// Element sets in any of the forms that we read: TLE, OMM as JSON, CSV, XML or KVN, or what Gpredict keeps. The text
+// itself shows which one it is, since names of files and types of servers do not. Pure.
 namespace boresight::orbit {
 
 enum class ElementForm
@@ -15,7 +15,8 @@ enum class ElementForm
     Json,
     Csv,
     Xml,
-    Kvn
+    Kvn,
+    Satdata
 };
 
 [[nodiscard]] ElementForm elementForm(std::string_view text);

@@ -5965,6 +5965,38 @@ do eixo</translation>
         <source>Columns %1 to %2 (%3) hold &quot;%4&quot;. This is not a number.</source>
         <translation>As colunas %1 a %2 (%3) contêm &quot;%4&quot;. Isto não é um número.</translation>
     </message>
+    <message>
+        <source>%1: There is no file of elements in this folder.</source>
+        <translation>%1: Não há nenhum ficheiro de elementos nesta pasta.</translation>
+    </message>
+    <message>
+        <source>%1: %2 further problems are not listed.</source>
+        <translation>%1: Há mais %2 problemas que não estão na lista.</translation>
+    </message>
+    <message>
+        <source>%1: There is no element set in this file.</source>
+        <translation>%1: Não há nenhum conjunto de elementos neste ficheiro.</translation>
+    </message>
+    <message>
+        <source>%1: The file is larger than %2 MB.</source>
+        <translation>%1: O ficheiro tem mais de %2 MB.</translation>
+    </message>
+    <message>
+        <source>%1: Satellite %2 is %3 km away from where %4 places it. Boresight uses %4.</source>
+        <translation>%1: O satélite %2 está a %3 km do lugar que %4 lhe dá. O Boresight usa %4.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is no catalogue number.</source>
+        <translation>%1: &quot;%2&quot; não é um número de catálogo.</translation>
+    </message>
+    <message>
+        <source>%1: There are no elements of satellite %2 in %3. Update them in Gpredict.</source>
+        <translation>%1: Não há elementos do satélite %2 em %3. Atualize-os no Gpredict.</translation>
+    </message>
+    <message>
+        <source>%1: The module names no satellite.</source>
+        <translation>%1: O módulo não indica nenhum satélite.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // boresightctl as a shell starts it: what is printed, where, and the exit status.
-#include "tests/fakes/program.h"
+#include "tests/app/ctl_outcome.h"
 
 #include <QTemporaryDir>
 
@@ -14,30 +14,12 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-struct Outcome
-{
-    int status = -1;
-    std::string output;
-    std::string errors;
-};
-
-Outcome ctl(const QStringList& arguments)
-{
-    fakes::Program program(QStringLiteral(BORESIGHTCTL), arguments);
-    const int status = program.waitForEnd();
-    return {status, program.output().toStdString(), program.errors().toStdString()};
-}
-
-QStringList words(const char* text)
-{
-    return QString::fromUtf8(text).split(QLatin1Char(' '));
-}
-
 TEST(Boresightctl, ExplainsItselfAndEverySubcommandWithAnExample)
 {
     const Outcome all = ctl({QStringLiteral("help")});
     EXPECT_EQ(all.status, 0);
-    for (const char* name : {"simulate", "scan", "decode", "check", "profile", "confirm-directions"}) {
+    for (const char* name :
+         {"simulate", "scan", "decode", "check", "profile", "confirm-directions", "ephemeris", "passes"}) {
         EXPECT_THAT(all.output, HasSubstr(name));
         const Outcome help = ctl({QStringLiteral("help"), QString::fromUtf8(name)});
         EXPECT_EQ(help.status, 0);
@@ -54,7 +36,7 @@ TEST(Boresightctl, RefusesWhatMakesNoSense)
     EXPECT_EQ(unknown.status, 2);
     EXPECT_THAT(unknown.errors, HasSubstr("there is no subcommand \"dance\""));
     for (const char* line : {"scan", "scan canbus:7", "check", "profile", "profile --other", "decode", "simulate",
-                             "confirm-directions", "simulate --pty /tmp/x --wind az:x"}) {
+                             "confirm-directions", "simulate --pty /tmp/x --wind az:x", "ephemeris", "passes"}) {
         const Outcome refused = ctl(words(line));
         EXPECT_EQ(refused.status, 2) << line;
         EXPECT_THAT(refused.errors, HasSubstr("usage: boresightctl ")) << line;

@@ -50,12 +50,22 @@ constexpr std::string_view kKvnText =
     "INCLINATION = 51.6 [deg]\nRA_OF_ASC_NODE = 147.8\nARG_OF_PERICENTER = 150.4\nMEAN_ANOMALY = 338.5\n"
     "NORAD_CAT_ID = 25544\nBSTAR = 0.00027\n";
 
-// The checksum of each line that has one.
+constexpr std::string_view kSatdataText =
+    "[Satellite]\nVERSION=1.1\nNAME=ISS\nNICKNAME=ISS\n"
+    "TLE1=1 25544U 98067A   24130.36689744  .00016024  00000+0  27777-3 0  9992\n"
+    "TLE2=2 25544  51.6381 147.8590 0003466 150.4670 338.5502 15.51043222452521\nSTATUS=1\n";
+
+// The checksum of each line that has one. Gpredict's stand behind a key.
 void sumLines(std::string& text)
 {
+    constexpr std::string_view kKey = "TLE1=";
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const std::string_view line = std::string_view(text).substr(begin, end - begin);
+        std::string_view line = std::string_view(text).substr(begin, end - begin);
+        if (line.starts_with("TLE") && line.size() > kKey.size()) {
+            begin += kKey.size();
+            line.remove_prefix(kKey.size());
+        }
         if ((line.starts_with("1 ") || line.starts_with("2 ")) && line.size() >= kTleColumns) {
             const int sum = tleChecksum(line);
             text[begin + kTleColumns - 1] = static_cast<char>('0' + sum);
@@ -113,7 +123,7 @@ std::string withLongLineEnds(std::string_view text)
 Grammar grammar()
 {
     Grammar grammar;
-    for (const std::string_view text : {kTleText, kCsvText, kJsonText, kXmlText, kKvnText}) {
+    for (const std::string_view text : {kTleText, kCsvText, kJsonText, kXmlText, kKvnText, kSatdataText}) {
         grammar.corpus.emplace_back(text);
     }
     grammar.tokens = {"1 ",

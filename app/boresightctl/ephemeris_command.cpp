@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/sky_choice.h"
+#include "app/boresightctl/sky_time.h"
+#include "app/boresightctl/subcommand.h"
+#include "app/log_output.h"
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/elements/text_lines.h"
+#include "core/orbit/sgp4.h"
+#include "core/orbit/topocentric.h"
+
+#include <QFile>
+
+#include <chrono>
+#include <cstdio>
+
+namespace boresight::ctl {
+namespace {
+
+constexpr int kAngleDecimals = 6;
+constexpr int kRangeDecimals = 6;
+constexpr int kRateDecimals = 9;
+constexpr int kBodyDecimals = 3;
+constexpr qint64 kMostBytesOfTimes = 16 << 20;  // 700,000 times
+constexpr int kMostBadLines = 100;
+
+struct SkyTimes
+{
+    std::vector<UtcTime> utcs;
+    int badLines = 0;
+};
+
+// A single read() of a pipe returns what is in it already.
+QByteArray upTo(qint64 most, QFile& file)
+{
+    constexpr qint64 kPiece = 1 << 16;
+    QByteArray all;
+    for (QByteArray piece = file.read(kPiece); !piece.isEmpty() && all.size() < most; piece = file.read(kPiece)) {
+        all += piece;
+    }
+    return all;
+}
+
+Result<QByteArray> bytesOf(const QString& path)
+{
+    QFile file(path);
+    const bool isOpen = path == QStringLiteral("-") ? file.open(stdin, QIODevice::ReadOnly | QIODevice::Unbuffered)
+                                                    : file.open(QIODevice::ReadOnly);
+    const QByteArray bytes = isOpen ? upTo(kMostBytesOfTimes + 1, file) : QByteArray();
+    if (!isOpen || file.error() != QFileDevice::NoError) {
+        return failure(ErrorCode::Io, QStringLiteral("%1: %2").arg(path, file.errorString()));
+    }
+    if (bytes.size() > kMostBytesOfTimes) {
+        return failure(ErrorCode::Io, QStringLiteral("%1: the times are more than 16 MB. Split them").arg(path));
+    }
+    return bytes;
+}
+
+// One in each line, before a comma if there is one. Blank lines, comments that begin with # and a line of names above
+// all times are left out.
+SkyTimes timesOf(const QByteArray& bytes, const QString& path)
+{
+    SkyTimes times;
+    orbit::TextLines lines(std::string_view(bytes.data(), static_cast<std::size_t>(bytes.size())));
+    bool isFirst = true;
+    while (lines.next()) {
+        const std::string_view text = orbit::trimmed(lines.line().substr(0, lines.line().find(',')));
+        if (text.empty() || text.front() == '#') {
+            continue;
+        }
+        const Result<UtcTime> utc = parseSkyTime(text);
+        const bool isName = isFirst && text.find_first_of("0123456789") == std::string_view::npos;
+        isFirst = false;
+        if (utc) {
+            times.utcs.push_back(*utc);
+        } else if (!isName) {
+            ++times.badLines;
+            if (times.badLines <= kMostBadLines) {
+                app::printError(QStringLiteral("%1:%2: %3").arg(path).arg(lines.number()).arg(utc.error().text));
+            }
+        }
+    }
+    if (times.badLines > kMostBadLines) {
+        app::printError(
+            QStringLiteral("%1: %2 further lines are no times").arg(path).arg(times.badLines - kMostBadLines));
+    }
+    return times;
+}
+
+using Row = std::vector<std::string>;
+
+Row directionRow(UtcTime utc, const SkyPointing& direction)
+{
+    return {skyTimeText(utc, 0), formatFixed(direction.azimuth.degrees(), kAngleDecimals),
+            formatFixed(direction.elevation.degrees(), kAngleDecimals)};
+}
+
+// A time at which there is no answer has a row without numbers, so that rows and times stay beside each other.
+Row emptyRow(UtcTime utc, std::size_t columns)
+{
+    Row row(columns);
+    row[0] = skyTimeText(utc, 0);
+    return row;
+}
+
+RecordTable satelliteTable(const orbit::ElementSet& set, const Site& site, const std::vector<UtcTime>& utcs,
+                           QString& problem)
+{
+    RecordTable table{
+        .columns = {{"t_utc"}, {"az_deg", true}, {"el_deg", true}, {"range_km", true}, {"range_rate_km_s", true}}};
+    const orbit::Sgp4 orbit(set);
+    const orbit::Observer observer(site);
+    orbit::ResonanceState resonance;
+    for (const UtcTime utc : utcs) {
+        const orbit::JulianDate date = orbit::julianDate(utc);
+        const orbit::OrbitResult state = orbit.propagate(date, resonance);
+        if (!state) {
+            table.rows.push_back(emptyRow(utc, table.columns.size()));
+            problem = QStringLiteral("%1 at %2: %3")
+                          .arg(satelliteText(set), toQString(skyTimeText(utc, 0)), orbit::describe(state.error()));
+            continue;
+        }
+        const orbit::LookAngles seen = observer.look(groundState(*state, date));
+        Row row = directionRow(utc, seen.direction);
+        row.push_back(formatFixed(seen.kilometres, kRangeDecimals));
+        row.push_back(formatFixed(seen.kilometresPerSecond, kRateDecimals));
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+RecordTable bodyTable(ephemeris::Body body, const Site& site, const std::vector<UtcTime>& utcs, QString& problem)
+{
+    static const UtcTime kLast = std::chrono::sys_days(std::chrono::year(2101) / 1 / 1);
+    RecordTable table{.columns = {{"t_utc"}, {"az_deg", true}, {"el_deg", true}, {"dist_km", true}}};
+    ephemeris::Almanac almanac(site);
+    for (const UtcTime utc : utcs) {
+        if (utc >= kLast) {
+            table.rows.push_back(emptyRow(utc, table.columns.size()));
+            problem =
+                QStringLiteral("%1: Sun and Moon are known up to the year 2100").arg(toQString(skyTimeText(utc, 0)));
+            continue;
+        }
+        const ephemeris::BodyPlace place = almanac.place(body, utc);
+        Row row = directionRow(utc, place.direction);
+        row.push_back(formatFixed(place.kilometres, kBodyDecimals));
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+ExitStatus printTable(const SkyOptions& options, const Site& site, const SkyTimes& times)
+{
+    QString problem;
+    if (options.body) {
+        print(bodyTable(*options.body, site, times.utcs, problem).text(options.format));
+    } else {
+        const auto satellites = chosenSatellites(kEphemerisCommand, options);
+        if (satellites.empty()) {
+            return kFoundWrong;
+        }
+        print(satelliteTable(satellites.front(), site, times.utcs, problem).text(options.format));
+    }
+    if (!problem.isEmpty()) {
+        complain(kEphemerisCommand, problem);
+    }
+    return problem.isEmpty() && times.badLines == 0 ? kDone : kFoundWrong;
+}
+
+ExitStatus run(Arguments arguments)
+{
+    const Result<SkyOptions> options = parseEphemerisOptions(arguments);
+    if (!options) {
+        return usageError(kEphemerisCommand, options.error().text);
+    }
+    const Result<Site> site = chosenSite(*options);
+    if (!site) {
+        app::printError(site.error().text);
+        return kFoundWrong;
+    }
+    const Result<QByteArray> bytes = bytesOf(options->times);
+    if (!bytes) {
+        app::printError(bytes.error().text);
+        return kFoundWrong;
+    }
+    return printTable(*options, *site, timesOf(*bytes, options->times));
+}
+
+}  // namespace
+
+const Subcommand kEphemerisCommand{
+    .name = "ephemeris",
+    .arguments = "--elements FILE --norad N | --body sun|moon  --site LAT,LON,ALT --times FILE|- [--format FORMAT]",
+    .summary = "Print where a satellite, the Sun or the Moon stands over a site at given times",
+    .details =
+        R"(  --elements FILE      element sets: TLE, OMM as JSON, CSV, XML or KVN, or NUMBER.sat of Gpredict. A folder: its files,
+                       that of Gpredict its satdata. NAME.mod: the satellites of that module of Gpredict. May be given
+                       again. The newest epoch of a number is used
+  --norad N            the number of the satellite in the catalogue
+  --body sun|moon      in place of both
+  --site LAT,LON,ALT   degrees north, degrees east, metres above the ellipsoid of WGS-84. Or a NAME.qth of Gpredict
+  --times FILE         a time in each line, - is standard input. UTC like 2024-05-10T04:50:02.5Z, or Unix seconds. What
+                       follows a comma, blank lines, lines that begin with # and a first line of names are left out
+  --format csv|table|json   csv without it
+
+Columns of a satellite: t_utc,az_deg,el_deg,range_km,range_rate_km_s. Of Sun and Moon: t_utc,az_deg,el_deg,dist_km.
+Azimuth from true north through east. Elevation from the horizon, without air. The rate is above 0 while it recedes. A
+time for which the elements have no answer has a row without numbers.
+Each bad element set and each bad time is reported as FILE:LINE: reason. The others are used.
+Exit status: 0 done, 1 a time without an answer, a line that is no time, or no usable element set.
+
+Example:
+  boresightctl ephemeris --elements weather.tle --norad 33591 --site 38.757,-9.117,80 --times times.txt
+  date -u +%FT%TZ | boresightctl ephemeris --body moon --site 38.757,-9.117,80 --times -
+)",
+    .run = run};
+
+}  // namespace boresight::ctl

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/sky_choice.h"
+#include "app/boresightctl/sky_time.h"
+#include "app/boresightctl/subcommand.h"
+#include "app/log_output.h"
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/passes/pass_finder.h"
+#include "core/units/degrees_text.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace boresight::ctl {
+namespace {
+
+constexpr int kTimeDigits = 3;
+constexpr int kDegreeDecimals = 4;
+
+struct FoundPass
+{
+    const orbit::ElementSet* set;
+    passes::Pass pass;
+};
+
+std::string flagsOf(const passes::Pass& pass)
+{
+    const std::string flags =
+        std::string(pass.isUpAtStart ? "A" : "") + (pass.isUpAtEnd ? "L" : "") + (pass.maxima > 1 ? "M" : "");
+    return flags.empty() ? "-" : flags;
+}
+
+std::string degreesCell(Angle angle)
+{
+    return formatFixed(angle.degrees(), kDegreeDecimals);
+}
+
+// To the digits that are printed.
+std::string timeCell(UtcTime utc)
+{
+    return skyTimeText(std::chrono::round<std::chrono::milliseconds>(utc), kTimeDigits);
+}
+
+RecordTable tableOf(const std::vector<FoundPass>& found)
+{
+    RecordTable table{.columns = {{"name"},
+                                  {"norad", true},
+                                  {"aos_utc"},
+                                  {"aos_az", true},
+                                  {"tca_utc"},
+                                  {"tca_az", true},
+                                  {"max_el", true},
+                                  {"los_utc"},
+                                  {"los_az", true},
+                                  {"flags"}}};
+    for (const auto& [set, pass] : found) {
+        table.rows.push_back({set->name, std::to_string(set->number), timeCell(pass.aos.utc),
+                              degreesCell(pass.aos.direction.azimuth), timeCell(pass.tca.utc),
+                              degreesCell(pass.tca.direction.azimuth), degreesCell(pass.tca.direction.elevation),
+                              timeCell(pass.los.utc), degreesCell(pass.los.direction.azimuth), flagsOf(pass)});
+    }
+    return table;
+}
+
+// What the table cannot show of a satellite.
+void report(const orbit::ElementSet& set, const passes::PassList& list, const passes::PassSearch& search, bool isAsked)
+{
+    if (list.end) {
+        complain(kPassesCommand,
+                 QStringLiteral("%1: no passes after %2. %3")
+                     .arg(satelliteText(set), toQString(timeCell(list.end->utc)), orbit::describe(list.end->fault)));
+    } else if (list.passes.empty() && isAsked) {
+        complain(kPassesCommand, QStringLiteral("%1 does not come above %2 in this time")
+                                     .arg(satelliteText(set), degreesText(search.minimumElevation)));
+    }
+}
+
+ExitStatus run(Arguments arguments)
+{
+    const Result<SkyOptions> options = parsePassesOptions(arguments);
+    if (!options) {
+        return usageError(kPassesCommand, options.error().text);
+    }
+    const Result<Site> site = chosenSite(*options);
+    if (!site) {
+        app::printError(site.error().text);
+        return kFoundWrong;
+    }
+    const auto satellites = chosenSatellites(kPassesCommand, *options);
+    if (satellites.empty()) {
+        return kFoundWrong;
+    }
+    using Days = std::chrono::duration<double, std::chrono::days::period>;
+    const passes::PassSearch search{.site = *site,
+                                    .from = *options->from,
+                                    .to = *options->from + std::chrono::round<UtcTime::duration>(Days(*options->days)),
+                                    .minimumElevation = options->minimumElevation.value_or(0_deg)};
+    std::vector<FoundPass> found;
+    for (const orbit::ElementSet& set : satellites) {
+        const passes::PassList list = passes::findPasses(orbit::Sgp4(set), search);
+        for (const passes::Pass& pass : list.passes) {
+            found.push_back({&set, pass});
+        }
+        report(set, list, search, options->number.has_value());
+    }
+    std::ranges::stable_sort(found, {}, [](const FoundPass& one) { return one.pass.aos.utc; });
+    print(tableOf(found).text(options->format));
+    return kDone;
+}
+
+}  // namespace
+
+const Subcommand kPassesCommand{
+    .name = "passes",
+    .arguments = "--elements FILE [--norad N] --site LAT,LON,ALT --from UTC --days D [--min-el DEG] [--format FORMAT]",
+    .summary = "List when satellites are up over a site",
+    .details =
+        R"(  --elements FILE      element sets: TLE, OMM as JSON, CSV, XML or KVN, or NUMBER.sat of Gpredict. A folder: its files,
+                       that of Gpredict its satdata. NAME.mod: the satellites of that module of Gpredict. May be given
+                       again. The newest epoch of a number is used
+  --norad N            one satellite, by its number in the catalogue. All of them without it
+  --site LAT,LON,ALT   degrees north, degrees east, metres above the ellipsoid of WGS-84. Or a NAME.qth of Gpredict
+  --from UTC           like 2024-05-10T04:50:02Z, 2024-05-10, Unix seconds, or now
+  --days D             up to 3660
+  --min-el DEG         0 without it
+  --format csv|table|json   csv without it
+
+Columns: name,norad,aos_utc,aos_az,tca_utc,tca_az,max_el,los_utc,los_az,flags, in the order of AOS. AOS and LOS are where
+the satellite passes the minimum elevation, without air. TCA is its highest moment. Azimuth from true north through east.
+Flags: A already up at the beginning, L still up at the end, M several maxima, - none of these.
+Each bad element set is reported as FILE:LINE: reason, and the others are used. So is a satellite that decays within the
+time.
+Exit status: 0 done, also without any pass, 1 no usable element set, or a site that cannot be read.
+
+Example:
+  boresightctl passes --elements weather.tle --site 38.757,-9.117,80 --from now --days 2 --min-el 10 --format table
+)",
+    .run = run};
+
+}  // namespace boresight::ctl

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/boresightctl/record_table.h"
+#include "app/boresightctl/subcommand.h"
+#include "core/base/clock.h"
+#include "core/base/result.h"
+#include "core/ephemeris/almanac.h"
+#include "core/units/site.h"
+
+#include <QStringList>
+
+#include <cstdint>
+#include <optional>
+
+// The command lines of `boresightctl ephemeris` and `boresightctl passes`, as values. Pure, but for "now".
+namespace boresight::ctl {
+
+struct SkyOptions
+{
+    QStringList elements;  // files and folders
+    std::optional<std::int64_t> number;
+    std::optional<ephemeris::Body> body;
+    std::optional<Site> site;
+    QString siteFile;  // a .qth of Gpredict, in place of it
+    QString times;     // a file, "-" is standard input
+    std::optional<UtcTime> from;
+    std::optional<double> days;
+    std::optional<Angle> minimumElevation;
+    TableFormat format = TableFormat::Csv;
+};
+
+// All that each of them needs is there, and nothing that it has no use for.
+[[nodiscard]] Result<SkyOptions> parseEphemerisOptions(Arguments arguments);
+[[nodiscard]] Result<SkyOptions> parsePassesOptions(Arguments arguments);
+
+}  // namespace boresight::ctl

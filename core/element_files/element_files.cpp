@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/element_files/element_files.h"
+
+#include "core/base/text.h"
+#include "core/element_files/gpredict_module.h"
+#include "core/elements/element_reader.h"
+#include "core/orbit/sgp4.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+namespace boresight::orbit {
+
+namespace {
+
+constexpr qint64 kMegabyte = 1 << 20;
+constexpr qint64 kMostMegabytes = 64;  // 30,000 satellites as JSON: 15 MB
+// A file without any good set is most likely no file of elements, with a problem in each line.
+constexpr std::size_t kMostProblemsWithoutASet = 20;
+
+struct FileSet
+{
+    ElementSet set;
+    QString file;
+};
+
+struct FileReading
+{
+    std::vector<FileSet> sets;
+    QStringList problems;
+};
+
+QStringList filesOf(const QString& path, QStringList& problems)
+{
+    if (path.endsWith(QStringLiteral(".mod"))) {
+        const GpredictModule module = readGpredictModule(path);
+        problems.append(module.problems);
+        return module.files;
+    }
+    if (!QFileInfo(path).isDir()) {
+        return {path};
+    }
+    const QStringList endings{QStringLiteral("*.tle"), QStringLiteral("*.3le"),  QStringLiteral("*.txt"),
+                              QStringLiteral("*.omm"), QStringLiteral("*.json"), QStringLiteral("*.csv"),
+                              QStringLiteral("*.xml"), QStringLiteral("*.kvn"),  QStringLiteral("*.sat")};
+    // The folder of Gpredict itself has its elements one below.
+    const QString satdata = path + QStringLiteral("/satdata");
+    const QDir folder(QFileInfo(satdata).isDir() ? satdata : path);
+    QStringList files;
+    for (const QString& name : folder.entryList(endings, QDir::Files, QDir::Name)) {
+        files.append(folder.filePath(name));
+    }
+    if (files.isEmpty()) {
+        problems.append(Text::tr("%1: There is no file of elements in this folder.").arg(path));
+    }
+    return files;
+}
+
+void addProblems(const QString& path, const ElementList& list, QStringList& problems)
+{
+    const std::size_t listed =
+        list.sets.empty() ? std::min(kMostProblemsWithoutASet, list.problems.size()) : list.problems.size();
+    for (std::size_t i = 0; i < listed; ++i) {
+        problems.append(QStringLiteral("%1:%2: %3").arg(path).arg(list.problems[i].line).arg(list.problems[i].reason));
+    }
+    const std::size_t further = list.furtherProblems + list.problems.size() - listed;
+    if (further > 0) {
+        problems.append(Text::tr("%1: %2 further problems are not listed.").arg(path).arg(further));
+    }
+    if (list.sets.empty()) {
+        problems.append(Text::tr("%1: There is no element set in this file.").arg(path));
+    }
+}
+
+void readFile(const QString& path, FileReading& all)
+{
+    QFile file(path);
+    const bool isOpen = file.open(QIODevice::ReadOnly);
+    const QByteArray bytes = isOpen ? file.read(kMostMegabytes * kMegabyte + 1) : QByteArray();
+    if (!isOpen || file.error() != QFileDevice::NoError) {
+        all.problems.append(QStringLiteral("%1: %2").arg(path, file.errorString()));
+        return;
+    }
+    if (bytes.size() > kMostMegabytes * kMegabyte) {
+        all.problems.append(Text::tr("%1: The file is larger than %2 MB.").arg(path).arg(kMostMegabytes));
+        return;
+    }
+    ElementList list = readElements(std::string_view(bytes.data(), static_cast<std::size_t>(bytes.size())));
+    addProblems(path, list, all.problems);
+    for (ElementSet& set : list.sets) {
+        all.sets.push_back({std::move(set), path});
+    }
+}
+
+// By how much two sets of one satellite place it differently at the epoch of the newer one, where that is more than
+// elements grow wrong: 1 to 3 km a day, and faster where the air is dense. 0 otherwise.
+double disagreement(const ElementSet& newer, const ElementSet& older)
+{
+    constexpr double kPermitted = 100.0;  // km
+    const double days = minutesBetween(older.epoch, newer.epoch) / kMinutesPerDay;
+    const OrbitResult here = Sgp4(newer).propagate(newer.epoch);
+    const OrbitResult there = Sgp4(older).propagate(newer.epoch);
+    const double apart = here && there ? length(here->position - there->position) : 0.0;
+    return apart > kPermitted * (1.0 + days) * (1.0 + days) ? apart : 0.0;
+}
+
+// The first of them if the epochs are the same. A satellite on which its sources disagree is reported once.
+std::vector<ElementSet> theNewest(std::vector<FileSet> found, QStringList& problems)
+{
+    const auto isBefore = [](const FileSet& a, const FileSet& b) {
+        return a.set.number != b.set.number ? a.set.number < b.set.number
+                                            : minutesBetween(a.set.epoch, b.set.epoch) < 0.0;
+    };
+    std::ranges::stable_sort(found, isBefore);
+    std::vector<ElementSet> newest;
+    QString file;
+    bool isReported = false;
+    for (FileSet& one : found) {
+        if (newest.empty() || newest.back().number != one.set.number) {
+            newest.push_back(std::move(one.set));
+            file = one.file;
+            isReported = false;
+            continue;
+        }
+        const double apart = isReported ? 0.0 : disagreement(newest.back(), one.set);
+        if (apart > 0.0) {
+            isReported = true;
+            problems.append(Text::tr("%1: Satellite %2 is %3 km away from where %4 places it. Boresight uses %4.")
+                                .arg(one.file)
+                                .arg(one.set.number)
+                                .arg(std::llround(apart))
+                                .arg(file));
+        }
+    }
+    return newest;
+}
+
+}  // namespace
+
+ElementFiles readElementFiles(const QStringList& paths)
+{
+    FileReading all;
+    for (const QString& path : paths) {
+        for (const QString& file : filesOf(path, all.problems)) {
+            readFile(file, all);
+        }
+    }
+    ElementFiles files;
+    files.sets = theNewest(std::move(all.sets), all.problems);
+    files.problems = std::move(all.problems);
+    return files;
+}
+
+}  // namespace boresight::orbit

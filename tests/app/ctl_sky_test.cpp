@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// boresightctl ephemeris and passes as a shell starts them.
+#include "tests/app/ctl_outcome.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+namespace boresight {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+const std::string kStation =
+    "ISS (ZARYA)\n"
+    "1 25544U 98067A   24130.36689744  .00016024  00000+0  27777-3 0  9992\n"
+    "2 25544  51.6381 147.8590 0003466 150.4670 338.5502 15.51043222452521\n";
+const std::string kLowOne =
+    "SURFSAT\n"
+    "1 43614U 18070B   23023.23658432  .02464742  16729-6  12889-2 0  9997\n"
+    "2 43614  92.9861 193.5020 0006565 284.8196  75.2375 16.20243383245524\n";
+const std::string kDamaged =
+    "1 33591U 09005A   23023.55811021  .00000311  00000+0  19296-3 0  9992\n"
+    "2 33591  99.1220  67.0323 0012994 290.9949  68.9832 14.12673821719520\n";
+
+class CtlSkyTest : public testing::Test
+{
+protected:
+    QString write(const char* name, const std::string& text) const
+    {
+        const QString path = folder.filePath(QString::fromUtf8(name));
+        std::ofstream(path.toStdString()) << text;
+        return path;
+    }
+
+    // Of the station over Lisbon.
+    Outcome ephemeris(const char* more, const QByteArray& times) const
+    {
+        const QStringList line{QStringLiteral("ephemeris"), QStringLiteral("--elements"), elements};
+        return ctl(line + words("--norad 25544 --site 38.757,-9.117,80 --times -") + words(more), times);
+    }
+    Outcome passes(const QString& file, const char* more) const
+    {
+        const QStringList line{QStringLiteral("passes"), QStringLiteral("--elements"), file};
+        return ctl(line + words("--site 38.757,-9.117,80") + words(more));
+    }
+
+    QTemporaryDir folder;
+    QString elements = write("sats.tle", kStation + kLowOne);
+};
+
+}  // namespace
+
+// REQ-CTL-04: `ephemeris` prints where a satellite, the Sun or the Moon stands at each of the times, as CSV with the
+// columns t_utc, az_deg, el_deg, range_km, range_rate_km_s or dist_km, as JSON or as a table.
+TEST_F(CtlSkyTest, EphemerisOfASatellite)
+{
+    const QByteArray times = "t_utc\n2024-05-10T04:50:02Z\n\n# higher\n1715316902,up\n";
+    const Outcome csv = ephemeris("--format csv", times);
+    EXPECT_EQ(csv.status, 0) << csv.errors;
+    EXPECT_EQ(csv.output,
+              "t_utc,az_deg,el_deg,range_km,range_rate_km_s\n"
+              "2024-05-10T04:50:02Z,301.839621,0.040811,2339.173033,-6.766431224\n"
+              "2024-05-10T04:55:02Z,237.368587,36.578225,659.965367,-1.227312311\n");
+    EXPECT_EQ(csv.errors, "");
+    EXPECT_EQ(ephemeris("--format json", times).output,
+              "[\n"
+              "{\"t_utc\": \"2024-05-10T04:50:02Z\", \"az_deg\": 301.839621, \"el_deg\": 0.040811, \"range_km\": "
+              "2339.173033, \"range_rate_km_s\": -6.766431224},\n"
+              "{\"t_utc\": \"2024-05-10T04:55:02Z\", \"az_deg\": 237.368587, \"el_deg\": 36.578225, \"range_km\": "
+              "659.965367, \"range_rate_km_s\": -1.227312311}\n"
+              "]\n");
+    EXPECT_THAT(ephemeris("--format table", times).output,
+                StartsWith("t_utc                     az_deg     el_deg     range_km  range_rate_km_s\n"
+                           "2024-05-10T04:50:02Z  301.839621   0.040811  2339.173033     -6.766431224\n"));
+}
+
+// REQ-CTL-04
+TEST_F(CtlSkyTest, EphemerisOfTheMoonAndTheSun)
+{
+    const QByteArray times = "2024-12-07T03:05:08Z\n";
+    const char* const line = "ephemeris --site 38.757,-9.117,80 --times - --body ";
+    const Outcome moon = ctl(words((std::string(line) + "moon").c_str()), times);
+    EXPECT_EQ(moon.status, 0) << moon.errors;
+    EXPECT_EQ(moon.output, "t_utc,az_deg,el_deg,dist_km\n2024-12-07T03:05:08Z,296.129751,-51.589216,382045.561\n");
+    EXPECT_THAT(ctl(words((std::string(line) + "sun").c_str()), times).output,
+                StartsWith("t_utc,az_deg,el_deg,dist_km\n2024-12-07T03:05:08Z,75.8987"));
+}
+
+// REQ-CTL-05: A time without an answer has a row without numbers, a line that is no time has none. Both are reported
+// with their place, and the exit status is 1.
+TEST_F(CtlSkyTest, EphemerisReportsWhatHasNoAnswer)
+{
+    const Outcome bad = ephemeris("--format csv", "2024-05-10T04:50:02Z\nsoon 2\n2023-99-01\n");
+    EXPECT_EQ(bad.status, 1);
+    EXPECT_THAT(bad.errors, HasSubstr("-:2: \"soon 2\" is no time: expected UTC like"));
+    EXPECT_THAT(bad.errors, HasSubstr("-:3: \"2023-99-01\" is no time"));
+    EXPECT_THAT(bad.output, HasSubstr("301.839621"));
+    const Outcome later = ctl(QStringList{QStringLiteral("ephemeris"), QStringLiteral("--elements"), elements} +
+                                  words("--norad 43614 --site 0,0,0 --times -"),
+                              "2024-05-10T04:50:02Z\n");
+    EXPECT_EQ(later.status, 1);
+    EXPECT_THAT(later.output, HasSubstr("\n2024-05-10T04:50:02Z,,,,\n"));
+    EXPECT_THAT(later.errors, HasSubstr("SURFSAT (43614) at 2024-05-10T04:50:02Z: The satellite has decayed."));
+    const Outcome body = ctl(words("ephemeris --body sun --site 0,0,0 --times /nowhere/times"));
+    EXPECT_EQ(body.status, 1);
+    EXPECT_THAT(body.errors, StartsWith("/nowhere/times: "));
+}
+
+// REQ-CTL-06: `passes` lists when satellites are up, in the order of AOS, with the columns name, norad, aos_utc,
+// aos_az, tca_utc, tca_az, max_el, los_utc, los_az, flags.
+TEST_F(CtlSkyTest, PassesOfADay)
+{
+    const Outcome csv = passes(elements, "--norad 25544 --from 2024-05-10 --days 0.25");
+    EXPECT_EQ(csv.status, 0) << csv.errors;
+    EXPECT_EQ(csv.errors, "");
+    EXPECT_EQ(csv.output,
+              "name,norad,aos_utc,aos_az,tca_utc,tca_az,max_el,los_utc,los_az,flags\n"
+              "ISS (ZARYA),25544,2024-05-10T00:00:00.000Z,303.2358,2024-05-10T00:03:00.889Z,347.5741,11.1248,"
+              "2024-05-10T00:07:29.822Z,43.7951,A\n"
+              "ISS (ZARYA),25544,2024-05-10T01:36:35.472Z,314.5190,2024-05-10T01:40:56.957Z,8.4627,9.9690,"
+              "2024-05-10T01:45:17.817Z,62.4243,-\n"
+              "ISS (ZARYA),25544,2024-05-10T03:13:23.271Z,315.6235,2024-05-10T03:18:33.175Z,28.1405,25.3523,"
+              "2024-05-10T03:23:41.150Z,100.6196,-\n"
+              "ISS (ZARYA),25544,2024-05-10T04:50:01.326Z,301.8645,2024-05-10T04:55:17.653Z,224.8033,37.3142,"
+              "2024-05-10T05:00:31.670Z,147.4839,-\n");
+    const Outcome high = passes(elements, "--norad 25544 --from 2024-05-10 --days 0.25 --min-el 30 --format json");
+    EXPECT_THAT(high.output, StartsWith("[\n{\"name\": \"ISS (ZARYA)\", \"norad\": 25544, \"aos_utc\": "
+                                        "\"2024-05-10T04:54:"));
+    EXPECT_THAT(high.output, Not(HasSubstr("},\n")));
+}
+
+// REQ-CTL-07: What the list cannot show is reported: a satellite that decays, one that does not come up, bad element
+// sets with file and line. Nothing but names is no failure. No usable set and a site that cannot be read are.
+TEST_F(CtlSkyTest, PassesReportWhatTheListCannotShow)
+{
+    const Outcome decayed = passes(elements, "--from 2023-01-30 --days 30 --norad 43614");
+    EXPECT_EQ(decayed.status, 0);
+    EXPECT_THAT(decayed.errors, HasSubstr("SURFSAT (43614): no passes after 2023-02-0"));
+    const Outcome down = passes(elements, "--from 2024-05-10 --days 1 --min-el 89 --norad 25544");
+    EXPECT_EQ(down.status, 0);
+    EXPECT_EQ(down.output, "name,norad,aos_utc,aos_az,tca_utc,tca_az,max_el,los_utc,los_az,flags\n");
+    EXPECT_THAT(down.errors, HasSubstr("ISS (ZARYA) (25544) does not come above 89.0° in this time"));
+
+    const QString damaged = write("damaged.tle", kStation + kDamaged);
+    const Outcome some = passes(damaged, "--from 2024-05-10 --days 0.1");
+    EXPECT_EQ(some.status, 0);
+    EXPECT_THAT(some.errors, StartsWith(damaged.toStdString() + ":5: The checksum in column 69 is \"0\", expected 9."));
+    EXPECT_THAT(some.output, HasSubstr("ISS (ZARYA)"));
+    const Outcome none = passes(damaged, "--from 2024-05-10 --days 0.1 --norad 33591");
+    EXPECT_EQ(none.status, 1);
+    EXPECT_EQ(none.output, "");
+    EXPECT_THAT(none.errors, HasSubstr("there is no usable element set of number 33591. Give a file that has one"));
+    EXPECT_EQ(passes(elements, "--from 2024-05-10 --days 0.1 --site /nowhere/home.qth").status, 1);
+}
+
+// REQ-CTL-08: The files of Gpredict do for elements and for the site.
+TEST_F(CtlSkyTest, TheFilesOfGpredictAreUsed)
+{
+    ASSERT_TRUE(QDir(folder.path()).mkdir(QStringLiteral("satdata")));
+    const std::string keys =
+        "[Satellite]\nNAME=Station\nTLE1=" + kStation.substr(12, 70) + "TLE2=" + kStation.substr(82);
+    write("satdata/25544.sat", keys);
+    const QString module = write("mine.mod", "[GLOBAL]\nSATELLITES=25544;\nQTHFILE=home.qth\n");
+    const QString site = write("home.qth", "[QTH]\nLAT=38.757\nLON=-9.117\nALT=80\n");
+    const QStringList line = words("passes --from 2024-05-10T04:00:00Z --days 0.1");
+    const Outcome found = ctl(line + QStringList{QStringLiteral("--elements"), module, QStringLiteral("--site"), site});
+    EXPECT_EQ(found.status, 0) << found.errors;
+    EXPECT_THAT(found.output, HasSubstr("\nStation,25544,2024-05-10T04:50:01.326Z,301.8645,"));
+    const Outcome wrong = ctl(line + QStringList{QStringLiteral("--elements"), module, QStringLiteral("--site"),
+                                                 write("bad.qth", "[QTH]\nLAT=38.757\n")});
+    EXPECT_EQ(wrong.status, 1);
+    EXPECT_THAT(wrong.errors, HasSubstr("bad.qth: LON is missing"));
+}
+
+}  // namespace boresight

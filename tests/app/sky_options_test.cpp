@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/sky_options.h"
+
+#include "tests/fakes/text_of.h"
+
+#include <gmock/gmock.h>
+
+namespace boresight::ctl {
+namespace {
+
+using testing::HasSubstr;
+
+using Line = std::vector<std::string>;
+
+const Line kPasses{"--elements", "a.tle", "--site", "38.757,-9.117,80", "--from", "2024-05-10", "--days=2"};
+const Line kEphemeris{"--elements=a.tle", "--norad", "25544", "--site", "38.757,-9.117,80", "--times", "-"};
+
+Line with(Line line, const Line& more)
+{
+    line.insert(line.end(), more.begin(), more.end());
+    return line;
+}
+
+std::string refusalOfPasses(const Line& line)
+{
+    const auto options = parsePassesOptions(line);
+    return options ? "accepted" : textOf(options.error());
+}
+
+std::string refusalOfEphemeris(const Line& line)
+{
+    const auto options = parseEphemerisOptions(line);
+    return options ? "accepted" : textOf(options.error());
+}
+
+TEST(SkyOptions, AreReadInAnyOrderWithBlankOrEquals)
+{
+    const auto options =
+        parsePassesOptions(with(kPasses, {"--min-el=-2.5", "--elements", "more", "--format", "table", "--norad", "7"}));
+    ASSERT_TRUE(options) << textOf(options.error());
+    EXPECT_EQ(options->elements, (QStringList{QStringLiteral("a.tle"), QStringLiteral("more")}));
+    EXPECT_EQ(options->site, (Site{38.757_deg, -9.117_deg, 80.0}));
+    EXPECT_EQ(options->days, 2.0);
+    EXPECT_EQ(options->minimumElevation, -2.5_deg);
+    EXPECT_EQ(options->format, TableFormat::Table);
+    EXPECT_EQ(options->number, 7);
+    EXPECT_TRUE(parseEphemerisOptions(kEphemeris));
+    EXPECT_TRUE(parsePassesOptions(with(kPasses, {"--from", "now"})));
+}
+
+TEST(SkyOptions, ASiteMayBeAFileOfGpredict)
+{
+    const auto options = parsePassesOptions(with(kPasses, {"--site", "/x/home.qth"}));
+    ASSERT_TRUE(options) << textOf(options.error());
+    EXPECT_FALSE(options->site);
+    EXPECT_EQ(options->siteFile, QStringLiteral("/x/home.qth"));
+    EXPECT_EQ(parsePassesOptions(with({"--site", "/x/home.qth"}, kPasses))->siteFile, QString());
+}
+
+// REQ-CTL-03: An option that is missing, unknown, in the wrong place or of no value is refused with its name and with
+// what is expected.
+TEST(SkyOptions, AreRefusedWithWhatIsExpected)
+{
+    EXPECT_EQ(refusalOfPasses({}), "--elements FILE is missing");
+    EXPECT_EQ(refusalOfPasses({"--elements", "a"}), "--site LAT,LON,ALT is missing");
+    EXPECT_EQ(refusalOfPasses({"--elements", "a", "--site", "1,2,3"}), "--from UTC is missing");
+    EXPECT_EQ(refusalOfPasses({"--elements", "a", "--site", "1,2,3", "--from", "now"}), "--days D is missing");
+    EXPECT_EQ(refusalOfPasses({"--times", "a"}), "there is no option --times");
+    EXPECT_EQ(refusalOfPasses({"--elements", "--site"}), "--elements needs a value");
+    EXPECT_THAT(refusalOfPasses({"a.tle"}), HasSubstr("\"a.tle\" is no option"));
+    for (const char* const site : {"38.757,-9.117", "91,0,0", "0,361,0", "0,0,1e6", "0,0,0,0", "0,0,x", "nan,0,0"}) {
+        EXPECT_THAT(refusalOfPasses(with(kPasses, {"--site", site})), HasSubstr("expected LAT,LON,ALT (degrees north"));
+    }
+    for (const char* const days : {"0", "-1", "3661", "two", "inf"}) {
+        EXPECT_THAT(refusalOfPasses(with(kPasses, {"--days", days})),
+                    HasSubstr("expected a number above 0, up to 3660"));
+    }
+    EXPECT_THAT(refusalOfPasses(with(kPasses, {"--min-el", "90"})),
+                HasSubstr("expected degrees above -90 and below 90"));
+    EXPECT_THAT(refusalOfPasses(with(kPasses, {"--norad", "1.5"})), HasSubstr("expected a catalogue number"));
+    EXPECT_THAT(refusalOfPasses(with(kPasses, {"--norad", "1000000000"})), HasSubstr("expected a catalogue number"));
+    EXPECT_THAT(refusalOfPasses(with(kPasses, {"--format", "xml"})), HasSubstr("expected csv, table or json"));
+    EXPECT_THAT(refusalOfPasses(with(kPasses, {"--from", "soon"})), HasSubstr("--from \"soon\" is no time"));
+}
+
+// REQ-CTL-03
+TEST(SkyOptions, ABodyIsNoSatellite)
+{
+    EXPECT_EQ(refusalOfEphemeris({"--body", "moon", "--site", "1,2,3", "--times", "-"}), "accepted");
+    EXPECT_EQ(refusalOfEphemeris({"--body", "mars"}), "--body \"mars\": expected sun or moon");
+    EXPECT_THAT(refusalOfEphemeris(with(kEphemeris, {"--body", "sun"})), HasSubstr("--body needs no elements"));
+    EXPECT_EQ(refusalOfEphemeris({"--elements", "a.tle"}), "--norad N is missing");
+    EXPECT_EQ(refusalOfEphemeris({"--body", "sun"}), "--site LAT,LON,ALT is missing");
+    EXPECT_EQ(refusalOfEphemeris({"--body", "sun", "--site", "1,2,3"}), "--times FILE is missing");
+}
+
+}  // namespace
+}  // namespace boresight::ctl
