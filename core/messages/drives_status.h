@@ -8,6 +8,8 @@
 
 #include <QString>
 
+#include <chrono>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -24,11 +26,31 @@ enum class SurveyState
     Done,
 };
 
+// What a drive reports itself, as it says it. Empty: it did not report this.
+struct DriveReadings
+{
+    std::optional<double> motorTurns;
+    std::optional<double> motorTurnsPerSecond;
+    std::optional<double> torque;            // Nm
+    std::optional<double> qCurrent;          // A
+    std::optional<double> dCurrent;          // A
+    std::optional<double> busVoltage;        // V
+    std::optional<double> boardTemperature;  // °C
+    std::optional<double> motorTemperature;  // °C
+    std::optional<double> power;             // W
+    QString mode;                            // "position (10)"
+    QString fault;                           // "none", "over temperature (38)"
+    std::optional<std::chrono::milliseconds> age;
+    std::uint64_t sent = 0;      // since the line was opened
+    std::uint64_t answered = 0;  // of those
+};
+
 struct DriveStatus
 {
     bool present = true;  // this axis has such a drive; else nothing more is told
     int id = 0;           // on the bus; 0 until somebody answered
     DriveIdentity identity;
+    DriveReadings readings;
     QString registers;  // what it says of itself, in its own words: mode and fault; may be empty
     std::vector<ProtectionLine> protections;
     std::optional<TurnQuestion> turnQuestion;  // waits for the operator

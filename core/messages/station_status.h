@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/result.h"
+#include "core/ephemeris/almanac.h"
 #include "core/messages/calibration_status.h"
 #include "core/messages/capabilities.h"
 #include "core/messages/drives_status.h"
@@ -120,6 +121,7 @@ struct AxisStatus
     std::optional<double> motorTemperature;  // °C, empty without a sensor
     std::optional<double> torque;            // Nm
     std::optional<double> current;           // A, q axis
+    std::optional<double> power;             // W, electrical
     bool turnKnown = false;                  // which turn of its cable the axis is on
     QString stateText;                       // e.g. "at travel limit 450.0°"; may be empty
 };
@@ -150,6 +152,24 @@ struct BrokerStatus
     std::optional<Seconds> retryIn;  // empty while there is a connection or an attempt at one
 };
 
+// The one button that helps against an alarm, where there is one. The panel that shows the alarm knows what it asks.
+enum class AlarmHelp
+{
+    None,
+    Rearm,
+    ResetStop,
+    Unwind,
+    Reconnect,
+    MovePark,
+    OpenProtection,
+    OpenDrives,
+    OpenClients,
+    OpenLimits,
+    OpenNorth,
+    OpenProfile,
+    ConfirmWrap,
+};
+
 struct Alarm
 {
     std::uint64_t id = 0;
@@ -159,9 +179,24 @@ struct Alarm
     QString what = {};    // what happened
     QString action = {};  // what Boresight did
     QString remedy = {};  // what to do
+    AlarmHelp help = AlarmHelp::None;
     UtcTime since = {};
     bool active = true;
     bool acknowledged = false;
+};
+
+// How far the mount is on its way to a fixed target.
+struct SlewProgress
+{
+    Seconds remaining{0.0};
+    double done = 0.0;  // 0 to 1 of the time that the whole way takes
+};
+
+// A body in the sky over the site, also below the horizon.
+struct BodyPlace
+{
+    ephemeris::Body body = ephemeris::Body::Sun;
+    SkyPointing direction;
 };
 
 // How late the control ticks have come since the start, and what the system grants them.
@@ -188,9 +223,13 @@ struct StationStatus
     bool limited = false;              // the target was outside the limits; the nearest permitted point is driven
     QString limitedReason;             // then why: "elevation -5.0° below limit 0.0°"
     std::vector<SkyPointing> route;    // of the beam around what is forbidden, from `commanded` to the target
+    std::optional<SlewProgress> slew;  // empty: it is not on its way to a fixed target
     std::optional<SkyPointing> trim;   // what the operator's nudges add to a client's targets
     std::optional<CableEnd> cableEnd;  // told in time: at least 30° or 30 s ahead
     Authority authority = Authority::Clients;
+    // An act of the operator other than "Take control" took the control from clients, and they have not got it back.
+    bool tookControl = false;
+    std::vector<BodyPlace> bodies;       // empty: the site is not set
     Permissions permissions;             // of the operator
     Capabilities capabilities;           // of the mount
     std::optional<DrivesStatus> drives;  // empty: the mount has no drives that can be read or set
