@@ -165,10 +165,10 @@ Result<> Gates::isWayOn(Axis axis, bool upwards) const
     if (!place || !m_of.mount.report(axis).wrapKnown || travel.max <= travel.min) {
         return {};
     }
-    if (upwards && *place > travel.max - kAtTravelEnd) {
+    if (upwards && *place > travel.max - kAtEdge) {
         return failure(ErrorCode::OutOfRange, Text::tr("at the upper limit %1").arg(degreesText(travel.max)));
     }
-    if (!upwards && *place < travel.min + kAtTravelEnd) {
+    if (!upwards && *place < travel.min + kAtEdge) {
         return failure(ErrorCode::OutOfRange, Text::tr("at the lower limit %1").arg(degreesText(travel.min)));
     }
     return {};
