@@ -187,6 +187,20 @@ AxisPosition Gates::home() const
     return {.azimuth = ranges.azimuth.clamped(0_deg), .elevation = ranges.elevation.clamped(0_deg)};
 }
 
+// A rotator of steps does not reach a place between its last step and the end of the profile's limits: it parks at that
+// step. A place outside the limits stays what it is, and is refused.
+AxisPosition Gates::park() const
+{
+    const AxisPosition& place = m_of.profile.park;
+    const pointing::Region& limits = m_of.profile.limits;
+    const pointing::AxisBox& ranges = m_of.motion.region().ranges();
+    const auto reached = [](Angle angle, const TravelRange& limit, const TravelRange& range) {
+        return limit.contains(angle) ? range.clamped(angle) : angle;
+    };
+    return {.azimuth = reached(place.azimuth, limits.azimuth, ranges.azimuth),
+            .elevation = reached(place.elevation, limits.elevation, ranges.elevation)};
+}
+
 Result<AxisPosition> Gates::unwound() const
 {
     const auto place = CableGuard::leastWound(m_of.standing(), m_of.motion.region().ranges().azimuth);
