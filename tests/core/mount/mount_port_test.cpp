@@ -156,6 +156,20 @@ TEST(MountPort, ARotatorOfStepsParksAtItsLastStepBeforeALimit)
     EXPECT_FALSE(outside.ask(request::Park{}));
 }
 
+// Story: of a pair with another rotator "nothing holds the mount" was logged, and the other axis held.
+// REQ-MOUNT-501: The log names the drive that was switched off where the other axis belongs to another rotator.
+TEST(MountPort, SwitchingOffNamesTheDriveOfAPair)
+{
+    MixedBench pair(Axis::Elevation);
+    pair.run(Seconds(1.0));
+    ASSERT_TRUE(pair.ask(request::SwitchOff{}));
+    EXPECT_EQ(pair.lastLog(), QStringLiteral("switches the elevation drive off, so nothing holds its axis"));
+    MoteusBench both;
+    both.run(Seconds(1.0));
+    ASSERT_TRUE(both.ask(request::SwitchOff{}));
+    EXPECT_EQ(both.rig().lastLog(), "switches the drives off, so nothing holds the mount");
+}
+
 // Story: a jog was offered at the last step before the end of the travel, and moved nothing.
 TEST(MountPort, AJogBeyondTheLastStepOfTheTravelIsNotOffered)
 {
