@@ -196,6 +196,25 @@ TEST(Rooms, TheControlKnowsNoKindOfRotator)
     EXPECT_THAT(wrong(kAboveTheDriver, permitted), IsEmpty());
 }
 
+// Only the control commands a driver. Besides it those know the port who are drivers, and the wiring that makes them.
+TEST(Rooms, OnlyTheControlKnowsThePortOfTheMount)
+{
+    std::vector<std::string> found;
+    for (const std::string& path : sourcesBelow("core")) {
+        const std::string room = roomOf(path);
+        if (room == "core/control" || room == "core/mount" || room == "core/station" || room.ends_with("_mount")) {
+            continue;
+        }
+        std::ifstream file(std::filesystem::path(BORESIGHT_SOURCES) / path);
+        for (std::string line; std::getline(file, line);) {
+            if (line == "#include \"core/mount/mount_driver.h\"" || line == "#include \"core/mount/mount_service.h\"") {
+                found.push_back(path + ": " + line);
+            }
+        }
+    }
+    EXPECT_THAT(found, IsEmpty());
+}
+
 bool isPartOfAWord(const std::string& line, std::size_t at)
 {
     return at < line.size() && (std::isalnum(static_cast<unsigned char>(line[at])) != 0 || line[at] == '_');
@@ -204,7 +223,8 @@ bool isPartOfAWord(const std::string& line, std::size_t at)
 // A rotator's hardware, in code, include, text or comment. "CAN" is a word of its own: "can" is another.
 bool namesHardware(const std::string& line)
 {
-    for (const char* const name : {"moteus", "Moteus", "core/can/", "CanLink", "CanFrame", "GS-232", "gs232"}) {
+    for (const char* const name : {"moteus", "Moteus", "core/can/", "CanLink", "CanFrame", "GS-232", "gs232",
+                                   "socketcan", "fdcanusb", "can0", "mjbots"}) {
         if (line.find(name) != std::string::npos) {
             return true;
         }
@@ -223,6 +243,8 @@ TEST(Rooms, HardwareIsRecognisedByItsName)
     EXPECT_TRUE(namesHardware("// of a moteus"));
     EXPECT_TRUE(namesHardware("tr(\"CAN off\")"));
     EXPECT_TRUE(namesHardware("#include \"core/can/can_link.h\""));
+    EXPECT_TRUE(namesHardware("// as in \"socketcan:can0\""));
+    EXPECT_TRUE(namesHardware("tr(\"Start moteus_tool\")"));
     EXPECT_FALSE(namesHardware("// It can be left out. CANCEL"));
 }
 
@@ -389,6 +411,55 @@ std::string classBegunIn(const std::string& line)
         return {};
     }
     return line.substr(kClass.size(), line.find(' ', kClass.size()) - kClass.size());
+}
+
+bool isMember(const std::string& line)
+{
+    constexpr std::string_view kInside = "    ";
+    const std::string code = line.substr(0, line.find("//"));
+    const std::size_t name = code.find(" m_");
+    const std::size_t reference = code.find("&m_");
+    return line.starts_with(kInside) && line.size() > kInside.size() && line[kInside.size()] != ' ' &&
+           line[kInside.size()] != '}' && (name != std::string::npos || reference != std::string::npos) &&
+           code.find("return ") == std::string::npos && code.find_last_not_of(' ') == code.rfind(';');
+}
+
+TEST(Rooms, AMemberIsRecognised)
+{
+    EXPECT_TRUE(isMember("    Angle m_place;  // of the axis"));
+    EXPECT_TRUE(isMember("    std::function<void()> m_onTick = {};"));
+    EXPECT_FALSE(isMember("    [[nodiscard]] Angle place() const { return m_place; }"));
+    EXPECT_FALSE(isMember("        Angle m_ofAnInnerStruct;"));
+    EXPECT_FALSE(isMember("    Angle place;"));
+}
+
+// At more than 15 members there is a seam to look for. Where there is none, the header says why.
+TEST(Rooms, AClassOfManyMembersSaysWhy)
+{
+    constexpr int kMembers = 15;
+    int largest = 0;
+    for (const char* const top : {"core", "ui", "app"}) {
+        for (const std::string& path : sourcesBelow(top)) {
+            std::ifstream file(std::filesystem::path(BORESIGHT_SOURCES) / path);
+            bool says = false;
+            int members = 0;
+            std::string name;
+            for (std::string line; path.ends_with(".h") && std::getline(file, line);) {
+                says = says || line.find("More than 15 members: ") != std::string::npos;
+                if (const std::string begun = classBegunIn(line); !begun.empty()) {
+                    name = begun;
+                    members = 0;
+                }
+                members += isMember(line) ? 1 : 0;
+                if (line.starts_with("};")) {
+                    EXPECT_TRUE(says || members <= kMembers) << name << " in " << path << " has " << members;
+                    largest = std::max(largest, members);
+                    members = 0;
+                }
+            }
+        }
+    }
+    EXPECT_GT(largest, kMembers);
 }
 
 // Structs of values may share a name in rooms that do not see one another; classes do not.

@@ -5,10 +5,10 @@
 
 namespace boresight {
 
-bool LogThrottle::repeated(const QString& source, const QString& text, SteadyTime now) const
+bool LogThrottle::repeated(const QString& source, const QString& text, const QString& alarm, SteadyTime now) const
 {
     const auto last = m_lastLines.constFind(source);
-    return last != m_lastLines.constEnd() && last->text == text && now - last->time < kRepeat;
+    return last != m_lastLines.constEnd() && last->text == text && last->alarm == alarm && now - last->time < kRepeat;
 }
 
 void LogThrottle::forgetOld(SteadyTime now)
@@ -24,7 +24,7 @@ bool LogThrottle::add(Severity severity, const QString& source, const QString& t
         m_inSecond = 0;
         forgetOld(now);
     }
-    if (m_inSecond >= m_burst || repeated(source, text, now)) {
+    if (m_inSecond >= m_burst || repeated(source, text, alarm, now)) {
         ++m_leftOut;
         return false;
     }
@@ -39,7 +39,7 @@ bool LogThrottle::add(Severity severity, const QString& source, const QString& t
 void LogThrottle::insist(Severity severity, const QString& source, const QString& text, LogKind kind,
                          const QString& alarm)
 {
-    m_lastLines.insert(source, {.text = text, .time = m_clock.now()});
+    m_lastLines.insert(source, {.text = text, .alarm = alarm, .time = m_clock.now()});
     ++m_inSecond;
     m_log.add(severity, source, text, kind, alarm);
 }

@@ -30,10 +30,11 @@ private:
     struct Line
     {
         QString text;
+        QString alarm;  // two of them may say the same
         SteadyTime time;
     };
 
-    [[nodiscard]] bool repeated(const QString& source, const QString& text, SteadyTime now) const;
+    [[nodiscard]] bool repeated(const QString& source, const QString& text, const QString& alarm, SteadyTime now) const;
     void forgetOld(SteadyTime now);
 
     EventLog& m_log;

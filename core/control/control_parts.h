@@ -19,9 +19,6 @@
 // The parts of StationControl, for those who only read them: its gates and its report. Station thread only.
 namespace boresight {
 
-// Nearer to an end of the travel than this is at the end.
-inline constexpr Angle kAtTravelEnd = Angle::fromDegrees(0.05);
-
 struct ControlParts
 {
     const profile::Profile& profile;

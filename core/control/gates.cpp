@@ -165,10 +165,10 @@ Result<> Gates::isWayOn(Axis axis, bool upwards) const
     if (!place || !m_of.mount.report(axis).wrapKnown || travel.max <= travel.min) {
         return {};
     }
-    if (upwards && *place > travel.max - kAtTravelEnd) {
+    if (upwards && *place > travel.max - kAtEdge) {
         return failure(ErrorCode::OutOfRange, Text::tr("at the upper limit %1").arg(degreesText(travel.max)));
     }
-    if (!upwards && *place < travel.min + kAtTravelEnd) {
+    if (!upwards && *place < travel.min + kAtEdge) {
         return failure(ErrorCode::OutOfRange, Text::tr("at the lower limit %1").arg(degreesText(travel.min)));
     }
     return {};
@@ -185,6 +185,20 @@ AxisPosition Gates::home() const
 {
     const pointing::AxisBox& ranges = m_of.motion.region().ranges();
     return {.azimuth = ranges.azimuth.clamped(0_deg), .elevation = ranges.elevation.clamped(0_deg)};
+}
+
+// A rotator of steps does not reach a place between its last step and the end of the profile's limits: it parks at that
+// step. A place outside the limits stays what it is, and is refused.
+AxisPosition Gates::park() const
+{
+    const AxisPosition& place = m_of.profile.park;
+    const pointing::Region& limits = m_of.profile.limits;
+    const pointing::AxisBox& ranges = m_of.motion.region().ranges();
+    const auto reached = [](Angle angle, const TravelRange& limit, const TravelRange& range) {
+        return limit.contains(angle) ? range.clamped(angle) : angle;
+    };
+    return {.azimuth = reached(place.azimuth, limits.azimuth, ranges.azimuth),
+            .elevation = reached(place.elevation, limits.elevation, ranges.elevation)};
 }
 
 Result<AxisPosition> Gates::unwound() const

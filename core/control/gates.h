@@ -37,6 +37,7 @@ public:
     [[nodiscard]] Result<> isWayOn(Axis axis, bool upwards) const;
     [[nodiscard]] Result<> mayBeAt(const AxisPosition& place) const;  // travel, limits, horizon and keep-outs
     [[nodiscard]] AxisPosition home() const;
+    [[nodiscard]] AxisPosition park() const;
     // The same direction, where the azimuth cable is wound least.
     [[nodiscard]] Result<AxisPosition> unwound() const;
     [[nodiscard]] Result<> hasAxis(Axis axis) const;

@@ -22,8 +22,7 @@ Result<> MountDesk::ask(const request::SwitchOff&, const Source& by)
     return operatorOnly(by).and_then([this] { return gates().maySwitchOff(); }).map([&] {
         m_helm.takeOver(by);  // else the next target of a client would switch them on again
         m_helm.hold(Activity::None);
-        service().switchOff();
-        m_log.add(Severity::Warning, by.name, Text::tr("switches the drives off, so nothing holds the mount"));
+        m_log.add(Severity::Warning, by.name, service().switchOff());
     });
 }
 
@@ -32,9 +31,7 @@ Result<> MountDesk::ask(const request::ReleaseBus&, const Source& by)
     return operatorOnly(by).and_then([this] { return gates().mayLeaveBus(); }).map([&] {
         m_helm.takeOver(by);
         m_helm.hold(Activity::None);
-        service().leaveBus();
-        m_log.add(Severity::Warning, by.name,
-                  Text::tr("releases the bus to other tools, and drives that held continue in their time-out mode"));
+        m_log.add(Severity::Warning, by.name, service().leaveBus());
     });
 }
 

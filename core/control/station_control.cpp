@@ -291,6 +291,7 @@ void StationControl::tick()
     const Seconds step = std::clamp(Seconds(now - m_now), Seconds(0.0), kLongestStep);
     m_now = now;
     ++m_tick;
+    // First: all below judges by the answers of this tick.
     m_mount.observe(now);
     for (const Axis axis : kAxes) {
         m_standstill.look(axis, m_mount.report(axis));
@@ -298,19 +299,31 @@ void StationControl::tick()
     if (m_arming.losesConnection(now)) {
         holdHere(Activity::None);
     }
+    // After the connection, because a silent bus is one loss and not a trouble of each axis. Before every source,
+    // because what was lost in this tick must not be moved on.
     superviseMount();
+    // After what a drive that came back shows, and before the sources.
     keepStopped();
+    // Behind STOP and faults, which refuse a source its next motion.
     stepSources();
+    // After the sources: what they have just begun ends here if it may not go on.
     watchFirstMoves();
     watchFitness();
+    // After the losses of this tick: one of them begins the re-arm anew.
     finishRearm();
+    // After whatever ends a motion, because the proof is one. It makes the wish that moveOn() carries out.
     stepProof();
+    // Last before the set-points: they go by the keep-out of this tick.
     watchSun();
     moveOn(step);
+    // After the set-points: what holds them, how much cable is left, and whether the target is reached is known only
+    // now.
     watchRegion();
     watchCable();
     watchLimited();
+    // After everything that raises or clears an alarm.
     m_alarms.tick();
+    // Last: the mount is left when the set-points of this tick are at rest.
     if (m_end.leaves(m_motion.atRest() && !m_mount.changesHands(), m_now)) {
         m_mount.leave(m_profile->control.onExit);
     }

@@ -103,7 +103,7 @@ bool StatusReport::atTravelEnd(Axis axis) const
     }
     const TravelRange& travel = m_of.motion.travel(axis);
     const Angle place = m_of.motion.setpoint(axis).position;
-    return place - travel.min < kAtTravelEnd || travel.max - place < kAtTravelEnd;
+    return place - travel.min < kAtEdge || travel.max - place < kAtEdge;
 }
 
 // Wants to go on and can not: the end of the travel, a limit, a keep-out, the horizon.

@@ -11,8 +11,8 @@ namespace boresight {
 
 struct Adapter
 {
-    QString bus;              // as a profile names it: "fdcanusb:/dev/serial/by-id/usb-mjbots_fdcanusb_1A2B-if00"
-    QString name;             // as it calls itself: "mjbots fdcanusb"
+    QString bus;              // as a profile names it: its kind, and the path that stays the same
+    QString name;             // as it calls itself: maker and product
     QString detail;           // serial number, port: what tells two of a kind apart
     bool recognised = false;  // made for these drives; else it may be something else altogether
 

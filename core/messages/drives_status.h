@@ -38,8 +38,8 @@ struct DriveReadings
     std::optional<double> boardTemperature;  // °C
     std::optional<double> motorTemperature;  // °C
     std::optional<double> power;             // W
-    QString mode;                            // "position (10)"
-    QString fault;                           // "none", "over temperature (38)"
+    QString mode;                            // in the drive's own words, with its number
+    QString fault;                           // the same; "none"
     std::optional<std::chrono::milliseconds> age;
     std::uint64_t sent = 0;      // since the line was opened
     std::uint64_t answered = 0;  // of those

@@ -20,7 +20,7 @@ struct MountLine
 
     State state = State::Closed;
     QString kind = {};           // in a short word, for the screen; empty: nothing is shown of it
-    QString name = {};           // as the profile names it: "socketcan:can0"
+    QString name = {};           // as the profile names it
     QString problem = {};        // what, where, what to do; empty while all is well
     std::uint64_t sent = 0;      // frames
     std::uint64_t received = 0;  // frames

@@ -17,7 +17,7 @@ enum class Verdict
 // One setting of a drive that protects the mount.
 struct ProtectionLine
 {
-    QString key;     // as the drive calls it: "servopos.position_min"
+    QString key;     // as the drive calls it
     QString wanted;  // with its unit: "-0.258 turns (-93.0°)"
     QString found;   // empty while unread
     // The same two where there is little room: "-93.0°".

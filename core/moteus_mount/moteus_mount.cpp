@@ -330,14 +330,18 @@ Result<> MoteusMount::mayBeWritten() const
     return {};
 }
 
-void MoteusMount::switchOff()
+// An axis of another rotator stays as it is.
+QString MoteusMount::switchOff()
 {
     for (const Axis axis : axes()) {
         m_drives.drive(axis).release();
     }
+    return axes().size() == kAxes.size()
+               ? Text::tr("switches the drives off, so nothing holds the mount")
+               : Text::tr("switches the %1 off, so nothing holds its axis").arg(label(axes().front()));
 }
 
-void MoteusMount::leaveBus()
+QString MoteusMount::leaveBus()
 {
     m_busLeft = true;
     for (const Axis axis : axes()) {
@@ -345,6 +349,7 @@ void MoteusMount::leaveBus()
         m_turns.forget(axis);
         learn(axis, std::nullopt);
     }
+    return Text::tr("releases the bus to other tools, and drives that held continue in their time-out mode");
 }
 
 Result<> MoteusMount::takeBus()

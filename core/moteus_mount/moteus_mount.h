@@ -83,8 +83,8 @@ public:
 
     void describe(DrivesStatus& status) const override;
     [[nodiscard]] Result<> mayBeWritten() const override;
-    void switchOff() override;
-    void leaveBus() override;
+    [[nodiscard]] QString switchOff() override;
+    [[nodiscard]] QString leaveBus() override;
     Result<> takeBus() override;
     [[nodiscard]] Result<> chooseWrap(Axis axis, Angle angle, const QString& source) override;
     [[nodiscard]] Result<> mayProve(AngularRate rate, const TravelRange& azimuths,

@@ -15,8 +15,6 @@ namespace {
 using pointing::AxisBox;
 using tracking::AxisProfile;
 
-// As near as this an axis counts as standing at an edge; a target this near counts as reached.
-constexpr Angle kAtEdge = Angle::fromDegrees(0.05);
 // How far beyond an edge to look for what it is the edge of.
 constexpr Angle kBeyondEdge = Angle::fromDegrees(0.1);
 

@@ -20,6 +20,9 @@
 // thread; README.md.
 namespace boresight {
 
+// Nearer to an end of the travel, or to another edge, than this an axis stands at it. A target this near is reached.
+inline constexpr Angle kAtEdge = Angle::fromDegrees(0.05);
+
 // What one axis is asked: to go to a target that moves at `rate`, or without a target to run at `rate`. Zero: brake,
 // with `braking` where the limits of the axis are not enough.
 struct AxisWish

@@ -22,10 +22,11 @@ public:
     virtual void describe(DrivesStatus& status) const = 0;
     // Settings of the drives can be written now; else the reason.
     [[nodiscard]] virtual Result<> mayBeWritten() const = 0;
-    virtual void switchOff() = 0;
+    // Lets its axes go. Returns what the log says of it.
+    [[nodiscard]] virtual QString switchOff() = 0;
 
-    // Leaves the bus to other tools, and takes it back.
-    virtual void leaveBus() = 0;
+    // Leaves the bus to other tools, and takes it back. The first returns what the log says of it.
+    [[nodiscard]] virtual QString leaveBus() = 0;
     virtual Result<> takeBus() = 0;
 
     // The operator has looked: the axis stands at about `angle`. `source` is named in the log.

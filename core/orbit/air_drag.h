@@ -8,6 +8,7 @@
 // (Spacetrack Report 3, section 6; AIAA 2006-6753, appendix A.)
 namespace boresight::orbit {
 
+// More than 15 members: the coefficients of one theory, each with the name that it has there.
 class AirDrag
 {
 public:

@@ -76,6 +76,7 @@ void MqttSource::showConnection()
     } else if (!m_status.open) {
         m_refused.reset();
         m_denied.clear();
+        m_denialTold = false;
         m_silence.start(m_topics.silence);
     }
     // What was wrong with the messages is over with the first that is right.
@@ -112,7 +113,7 @@ void MqttSource::take(const QString& name, const QByteArray& payload, mqtt::Reta
         m_refused.reset();
         m_denied.removeOne(m_topics.orientation);
         m_silence.start(m_topics.silence);
-        show(true, denial());
+        showDenial();
         Q_EMIT received(**parsed);
     }
 }
@@ -121,19 +122,18 @@ void MqttSource::takeDenial(const QString& topic)
 {
     if (topicOf(topic) && !m_denied.contains(topic)) {
         m_denied.append(topic);
-        show(true, denial());
+        showDenial();
     }
 }
 
 // Whatever else is wrong stays on the screen.
 void MqttSource::takeGrant(const QString& topic)
 {
-    const bool isTold = m_status.problem == denial();
     if (m_denied.removeOne(topic) && topic == m_topics.orientation) {
         m_silence.start(m_topics.silence);
     }
-    if (isTold) {
-        show(true, denial());
+    if (m_denialTold) {
+        showDenial();
     }
 }
 
@@ -161,6 +161,7 @@ void MqttSource::tellSilence()
     if (isDenied()) {
         return;  // said already
     }
+    m_denialTold = false;
     if (m_refused && m_refused->reason == Refusal::Retained) {
         show(true, Text::tr("%1: on %2 there is only what the broker has kept from before, nothing live: has the "
                             "sensor power and WiFi?")
@@ -173,6 +174,12 @@ void MqttSource::tellSilence()
                    : Text::tr("%1: nothing comes on %2: has the sensor power and WiFi, is this its topic, and does "
                               "the broker's access list let us read it?")
                          .arg(name(), m_topics.orientation));
+}
+
+void MqttSource::showDenial()
+{
+    show(true, denial());
+    m_denialTold = true;
 }
 
 void MqttSource::show(bool open, const QString& problem)

@@ -47,6 +47,7 @@ private:
     [[nodiscard]] bool isDenied() const { return m_denied.contains(m_topics.orientation); }
     [[nodiscard]] QString denial() const;  // empty: nothing is denied
     void tellSilence();
+    void showDenial();
     void show(bool open, const QString& problem);
 
     mqtt::Connection& m_client;
@@ -56,7 +57,8 @@ private:
     QTimer m_silence;
     std::optional<Refused> m_refused;  // the last message, if it was
     bool m_wanted = false;
-    QStringList m_denied;  // topics, by the broker, in this connection
+    QStringList m_denied;       // topics, by the broker, in this connection
+    bool m_denialTold = false;  // the status says what is denied, or that all is well
     SourceStatus m_status;
 };
 

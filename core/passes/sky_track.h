@@ -38,6 +38,7 @@ struct SkyMoment
 // False only if the satellite is surely down from the one to the other.
 [[nodiscard]] bool mayBeUpBetween(const SkyMoment& a, const SkyMoment& b);
 
+// More than 15 members: what is the same at each moment of the site and the orbit, worked out once.
 class SkyTrack
 {
 public:

@@ -7,7 +7,7 @@ namespace boresight::sources {
 
 Result<> Park::ask(const request::Park&, const Source& by)
 {
-    const AxisPosition& place = helm().view().profile.park;
+    const AxisPosition place = Gates(helm().view()).park();
     return helm().goTo(place, Activity::Parking, by, Text::tr("park at %1").arg(helm().directionText(place)));
 }
 

@@ -85,7 +85,6 @@ private:
         int agreeing = 0;
     };
 
-    static std::size_t index(Axis axis) { return axis == Axis::Azimuth ? 0 : 1; }
     [[nodiscard]] std::optional<Passed> passed(Angle Place::*angle, SteadyTime middle, Seconds width) const;
     [[nodiscard]] bool moves(SteadyTime since) const;
     void judge(Case& which, const std::optional<Angle>& difference, Angle excess, SteadyTime arrival);

@@ -185,6 +185,29 @@ TEST(ClientsByProfile, TheRuleAndWhoMayConnectChangeWhileRunning)
     EXPECT_TRUE(rig.logSays(QStringLiteral("refused: its address is not among those that may connect")));
 }
 
+// Story: the profile said "in force now" of the number of clients, and the server kept the number of its start.
+// REQ-CONTROL-500: The number of clients in the profile is in force at once. Whoever is connected stays served.
+TEST(ClientsByProfile, TheNumberOfClientsChangesWhileRunning)
+{
+    SimulatedStation rig;
+    const auto one = rig.connect();
+    const auto other = rig.connect();
+    ASSERT_NE(one->ask("p\n", 2), "");
+    ASSERT_NE(other->ask("p\n", 2), "");
+    const auto permit = [&](int clients) {
+        profile::Profile profile = *rig.status().profile;
+        profile.rotctld.maxClients = clients;
+        return rig.ask(request::ApplyProfile{profile});
+    };
+    ASSERT_EQ(permit(2), "");
+    EXPECT_EQ(rig.connect()->receiveUntilClosed(), "");
+    EXPECT_EQ(rig.status().clients.size(), 2U);
+    EXPECT_EQ(one->ask("P 10 20\n"), kDone);
+    EXPECT_NE(other->ask("p\n", 2), "");
+    ASSERT_EQ(permit(3), "");
+    EXPECT_NE(rig.connect()->ask("p\n", 2), "");
+}
+
 // As Gpredict is delivered, with a Threshold of 5°, and after its user has followed the advice.
 // REQ-CONTROL-28 (ClientsAdvice.*): A Gpredict that leaps gets advice on what to set, until it no longer leaps.
 TEST(ClientsAdvice, AGpredictThatLeapsIsToldWhatToSet)

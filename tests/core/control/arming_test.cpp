@@ -157,7 +157,7 @@ TEST(Arming, ABusLeftToOthersAdmitsNobody)
 {
     ArmingRig rig;
     rig.makeReady();
-    rig.mount.leaveBus();
+    EXPECT_FALSE(rig.mount.leaveBus().isEmpty());
     rig.run(kTick);
     EXPECT_EQ(rig.connectionsLost, 1);
     EXPECT_EQ(rig.refusal(), "The bus is released to other tools. Take the bus back first.");

@@ -126,6 +126,28 @@ TEST_F(StationClients, ASilentDriverIsReleasedAndTheMountHolds)
     EXPECT_TRUE(rig.point(300.0, 10.0, kOtherClient));
 }
 
+// Story: Gpredict at a threshold of 0.1° pauses 12 to 16 s between two targets, and lost the mount to another program.
+// REQ-CONTROL-501: A client that reads the position while the mount follows it keeps control without a new target. It
+// loses control 10 s after it has ceased to read.
+TEST_F(StationClients, WhoReadsWhileItIsFollowedKeepsControl)
+{
+    for (int i = 0; i < 3; ++i) {
+        ASSERT_TRUE(rig.point(40.0 + i, 30.0));
+        rig.run(Seconds(1.0));
+    }
+    for (int second = 0; second < 15; ++second) {
+        rig.control.positionRead(kClient.clientId);
+        rig.control.positionRead(kOtherClient.clientId);
+        rig.run(Seconds(1.0));
+    }
+    EXPECT_FALSE(rig.point(300.0, 10.0, kOtherClient));
+    rig.run(Seconds(8.5));
+    EXPECT_FALSE(rig.point(300.0, 10.0, kOtherClient)) << "nobody has read for 9.5 s";
+    rig.control.positionRead(kOtherClient.clientId);
+    rig.run(Seconds(0.6));
+    EXPECT_TRUE(rig.point(300.0, 10.0, kOtherClient));
+}
+
 TEST_F(StationClients, LimitedOrRefusedTheLeadGoesByWhatIsAccepted)
 {
     rig.profile.rotctld.outsideLimits = profile::OutsideLimits::Refuse;

@@ -228,6 +228,7 @@ public:
         drive().silent = !connected;
         m_box.setPower(connected, m_clock.now());
     }
+    [[nodiscard]] QString lastLog() const { return m_log.since(0, 1).back().text; }
     void setBoxLine(bool connected) { m_box.setPower(connected, m_clock.now()); }
     void setMoteusLine(bool connected) { drive().silent = !connected; }
     // What one of them has turned, or was ordered to, of the axis that is the other's.

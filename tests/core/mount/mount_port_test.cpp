@@ -133,6 +133,43 @@ TEST(MountPort, ARotatorOfStepsStaysInsideLimitsBetweenTwoSteps)
     }
 }
 
+// Story: Park was refused for ever on a rotator of whole degrees whose limit was the park place, 60.7°.
+// REQ-MOUNT-500: A rotator that goes in steps parks at its last step before a limit where the park place is beyond that
+// step. A park place outside the limits of the profile is refused.
+TEST(MountPort, ARotatorOfStepsParksAtItsLastStepBeforeALimit)
+{
+    profile::Profile profile = slowProfile();
+    profile.limits.elevation = {.min = 10.4_deg, .max = 60.7_deg};
+    profile.park = {.azimuth = 30_deg, .elevation = 60.7_deg};
+    SimpleBench bench({}, profile);
+    bench.run(Seconds(1.0));
+    EXPECT_TRUE(bench.control().status().permissions.allows(Action::Park));
+    ASSERT_TRUE(bench.ask(request::Park{}));
+    bench.run(Seconds(25.0));
+    bench.expectAt({30_deg, 60_deg}, {}, Angle::fromDegrees(1e-6));
+    EXPECT_EQ(bench.control().state(), StationState::Parked);
+
+    profile.park.elevation = 60.8_deg;
+    SimpleBench outside({}, profile);
+    outside.run(Seconds(1.0));
+    EXPECT_FALSE(outside.control().status().permissions.allows(Action::Park));
+    EXPECT_FALSE(outside.ask(request::Park{}));
+}
+
+// Story: of a pair with another rotator "nothing holds the mount" was logged, and the other axis held.
+// REQ-MOUNT-501: The log names the drive that was switched off where the other axis belongs to another rotator.
+TEST(MountPort, SwitchingOffNamesTheDriveOfAPair)
+{
+    MixedBench pair(Axis::Elevation);
+    pair.run(Seconds(1.0));
+    ASSERT_TRUE(pair.ask(request::SwitchOff{}));
+    EXPECT_EQ(pair.lastLog(), QStringLiteral("switches the elevation drive off, so nothing holds its axis"));
+    MoteusBench both;
+    both.run(Seconds(1.0));
+    ASSERT_TRUE(both.ask(request::SwitchOff{}));
+    EXPECT_EQ(both.rig().lastLog(), "switches the drives off, so nothing holds the mount");
+}
+
 // Story: a jog was offered at the last step before the end of the travel, and moved nothing.
 TEST(MountPort, AJogBeyondTheLastStepOfTheTravelIsNotOffered)
 {

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said of the topics that a broker refuses, without a broker.
+#include "core/orientation_stream/mqtt_source.h"
+#include "tests/fakes/hand_turned_timers.h"
+#include "tests/fakes/one_word.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace boresight::orientation {
+namespace {
+
+class ConnectedBroker final : public mqtt::Connection
+{
+public:
+    void subscribe(const QString&) override {}
+    void unsubscribe(const QString&) override {}
+    bool publish(const mqtt::Message&) override { return false; }
+    [[nodiscard]] const mqtt::Broker& broker() const override { return m_broker; }
+    [[nodiscard]] bool isConnected() const override { return true; }
+    [[nodiscard]] const QString& problem() const override { return m_problem; }
+
+private:
+    mqtt::Broker m_broker;
+    QString m_problem;
+};
+
+// A topic beside it is refused, nothing comes, and then the topic is permitted.
+std::string saidAfterTheGrant()
+{
+    fakes::ManualClock clock;
+    ConnectedBroker broker;
+    MqttSource source(broker, {}, clock);
+    fakes::HandTurnedTimers timers(source, clock);
+    source.open();
+    Q_EMIT broker.subscriptionRefused(QStringLiteral("antenna/status"));
+    EXPECT_FALSE(source.status().problem.isEmpty());
+    timers.elapse(Seconds(6.0));
+    Q_EMIT broker.subscriptionGranted(QStringLiteral("antenna/status"));
+    return source.status().problem.toStdString();
+}
+
+// Story: whether the refusal was on the screen was decided by comparing two translated texts.
+// REQ-ORIENTATION-500: That nothing comes stays on the screen when the broker permits a topic, in every language.
+TEST(MqttDenial, AGrantTakesBackTheRefusalOnly)
+{
+    EXPECT_NE(saidAfterTheGrant().find("nothing comes on antenna/orientation"), std::string::npos);
+    const fakes::OneWord translator;
+    EXPECT_NE(saidAfterTheGrant(), "");
+}
+
+TEST(MqttDenial, AGrantTakesBackTheRefusal)
+{
+    const fakes::OneWord translator;
+    fakes::ManualClock clock;
+    ConnectedBroker broker;
+    MqttSource source(broker, {}, clock);
+    source.open();
+    Q_EMIT broker.subscriptionRefused(QStringLiteral("antenna/orientation"));
+    Q_EMIT broker.subscriptionRefused(QStringLiteral("antenna/status"));
+    EXPECT_FALSE(source.status().problem.isEmpty());
+    Q_EMIT broker.subscriptionGranted(QStringLiteral("antenna/orientation"));
+    EXPECT_FALSE(source.status().problem.isEmpty());
+    Q_EMIT broker.subscriptionGranted(QStringLiteral("antenna/status"));
+    EXPECT_TRUE(source.status().problem.isEmpty());
+}
+
+}  // namespace
+}  // namespace boresight::orientation
