@@ -303,11 +303,11 @@ Result<> DriveSurvey::fitToMove() const
     }
     switch (m_state) {
         case SurveyState::NotDone:
-            return failure(ErrorCode::Refused, Text::tr("the drive check has not run yet"));
+            return failure(ErrorCode::Refused, Text::tr("The drive check has not run yet."));
         case SurveyState::Running:
-            return failure(ErrorCode::Busy, Text::tr("the drive check is running, wait some seconds"));
+            return failure(ErrorCode::Busy, Text::tr("The drive check is running. Wait some seconds."));
         case SurveyState::Fixing:
-            return failure(ErrorCode::Busy, Text::tr("settings are being written to the drives"));
+            return failure(ErrorCode::Busy, Text::tr("Settings are being written to the drives."));
         case SurveyState::Done:
             break;
     }
