@@ -5,9 +5,9 @@
 
 #include <QWidget>
 
-class QStackedLayout;
+class QVBoxLayout;
 
-// The place of the charts among the panels; while they stand in the place of the sky it says so.
+// The place of the charts among the panels, as long as they do not stand beside the panels.
 namespace boresight::ui {
 
 class StripCharts;
@@ -24,10 +24,8 @@ public:
     void takeBack();
 
 private:
-    QWidget* makePlaceholder();
-
     StripCharts* m_charts;
-    QStackedLayout* m_places;
+    QVBoxLayout* m_place;
 };
 
 }  // namespace boresight::ui

@@ -15,7 +15,6 @@
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QPainter>
-#include <QShortcut>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -41,8 +40,7 @@ StripCharts::StripCharts(const Clock& clock, QWidget* parent)
       m_quantity(new QComboBox(this)),
       m_time(new TimeAxis(this)),
       m_notice(new ValueLabel(tr("Remark on the charts"), fonts::label(), tr("Turn not known"), this)),
-      m_pause(new ChoiceButton(tr("Pause"), tr("Hold the picture; the data are collected on (Space in the charts)"))),
-      m_large(new ChoiceButton(tr("Large"), tr("Show the charts in the place of the sky, and back (Ctrl+L)")))
+      m_pause(new ChoiceButton(tr("Pause"), tr("Hold the picture; the data are collected on (Space in the charts)")))
 {
     setAccessibleName(tr("Axis charts"));
     setToolTip(tr("Point at the curves to read them; or Tab, then the arrow keys. Space: pause"));
@@ -136,17 +134,7 @@ void StripCharts::addQuantityBox(QGridLayout& grid)
 void StripCharts::addViewButtons(QGridLayout& grid)
 {
     connect(m_pause, &QAbstractButton::toggled, this, &StripCharts::pause);
-    connect(m_large, &QAbstractButton::clicked, this, &StripCharts::largeWanted);
-    auto* const key = new QShortcut(Qt::CTRL | Qt::Key_L, this);
-    key->setAutoRepeat(false);
-    connect(key, &QShortcut::activated, m_large, &QAbstractButton::click);
-    grid.addWidget(m_pause, 4, 0);
-    grid.addWidget(m_large, 4, 1);
-}
-
-void StripCharts::setLarge(bool large)
-{
-    m_large->setChecked(large);
+    grid.addWidget(m_pause, 4, 0, 1, 2);
 }
 
 void StripCharts::choose(const ChartChoice& choice)

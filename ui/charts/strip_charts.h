@@ -18,7 +18,7 @@ class QGridLayout;
 
 // The charts of one axis, one above the other: position, error, and a quantity of its drive; with the buttons that
 // choose what is shown. Now is at the right end; paused, the picture stands still and the data are collected on.
-// Where nothing came from the drives, nothing is drawn. It can stand in its panel or, larger, in the place of the sky.
+// Where nothing came from the drives, nothing is drawn. They stand in their panel or, in a wide window, beside it.
 // More than 15 members: the widgets that it composes, and what they show.
 namespace boresight::ui {
 
@@ -37,15 +37,11 @@ public:
 
     void add(const std::vector<TickSample>& samples);
     void showStatus(const StationStatus& status);
-    void setLarge(bool large);
 
     [[nodiscard]] StripChart& strip(Strip strip) { return *m_strips[static_cast<std::size_t>(strip)]; }
     [[nodiscard]] const ChartChoice& choice() const { return m_choice; }
     void choose(const ChartChoice& choice);  // what is not offered is passed over
     [[nodiscard]] const TelemetryStore& store() const { return *m_store; }
-
-Q_SIGNALS:
-    void largeWanted(bool large);
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -88,7 +84,6 @@ private:
     TimeAxis* m_time;
     ValueLabel* m_notice;
     ChoiceButton* m_pause;
-    ChoiceButton* m_large;
 };
 
 }  // namespace boresight::ui

@@ -8,6 +8,10 @@
 #include "ui/window/stop_button.h"
 
 #include <QGridLayout>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
 
 namespace boresight::ui {
 
@@ -122,6 +126,36 @@ QString clientsHelp(const StationStatus& status)
         }
     }
     return text;
+}
+
+// The mount's doing in one sentence: what, how long still, by whom.
+QString doing(const StationStatus& status)
+{
+    QStringList parts{status.targetText};
+    if (status.slew) {
+        parts << HeaderBar::tr("there in %1 s").arg(std::ceil(status.slew->remaining.count()), 0, 'f', 0);
+    }
+    if (!status.commander.name.isEmpty()) {
+        parts << HeaderBar::tr("by %1").arg(sourceText(status.commander.name));
+    }
+    QString text = parts.join(QStringLiteral(", "));
+    text[0] = text[0].toUpper();
+    return text;
+}
+
+// Who has the control, and how many wait for it.
+QString controlText(const StationStatus& status)
+{
+    QString who = HeaderBar::tr("clients");
+    if (status.authority == Authority::Operator) {
+        who = HeaderBar::tr("you");
+    } else if (const auto leader = std::ranges::find_if(status.clients, &ClientStatus::leading);
+               leader != status.clients.end()) {
+        who = leader->program.isEmpty() ? leader->address : leader->program;
+    }
+    const auto waiting = std::ranges::count_if(status.clients, &ClientStatus::wanting);
+    return waiting == 0 ? HeaderBar::tr("Control: %1").arg(who)
+                        : HeaderBar::tr("Control: %1, %2 waiting").arg(who).arg(waiting);
 }
 
 Tone stateTone(const StationStatus& status)
@@ -242,8 +276,8 @@ void HeaderBar::showState(const StationStatus& status)
 {
     const Tone tone = stateTone(status);
     m_state->setValue(word(status.state), tone, stateSymbol(tone));
-    m_reason->setValue(drivesOf(status).released ? tr("bus released to other tools") : status.stateReason,
-                       Tone::Secondary);
+    // What the mount does stands beside it, once.
+    m_reason->setValue(status.stateReason == status.targetText ? QString() : status.stateReason, Tone::Secondary);
     const bool latched = status.stopLatched;
     m_stopRequested = m_stopRequested && !latched;
     m_stop->setPhase(latched           ? StopButton::Phase::Latched
@@ -261,9 +295,7 @@ void HeaderBar::showTarget(const StationStatus& status)
         m_target->setValue(tr("no target"), Tone::Secondary);
         return;
     }
-    m_target->setValue(status.commander.name.isEmpty()
-                           ? status.targetText
-                           : tr("%1  by %2").arg(status.targetText, sourceText(status.commander.name)));
+    m_target->setValue(doing(status));
 }
 
 void HeaderBar::showLinks(const StationStatus& status)
@@ -280,8 +312,7 @@ void HeaderBar::showLinks(const StationStatus& status)
     m_azimuth->setToolTip(status.azimuth.stateText);
     m_elevation->setToolTip(status.elevation.stateText);
     m_clients->setToolTip(clientsHelp(status));
-    m_control->setValue(status.authority == Authority::Operator ? tr("Control: operator") : tr("Control: clients"),
-                        status.authority == Authority::Operator ? Tone::Normal : Tone::Secondary);
+    m_control->setValue(controlText(status), status.authority == Authority::Operator ? Tone::Normal : Tone::Secondary);
 }
 
 void HeaderBar::setOnlySimulated()

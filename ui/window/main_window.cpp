@@ -3,6 +3,7 @@
 
 #include "ui/charts/charts_panel.h"
 #include "ui/charts/strip_charts.h"
+#include "ui/clients/hand_back_prompt.h"
 #include "ui/clients/lead_prompt.h"
 #include "ui/guide/guide_page.h"
 #include "ui/jog/gamepad.h"
@@ -21,12 +22,12 @@
 #include "ui/sky/polar_plot.h"
 #include "ui/window/alarm_line.h"
 #include "ui/window/axis_readout.h"
-#include "ui/window/cable_bar.h"
 #include "ui/window/close_prompt.h"
 #include "ui/window/diagnostics_saver.h"
 #include "ui/window/header_bar.h"
 #include "ui/window/help_page.h"
 #include "ui/window/panel_tabs.h"
+#include "ui/window/progress_line.h"
 #include "ui/window/sensor_readout.h"
 #include "ui/window/stop_keys.h"
 
@@ -34,6 +35,7 @@
 #include <QCloseEvent>
 #include <QGridLayout>
 #include <QIcon>
+#include <QResizeEvent>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -46,6 +48,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kBeat{100};
 constexpr int kBeatsPerSecond = 10;
+constexpr int kWidthWithCharts = 1600;
 
 }  // namespace
 
@@ -56,17 +59,19 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_draft(m_desk),
       m_last(clock),
       m_header(new HeaderBar(this)),
+      m_progress(new ProgressLine(this)),
       m_alarms(new AlarmLine(m_desk, this)),
       m_plot(new PolarPlot(m_draft, this)),
       m_plotCell(new QGridLayout),
+      m_strip(new QWidget(this)),
       m_readout(new AxisReadout(this)),
       m_sensor(new SensorReadout(this)),
-      m_cable(new CableBar(this)),
       m_side(new QStackedWidget(this)),
       m_panels(new PanelTabs(clock, m_desk, m_draft, settings, this)),
       m_guideProgress(settings.guide),
       m_lastCommand(new ValueLabel(tr("Last line of the log"), fonts::label(), {}, this)),
       m_leadBar(new LeadPrompt(m_desk, this)),
+      m_handBackBar(new HandBackPrompt(m_desk, this)),
       m_pickBar(new PromptBar(tr("Direction under the cursor"), {directionText({359.99_deg, -89.99_deg})}, 1, this)),
       m_closeBar(new ClosePrompt(this)),
       m_goHere(new CommandButton(tr("Go here"), tr("Go to this direction by the nearest turn"), m_desk,
@@ -90,7 +95,6 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(m_header, &HeaderBar::stopPressed, this, &MainWindow::stop);
     connect(m_stopKeys, &StopKeys::stopPressed, this, &MainWindow::stop);
     connect(m_plot, &PolarPlot::clicked, this, &MainWindow::pick);
-    connect(&m_panels->charts().charts(), &StripCharts::largeWanted, this, &MainWindow::placeCharts);
     connect(&m_panels->log(), &LogPanel::beepWanted, this, &QApplication::beep);
     connect(&m_panels->log(), &LogPanel::soundChanged, this, &MainWindow::alarmSoundChanged);
     connect(m_help, &HelpPage::languageChosen, this, &MainWindow::languageChanged);
@@ -129,38 +133,46 @@ void MainWindow::build()
 {
     auto* const ground = new QWidget(this);
     auto* const grid = new QGridLayout(ground);
-    grid->setContentsMargins(8, 8, 8, 6);
+    grid->setContentsMargins(8, 4, 8, 4);
     grid->setSpacing(8);
-    auto* const side = new QWidget(ground);  // as wide as it must be, in a wide window a third of it
-    auto* const right = new QVBoxLayout(side);
-    grid->addWidget(m_header, 0, 0, 1, 2);
-    grid->addWidget(m_alarms, 1, 0, 1, 2);
+    grid->addWidget(m_header, 0, 0, 1, 3);
+    grid->addWidget(m_progress, 1, 0, 1, 3);
     grid->addLayout(m_plotCell, 2, 0);
-    grid->addWidget(side, 2, 1);
-    grid->addWidget(m_cable, 3, 0);
-    grid->addWidget(m_lastCommand, 3, 1);
+    grid->addWidget(makeSide(*ground), 2, 1);
+    grid->addWidget(m_strip, 2, 2);
     grid->setRowStretch(2, 1);
-    grid->setColumnStretch(0, 2);
-    grid->setColumnStretch(1, 1);
-
+    grid->setColumnStretch(0, 4);
+    grid->setColumnStretch(1, 3);
     m_plotCell->addWidget(m_plot, 0, 0);
-    m_plotCell->addWidget(m_sensor, 1, 0);  // below the sky, which is round: there is room in every size
-    m_plotCell->setRowStretch(0, 1);
     addPrompts();
+    new QVBoxLayout(m_strip);
+    m_strip->hide();
+    setCentralWidget(ground);
+}
+
+// As wide as it must be. What is in it may come and go: the sky keeps its size.
+QWidget* MainWindow::makeSide(QWidget& ground)
+{
+    auto* const side = new QWidget(&ground);
+    auto* const column = new QVBoxLayout(side);
     side->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Preferred);
-    right->setContentsMargins(0, 0, 0, 0);
-    right->addWidget(m_readout);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_alarms);
+    column->addWidget(m_readout);
+    column->addWidget(m_sensor);
     m_side->addWidget(m_panels);
-    right->addWidget(m_side, 1);
+    column->addWidget(m_side, 1);
+    column->addWidget(m_lastCommand);
     m_lastCommand->setStretching(true);
     m_lastCommand->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    setCentralWidget(ground);
+    return side;
 }
 
 void MainWindow::addPrompts()
 {
     m_plotCell->addWidget(m_pickBar, 0, 0, Qt::AlignHCenter | Qt::AlignBottom);
     m_plotCell->addWidget(m_leadBar, 0, 0, Qt::AlignLeft | Qt::AlignBottom);
+    m_plotCell->addWidget(m_handBackBar, 0, 0, Qt::AlignHCenter | Qt::AlignBottom);
     m_plotCell->addWidget(m_closeBar, 0, 0, Qt::AlignHCenter | Qt::AlignTop);
     m_pickBar->addButton(*m_goHere);
     connect(m_pickBar->addButton(tr("Dismiss")), &QPushButton::clicked, this, &MainWindow::unpick);
@@ -221,16 +233,17 @@ void MainWindow::showUpdate(const StationUpdate& update)
 void MainWindow::showStatus(const StationStatus& status)
 {
     m_header->showStatus(status);
+    m_progress->setDone(status.slew ? std::optional(status.slew->done) : std::nullopt);
     m_alarms->showStatus(status);
     m_plot->showStatus(status);
     m_readout->showStatus(status);
     m_sensor->showStatus(status.sensor);
-    m_cable->showStatus(status);
     m_panels->showStatus(status);
     if (m_guide != nullptr) {
         m_guide->showStatus(status);
     }
     m_leadBar->showStatus(status);
+    m_handBackBar->showStatus(status);
     if (!isMoving(status)) {
         m_closeBar->withdraw();
     }
@@ -295,21 +308,22 @@ void MainWindow::unpick()
     m_pickBar->hide();
 }
 
-// The one takes the other's room, so that nothing else moves and nothing is covered.
-void MainWindow::placeCharts(bool inPlaceOfTheSky)
+// A wide window has room for all at once: sky, panels, and the charts beside them.
+void MainWindow::resizeEvent(QResizeEvent* event)
 {
-    StripCharts& charts = m_panels->charts().charts();
-    if (inPlaceOfTheSky) {
-        unpick();
-        m_plotCell->addWidget(&charts, 0, 0);
-        charts.setLarge(true);
-        charts.show();
-        m_leadBar->raise();
-        m_closeBar->raise();
+    QMainWindow::resizeEvent(event);
+    const bool beside = width() >= kWidthWithCharts;
+    if (beside != m_strip->isHidden()) {
+        return;
+    }
+    m_strip->setVisible(beside);
+    if (beside) {
+        m_strip->layout()->addWidget(&m_panels->charts().charts());
+        m_panels->charts().charts().show();
     } else {
         m_panels->charts().takeBack();
     }
-    m_plot->setVisible(!inPlaceOfTheSky);
+    m_panels->offerCharts(!beside);
 }
 
 void MainWindow::goToPicked()

@@ -25,17 +25,18 @@ namespace boresight::ui {
 
 class AlarmLine;
 class AxisReadout;
-class CableBar;
 class ClosePrompt;
 class CommandButton;
 class DiagnosticsSaver;
 class Gamepad;
 class GuidePage;
 class HeaderBar;
+class HandBackPrompt;
 class HelpPage;
 class LeadPrompt;
 class PanelTabs;
 class PolarPlot;
+class ProgressLine;
 class PromptBar;
 class SensorReadout;
 class StopKeys;
@@ -78,11 +79,12 @@ Q_SIGNALS:
 
 protected:
     void closeEvent(QCloseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void build();
     void addPrompts();
-    void placeCharts(bool inPlaceOfTheSky);
+    [[nodiscard]] QWidget* makeSide(QWidget& ground);
     void addKeys();
     void addKey(const QKeySequence& key, void (MainWindow::*act)());
     void stop();
@@ -115,18 +117,20 @@ private:
     ProfileDraft m_draft;
     LastStatus m_last;
     HeaderBar* m_header;
+    ProgressLine* m_progress;
     AlarmLine* m_alarms;
     PolarPlot* m_plot;
-    QGridLayout* m_plotCell;  // the plot, or the charts in its place, and prompts over it
+    QGridLayout* m_plotCell;  // the plot, and prompts over it
+    QWidget* m_strip;         // the charts, in a wide window
     AxisReadout* m_readout;
     SensorReadout* m_sensor;
-    CableBar* m_cable;
     QStackedWidget* m_side;  // the panels, or the guide in their place
     PanelTabs* m_panels;
     GuideProgress m_guideProgress;
     GuidePage* m_guide = nullptr;  // made when it is first opened
     ValueLabel* m_lastCommand;
     LeadPrompt* m_leadBar;
+    HandBackPrompt* m_handBackBar;
     PromptBar* m_pickBar;
     ClosePrompt* m_closeBar;
     CommandButton* m_goHere;

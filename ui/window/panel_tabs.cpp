@@ -123,6 +123,14 @@ void PanelTabs::bringUp(QWidget& panel)
     }
 }
 
+void PanelTabs::offerCharts(bool on)
+{
+    if (!on && currentWidget() == m_charts) {
+        setCurrentWidget(m_jog);
+    }
+    setTabVisible(indexOf(m_charts), on);
+}
+
 int PanelTabs::keyOf(const QWidget* panel) const
 {
     const auto found = std::ranges::find_if(m_keys, [panel](const auto& one) { return one.second == panel; });

@@ -40,6 +40,7 @@ public:
     void showStatus(const StationStatus& status);
     [[nodiscard]] WindowLayout arrangement() const;
     void arrange(const WindowLayout& layout);
+    void offerCharts(bool on);     // off while they stand beside the panels
     void bringUp(QWidget& panel);  // to the front, also from behind "Mount"
 
     [[nodiscard]] JogPanel& jog() { return *m_jog; }

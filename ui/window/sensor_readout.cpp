@@ -15,9 +15,9 @@ namespace {
 QString directionText(const SensorStatus& sensor)
 {
     return sensor.direction
-               ? SensorReadout::tr("SNS %1 %2")
+               ? SensorReadout::tr("Sensor %1 %2")
                      .arg(angleText(sensor.direction->azimuth, 1), angleText(sensor.direction->elevation, 1))
-               : SensorReadout::tr("SNS %1").arg(noValue());
+               : SensorReadout::tr("Sensor %1").arg(noValue());
 }
 
 QString difference(const QString& name, const std::optional<Angle>& angle)
@@ -36,7 +36,8 @@ QString detailText(const SensorStatus& sensor)
     QStringList parts{difference(SensorReadout::tr("AZ"), sensor.azimuthDifference),
                       difference(SensorReadout::tr("EL"), sensor.elevationDifference)};
     parts.removeAll(QString());
-    return parts.isEmpty() ? QString() : SensorReadout::tr("against the axes: %1").arg(parts.join(QLatin1String(", ")));
+    return parts.isEmpty() ? QString()
+                           : SensorReadout::tr("sensor minus axes: %1").arg(parts.join(QLatin1String(", ")));
 }
 
 bool isWell(const SensorStatus& sensor)
@@ -49,7 +50,7 @@ bool isWell(const SensorStatus& sensor)
 SensorReadout::SensorReadout(QWidget* parent)
     : QWidget(parent),
       m_direction(new ValueLabel(tr("Direction by the sensor"), fonts::text(),
-                                 tr("SNS %1 %2").arg(QStringLiteral("000.0°"), QStringLiteral("-000.0°")), this)),
+                                 tr("Sensor %1 %2").arg(QStringLiteral("000.0°"), QStringLiteral("-000.0°")), this)),
       m_age(new ValueLabel(tr("Age of the sensor's value"), fonts::label(), tr("age %1").arg(QStringLiteral("000.0 s")),
                            this)),
       m_detail(new ValueLabel(tr("Sensor against the axes"), fonts::label(), {}, this)),
@@ -63,8 +64,8 @@ SensorReadout::SensorReadout(QWidget* parent)
     m_detail->setStretching(true);
     grid->addWidget(m_direction, 0, 0);
     grid->addWidget(m_age, 0, 1);
-    grid->addWidget(m_bars, 1, 0, 1, 2, Qt::AlignLeft);
-    grid->addWidget(m_detail, 2, 0, 1, 3);
+    grid->addWidget(m_bars, 0, 3, Qt::AlignRight);
+    grid->addWidget(m_detail, 1, 0, 1, 4);
     grid->setColumnStretch(2, 1);
     hide();
 }

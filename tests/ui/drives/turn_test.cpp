@@ -7,7 +7,6 @@
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
 #include "ui/sky/sky_markers.h"
-#include "ui/window/cable_bar.h"
 #include "ui/window/stop_button.h"
 
 #include <QAbstractSlider>
@@ -285,7 +284,6 @@ TEST_F(TurnTest, AnUnknownTurnDoesNotLookKnown)
     EXPECT_EQ(text("Error of azimuth"), QStringLiteral("---.--°"));
     EXPECT_EQ(text("Actual elevation"), QStringLiteral("20.00°"));
     EXPECT_EQ(text("State of elevation"), QStringLiteral("HOLDING"));
-    EXPECT_TRUE(window.findChild<CableBar*>()->text().startsWith(QStringLiteral("TURN?")));
     const MarkerData& markers = window.findChild<SkyMarkers*>()->markers();
     EXPECT_FALSE(markers.live);
     EXPECT_FALSE(markers.commanded.has_value());
@@ -296,7 +294,6 @@ TEST_F(TurnTest, ATurnIsNotInQuestionWhileTheDrivesAreRead)
 {
     give(samples::update(samples::reading()));
     EXPECT_EQ(text("State of azimuth"), QStringLiteral("OFF"));
-    EXPECT_FALSE(window.findChild<CableBar*>()->text().startsWith(QStringLiteral("TURN?")));
     EXPECT_EQ(text("Actual azimuth"), noValue());
 }
 

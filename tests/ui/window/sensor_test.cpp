@@ -39,9 +39,9 @@ TEST(SensorReadout, IsThereOnlyWithASensor)
     EXPECT_TRUE(readout.isHidden());
     readout.showStatus(calibrated());
     EXPECT_FALSE(readout.isHidden());
-    EXPECT_EQ(shown(readout, "Direction by the sensor"), QStringLiteral("SNS 334.9° 55.3°"));
+    EXPECT_EQ(shown(readout, "Direction by the sensor"), QStringLiteral("Sensor 334.9° 55.3°"));
     EXPECT_EQ(shown(readout, "Age of the sensor's value"), QStringLiteral("age 0.3 s"));
-    EXPECT_EQ(shown(readout, "Sensor against the axes"), QStringLiteral("against the axes: AZ -0.40°"));
+    EXPECT_EQ(shown(readout, "Sensor against the axes"), QStringLiteral("sensor minus axes: AZ -0.40°"));
 }
 
 TEST(SensorReadout, ALostOneShowsNoNumber)

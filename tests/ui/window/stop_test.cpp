@@ -111,9 +111,6 @@ TEST_F(StopTest, IsThereAndWorksInEveryQuestionDialogAndPrompt)
     give(samples::update(samples::fighting()));
     expectStopWorks("the question of the lead");
     give(samples::update(samples::tracking(10)));
-    QTest::keyClick(&window, Qt::Key_L, Qt::ControlModifier);
-    expectStopWorks("charts in the place of the sky");
-    QTest::keyClick(&window, Qt::Key_L, Qt::ControlModifier);
     QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
     expectStopWorks("the limits being edited");
     window.close();

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/window_fixture.h"
+#include "ui/clients/hand_back_prompt.h"
+#include "ui/window/progress_line.h"
+
+#include <QPushButton>
+
+namespace boresight::ui {
+namespace {
+
+class HandBackTest : public WindowFixture
+{
+protected:
+    HandBackPrompt& prompt() { return *window.findChild<HandBackPrompt*>(); }
+    void press(const QString& text)
+    {
+        for (QPushButton* const button : prompt().findChildren<QPushButton*>()) {
+            if (button->text() == text) {
+                button->click();
+            }
+        }
+    }
+    void giveTaken(bool taken)
+    {
+        StationStatus status = samples::operatorMoving();
+        status.tookControl = taken;
+        give(samples::update(status));
+    }
+};
+
+// REQ-UI-600: After an act of the operator that took the control from waiting clients, one press hands it back.
+TEST_F(HandBackTest, IsOfferedWhileClientsWaitAndGivesTheControl)
+{
+    giveTaken(false);
+    EXPECT_FALSE(prompt().isVisible());
+    giveTaken(true);
+    EXPECT_TRUE(prompt().isVisible());
+    press(QStringLiteral("Hand back"));
+    EXPECT_EQ(asked<request::GiveAuthority>().size(), 1U);
+}
+
+// REQ-UI-601: "Keep control" is remembered until the control is taken anew.
+TEST_F(HandBackTest, KeepControlIsRememberedUntilTheControlIsTakenAnew)
+{
+    giveTaken(true);
+    press(QStringLiteral("Keep control"));
+    giveTaken(true);
+    EXPECT_FALSE(prompt().isVisible());
+    EXPECT_TRUE(asked<request::GiveAuthority>().empty());
+    giveTaken(false);
+    giveTaken(true);
+    EXPECT_TRUE(prompt().isVisible());
+}
+
+// REQ-UI-602: The header says in one sentence what the mount does, when it is there, and by whom. A line below shows
+// how much of the slew is done.
+TEST_F(HandBackTest, ASlewSaysWhenItIsThere)
+{
+    StationStatus status = samples::operatorMoving();
+    status.slew = SlewProgress{.remaining = Seconds(8.3), .done = 0.25};
+    give(samples::update(status));
+    EXPECT_EQ(text("Target and who gave it"), QStringLiteral("Go to 113.0° 10.0°, there in 9 s, by operator"));
+    EXPECT_EQ(window.findChild<ProgressLine*>()->done(), 0.25);
+    status.slew.reset();
+    give(samples::update(status));
+    EXPECT_FALSE(window.findChild<ProgressLine*>()->done());
+}
+
+// REQ-UI-603: The control is named: the operator, the client that moves the mount, and how many wait.
+TEST_F(HandBackTest, TheHeaderNamesWhoHasTheControlAndHowManyWait)
+{
+    StationStatus status = samples::withClients(samples::tracking(1), 3);
+    status.authority = Authority::Clients;
+    for (ClientStatus& client : status.clients) {
+        client.leading = false;
+        client.wanting = false;
+    }
+    status.clients[0].leading = true;
+    status.clients[0].program = QStringLiteral("Gpredict");
+    status.clients[2].wanting = true;
+    give(samples::update(status));
+    EXPECT_EQ(text("Who may move the mount"), QStringLiteral("Control: Gpredict, 1 waiting"));
+}
+
+}  // namespace
+}  // namespace boresight::ui
