@@ -19,7 +19,8 @@
 #include "ui/log/log_panel.h"
 #include "ui/north/calibration_panel.h"
 #include "ui/sky/polar_plot.h"
-#include "ui/window/alarm_line.h"
+#include "ui/window/alarm_card.h"
+#include "ui/window/authority_button.h"
 #include "ui/window/axis_readout.h"
 #include "ui/window/cable_bar.h"
 #include "ui/window/close_prompt.h"
@@ -56,7 +57,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_draft(m_desk),
       m_last(clock),
       m_header(new HeaderBar(this)),
-      m_alarms(new AlarmLine(m_desk, this)),
+      m_alarms(new AlarmCard(m_desk, this)),
       m_plot(new PolarPlot(m_draft, this)),
       m_plotCell(new QGridLayout),
       m_readout(new AxisReadout(this)),
@@ -66,6 +67,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_panels(new PanelTabs(clock, m_desk, m_draft, settings, this)),
       m_guideProgress(settings.guide),
       m_lastCommand(new ValueLabel(tr("Last line of the log"), fonts::label(), {}, this)),
+      m_authority(new AuthorityButton(m_desk, m_alarms->notice(), this)),
       m_leadBar(new LeadPrompt(m_desk, this)),
       m_pickBar(new PromptBar(tr("Direction under the cursor"), {directionText({359.99_deg, -89.99_deg})}, 1, this)),
       m_closeBar(new ClosePrompt(this)),
@@ -97,6 +99,15 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(&m_panels->jog(), &JogPanel::stopPressed, this, &MainWindow::stop);
     connect(&m_panels->jog(), &JogPanel::recentGoTosChanged, this, &MainWindow::recentGoTosChanged);
     connect(m_plot, &PolarPlot::editingChanged, this, &MainWindow::showEditing);
+    connect(m_alarms, &AlarmCard::panelWanted, m_panels, &PanelTabs::open);
+    connect(m_alarms, &AlarmCard::lineWanted, this, [this](const Alarm& alarm) {
+        m_panels->bringUp(m_panels->log());
+        m_panels->log().showAlarm(alarm);
+    });
+    connect(m_alarms, &AlarmCard::listWanted, this, [this] {
+        m_panels->bringUp(m_panels->log());
+        m_panels->log().showAlarms();
+    });
     connect(&m_panels->log(), &LogPanel::diagnosticsWanted, this, &MainWindow::saveDiagnostics);
     connect(m_diagnostics, &DiagnosticsSaver::saved, this, [this](const QString& path) {
         m_alarms->sayForAWhile(tr("Diagnostics saved: %1").arg(path), m_clock.now());
@@ -134,11 +145,13 @@ void MainWindow::build()
     auto* const side = new QWidget(ground);  // as wide as it must be, in a wide window a third of it
     auto* const right = new QVBoxLayout(side);
     grid->addWidget(m_header, 0, 0, 1, 2);
-    grid->addWidget(m_alarms, 1, 0, 1, 2);
     grid->addLayout(m_plotCell, 2, 0);
     grid->addWidget(side, 2, 1);
     grid->addWidget(m_cable, 3, 0);
-    grid->addWidget(m_lastCommand, 3, 1);
+    auto* const bottom = new QHBoxLayout;
+    grid->addLayout(bottom, 3, 1);
+    bottom->addWidget(m_lastCommand, 1);
+    bottom->addWidget(m_authority);
     grid->setRowStretch(2, 1);
     grid->setColumnStretch(0, 2);
     grid->setColumnStretch(1, 1);
@@ -149,6 +162,7 @@ void MainWindow::build()
     addPrompts();
     side->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Preferred);
     right->setContentsMargins(0, 0, 0, 0);
+    right->addWidget(m_alarms);
     right->addWidget(m_readout);
     m_side->addWidget(m_panels);
     right->addWidget(m_side, 1);
@@ -222,6 +236,7 @@ void MainWindow::showStatus(const StationStatus& status)
 {
     m_header->showStatus(status);
     m_alarms->showStatus(status);
+    m_authority->showStatus(status);
     m_plot->showStatus(status);
     m_readout->showStatus(status);
     m_sensor->showStatus(status.sensor);

@@ -23,7 +23,8 @@ class QStackedWidget;
 // More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
-class AlarmLine;
+class AlarmCard;
+class AuthorityButton;
 class AxisReadout;
 class CableBar;
 class ClosePrompt;
@@ -115,7 +116,7 @@ private:
     ProfileDraft m_draft;
     LastStatus m_last;
     HeaderBar* m_header;
-    AlarmLine* m_alarms;
+    AlarmCard* m_alarms;
     PolarPlot* m_plot;
     QGridLayout* m_plotCell;  // the plot, or the charts in its place, and prompts over it
     AxisReadout* m_readout;
@@ -126,6 +127,7 @@ private:
     GuideProgress m_guideProgress;
     GuidePage* m_guide = nullptr;  // made when it is first opened
     ValueLabel* m_lastCommand;
+    AuthorityButton* m_authority;
     LeadPrompt* m_leadBar;
     PromptBar* m_pickBar;
     ClosePrompt* m_closeBar;

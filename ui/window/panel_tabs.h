@@ -41,6 +41,7 @@ public:
     [[nodiscard]] WindowLayout arrangement() const;
     void arrange(const WindowLayout& layout);
     void bringUp(QWidget& panel);  // to the front, also from behind "Mount"
+    void open(AlarmHelp help);     // the panel that helps against an alarm
 
     [[nodiscard]] JogPanel& jog() { return *m_jog; }
     [[nodiscard]] CalibrationPanel& north() { return *m_north; }
