@@ -23,7 +23,7 @@ ScannedDrive described(const survey::FoundController& found)
 
 ScanResult resultOf(const QString& bus, const std::vector<survey::FoundController>& found)
 {
-    ScanResult result{.bus = bus, .drives = {}, .problems = problems(found)};
+    ScanResult result{.bus = bus, .drives = {}, .problems = problems(found), .simulated = isSimulatedBus(bus)};
     for (const survey::FoundController& one : found) {
         result.drives.push_back(described(one));
     }
@@ -95,9 +95,9 @@ HostSearch::~HostSearch()
     m_files.waitForDone();
 }
 
-void HostSearch::findAdapters()
+void HostSearch::findAdapters(const QString& namedBus)
 {
-    m_files.start([this] { Q_EMIT adaptersFound(boresight::findAdapters()); });
+    m_files.start([this, namedBus] { Q_EMIT adaptersFound(withNamed(boresight::findAdapters(), namedBus)); });
 }
 
 void HostSearch::findGpredict(const QString& folder)

@@ -30,7 +30,7 @@ public:
     ~HostSearch() override;  // ends a scan
 
 public Q_SLOTS:
-    void findAdapters();
+    void findAdapters(const QString& namedBus);
     void findGpredict(const QString& folder);
     // Only asks: nothing moves. One at a time; a second while one runs is answered by a problem.
     void scan(const QString& bus);

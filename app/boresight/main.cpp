@@ -37,10 +37,13 @@ const QString kChartAxisKey = QStringLiteral("chart_axis");
 const QString kChartQuantityKey = QStringLiteral("chart_quantity");
 const QString kGuideKey = QStringLiteral("guide");
 
+constexpr int kFailed = 2;       // what the program ends with
+constexpr int kDarkBelow = 128;  // of 255: the lightness of a desktop that is dark
+
 int complain(const QString& text)
 {
     app::printError(QStringLiteral("boresight: ") + text);
-    return 2;
+    return kFailed;
 }
 
 ui::WindowLayout readLayout(const QSettings& kept)
@@ -194,25 +197,30 @@ void nameProgram()
 }
 
 // Help, version and mistakes of the command line or the profile are told without a display.
-Result<app::Options> readOptionsAlone(int argc, char** argv)
+Result<app::Options> readOptionsAlone(int argc, char** argv, const QStringList& more)
 {
     const QCoreApplication application(argc, argv);
     nameProgram();
-    return app::readOptions(QCoreApplication::arguments(), QStringLiteral("Controls a ground-station antenna mount."));
+    return app::readOptions(QCoreApplication::arguments() + more,
+                            QStringLiteral("Controls a ground-station antenna mount."));
 }
 
-// Whoever starts it from a menu sees no terminal. The end of the session closes the window as its button does.
-int complainInWindow(int argc, char** argv, const QString& text)
+// Whoever starts it from a menu sees no terminal. The end of the session closes the window as its button does. Returns
+// the profile to start with instead; empty: none.
+QString complainInWindow(int argc, char** argv, const QString& text)
 {
+    QApplication::setStyle(QStringLiteral("Fusion"));
     const QApplication application(argc, argv);
     const ui::Translation translation({});
+    const bool dark = QApplication::palette().color(QPalette::Window).lightness() < kDarkBelow;
+    ui::applyTheme(dark ? ui::ThemeKind::Night : ui::ThemeKind::Day);
     ui::StartProblem problem(text);
     const app::UnixSignals signals;
     QObject::connect(&signals, &app::UnixSignals::endRequested, &problem, &QWidget::close);
     problem.show();
-    const int status = complain(QStringLiteral("the window says: ") + text);
+    complain(QStringLiteral("the window says: ") + text);
     QApplication::exec();
-    return status;
+    return problem.chosenProfile();
 }
 
 bool hasDisplay()
@@ -228,10 +236,17 @@ int main(int argc, char** argv)
     QElapsedTimer sinceStart;
     sinceStart.start();
     app::logToStandardError();
-    auto options = readOptionsAlone(argc, argv);
-    if (!options) {
+    auto options = readOptionsAlone(argc, argv, {});
+    while (!options) {
         const bool fromMenu = argc == 1 && hasDisplay();
-        return fromMenu ? complainInWindow(argc, argv, options.error().text) : complain(options.error().text);
+        if (!fromMenu) {
+            return complain(options.error().text);
+        }
+        const QString profile = complainInWindow(argc, argv, options.error().text);
+        if (profile.isEmpty()) {
+            return kFailed;
+        }
+        options = readOptionsAlone(argc, argv, {QStringLiteral("--profile"), profile});
     }
     options->profile = options->startingProfile();
     if (!hasDisplay()) {

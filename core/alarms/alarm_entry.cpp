@@ -67,7 +67,7 @@ AlarmText textOf(const AlarmEntry& entry, const QStringList& arguments)
     const QString remedy = filled(entry.remedy, arguments);
     return {.what = asSentence(filled(entry.what, arguments)),
             .action = asSentence(filled(entry.action, arguments)),
-            .remedy = asSentence(entry.thenRearm ? Text::tr("%1 Then re-arm").arg(remedy) : remedy),
+            .remedy = asSentence(entry.thenRearm ? Text::tr("%1 Then press Re-arm").arg(remedy) : remedy),
             .brief = asSentence(filled(*entry.brief == '\0' ? entry.what : entry.brief, arguments))};
 }
 
@@ -91,6 +91,56 @@ QStringList namedByWhat(const AlarmEntry& entry, const QStringList& arguments)
 QString logSource(const AlarmKey& alarm)
 {
     return QString::fromUtf8(alarm.entry->source).replace(QLatin1String("%1"), alarm.about);
+}
+
+bool explains(const AlarmKey& cause, const AlarmKey& result)
+{
+    const bool silence = result.entry->kin == AlarmKin::Silence;
+    switch (cause.entry->kin) {
+        case AlarmKin::BusGone:
+            return silence || result.entry->kin == AlarmKin::Drive;
+        case AlarmKin::BusDisturbed:
+            return silence;
+        case AlarmKin::Drive:
+            return silence && cause.about == result.about;
+        case AlarmKin::Alone:
+        case AlarmKin::Silence:
+            break;
+    }
+    return false;
+}
+
+QString buttonText(AlarmHelp help)
+{
+    switch (help) {
+        case AlarmHelp::None:
+            return {};
+        case AlarmHelp::Rearm:
+            return Text::tr("Re-arm");
+        case AlarmHelp::ResetStop:
+            return Text::tr("Reset stop");
+        case AlarmHelp::Unwind:
+            return Text::tr("Unwrap now");
+        case AlarmHelp::Reconnect:
+            return Text::tr("Reconnect");
+        case AlarmHelp::MovePark:
+            return Text::tr("Move park");
+        case AlarmHelp::OpenProtection:
+            return Text::tr("Open Protection");
+        case AlarmHelp::OpenDrives:
+            return Text::tr("Open Drives");
+        case AlarmHelp::OpenClients:
+            return Text::tr("Open Clients");
+        case AlarmHelp::OpenLimits:
+            return Text::tr("Open Limits");
+        case AlarmHelp::OpenNorth:
+            return Text::tr("Open North");
+        case AlarmHelp::OpenProfile:
+            return Text::tr("Open Profile");
+        case AlarmHelp::ConfirmWrap:
+            return Text::tr("Enter position");
+    }
+    return {};
 }
 
 }  // namespace boresight

@@ -11,6 +11,16 @@
 #include <string_view>
 #include <utility>
 
+// What an alarm has to do with others that stand at the same time. What explains others stands before them.
+enum class AlarmKin
+{
+    Alone,
+    BusGone,       // explains what is reported of drives and axes, and every silence
+    BusDisturbed,  // explains a silence
+    Drive,         // of a drive or its axis: explains the silence of that one
+    Silence
+};
+
 // One entry of the alarm catalogue: id, severity and sentences of an alarm. A constant of the program. The sentences
 // are marked for translation. %1 to %9 in a sentence are the arguments that the alarm is raised with. The id is never
 // translated. Any thread.
@@ -30,8 +40,9 @@ struct AlarmEntry
     const char* action = "";                // what Boresight did
     const char* remedy = "";                // what to do
     const char* brief = "";                 // what happened, after the source in the log. Empty: `what`.
-    bool thenRearm = false;                 // "Then re-arm" follows the remedy
-    bool symptom = false;                   // its cause, if equally severe, is shown before it
+    bool thenRearm = false;                 // "Then press Re-arm." follows the remedy
+    AlarmHelp help = AlarmHelp::None;       // the button that does what the remedy says
+    AlarmKin kin = AlarmKin::Alone;
     std::array<const char*, kMostArguments> examples{};  // one for each argument, for the manual
     // The id of another entry. Of alarms with one place only the newest stands.
     const char* placeOf = nullptr;
@@ -92,5 +103,9 @@ struct AlarmText
 // Those of the arguments that what happened names.
 [[nodiscard]] QStringList namedByWhat(const AlarmEntry& entry, const QStringList& arguments);
 [[nodiscard]] QString logSource(const AlarmKey& alarm);
+// The first of two alarms that both stand is a cause of the second.
+[[nodiscard]] bool explains(const AlarmKey& cause, const AlarmKey& result);
+// What stands on the button: "Re-arm". Empty: there is none.
+[[nodiscard]] QString buttonText(AlarmHelp help);
 
 }  // namespace boresight

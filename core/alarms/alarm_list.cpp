@@ -15,6 +15,29 @@ bool saysOther(const AlarmEntry& now, const AlarmEntry& before)
     return std::string_view(now.what) != before.what;
 }
 
+// From the cause of much to what is mostly a result.
+int depthOf(AlarmKin kin)
+{
+    switch (kin) {
+        case AlarmKin::BusGone:
+            return 0;
+        case AlarmKin::BusDisturbed:
+            return 1;
+        case AlarmKin::Alone:
+        case AlarmKin::Drive:
+            break;
+        case AlarmKin::Silence:
+            return 3;
+    }
+    return 2;
+}
+
+// What lasts before what is over, then the worst, then what nobody has acknowledged.
+std::tuple<bool, int, bool> ownUrgencyOf(const Alarm& alarm)
+{
+    return {!alarm.active, -static_cast<int>(alarm.severity), alarm.acknowledged};
+}
+
 }  // namespace
 
 std::vector<AlarmList::Entry>::iterator AlarmList::find(const AlarmKey& key)
@@ -46,6 +69,7 @@ std::optional<AlarmText> AlarmList::raise(const AlarmKey& key, Severity severity
     alarm.what = text.what;
     alarm.action = text.action;
     alarm.remedy = text.remedy;
+    alarm.help = key.entry->help;
     return isNew ? std::optional(text) : std::nullopt;
 }
 
@@ -82,18 +106,29 @@ bool AlarmList::active(const AlarmKey& key) const
                                [&key](const Entry& entry) { return entry.alarm.active && entry.key.sharesPlace(key); });
 }
 
+// A cause has the place of the worst of what it explains.
+AlarmList::Urgency AlarmList::urgencyOf(const Entry& entry) const
+{
+    Urgency urgency = ownUrgencyOf(entry.alarm);
+    for (const Entry& other : m_entries) {
+        if (entry.alarm.active && other.alarm.active && explains(entry.key, other.key)) {
+            urgency = std::min(urgency, ownUrgencyOf(other.alarm));
+        }
+    }
+    return urgency;
+}
+
 std::vector<Alarm> AlarmList::list() const
 {
-    std::vector<Entry> entries = m_entries;
+    std::vector<const Entry*> entries;
+    std::ranges::transform(m_entries, std::back_inserter(entries), [](const Entry& entry) { return &entry; });
     // The oldest of equals is more likely the cause than a result.
-    std::ranges::sort(entries, {}, [](const Entry& entry) {
-        const Alarm& alarm = entry.alarm;
-        return std::tuple(!alarm.active, -static_cast<int>(alarm.severity), alarm.acknowledged,
-                          entry.key.entry->symptom, alarm.id);
+    std::ranges::sort(entries, {}, [this](const Entry* entry) {
+        return std::tuple(urgencyOf(*entry), depthOf(entry->key.entry->kin), entry->alarm.id);
     });
     std::vector<Alarm> alarms;
     alarms.reserve(entries.size());
-    std::ranges::transform(entries, std::back_inserter(alarms), &Entry::alarm);
+    std::ranges::transform(entries, std::back_inserter(alarms), [](const Entry* entry) { return entry->alarm; });
     return alarms;
 }
 

@@ -7,6 +7,7 @@
 #include <QStringList>
 
 #include <optional>
+#include <tuple>
 #include <vector>
 
 // The alarms of the station, one in each place of the catalogue and about each thing. An alarm stays until its cause is
@@ -26,7 +27,7 @@ public:
 
     [[nodiscard]] bool active(const AlarmKey& key) const;  // in this place
     // What lasts before what is over; then the worst first; among equals what was not seen, then causes before
-    // symptoms, then the oldest.
+    // symptoms, then the oldest. What explains others that stand comes before them, whatever its own severity.
     [[nodiscard]] std::vector<Alarm> list() const;
 
 private:
@@ -37,7 +38,10 @@ private:
         Alarm alarm;
     };
 
+    using Urgency = std::tuple<bool, int, bool>;  // less comes first
+
     [[nodiscard]] std::vector<Entry>::iterator find(const AlarmKey& key);
+    [[nodiscard]] Urgency urgencyOf(const Entry& entry) const;
     void forgetFinished();
 
     std::vector<Entry> m_entries;

@@ -14,7 +14,7 @@ inline constexpr std::array kPointingAlarms{
     AlarmEntry{.id = "sensor.silent",
                .source = "sensor",
                .severity = Severity::Warning,
-               .what = QT_TRANSLATE_NOOP("Text", "No data from the orientation sensor (%1)"),
+               .what = QT_TRANSLATE_NOOP("Text", "The orientation sensor (%1) sends no data"),
                .action = QT_TRANSLATE_NOOP("Text", "Pointing continues, because the sensor is only a cross-check"),
                .remedy = "%2",
                .examples = {"mqtt sensor/orientation", "Check its power, WiFi and cable"}},
@@ -24,7 +24,7 @@ inline constexpr std::array kPointingAlarms{
                .what = QT_TRANSLATE_NOOP("Text", "The orientation sensor sends only zeros"),
                .action = QT_TRANSLATE_NOOP("Text", "Pointing continues, because the sensor is only a cross-check"),
                .remedy = QT_TRANSLATE_NOOP(
-                   "Text", "Check the wires between its BNO055 and its board, then switch it off and on"),
+                   "Text", "Check the wires between its BNO055 and its board. Then switch the sensor off and on"),
                .placeOf = "sensor.silent"},
     AlarmEntry{.id = "sensor.disagrees-azimuth",
                .source = "sensor",
@@ -32,6 +32,7 @@ inline constexpr std::array kPointingAlarms{
                .what = QT_TRANSLATE_NOOP("Text", "The orientation sensor and the axes differ by %1 in azimuth"),
                .action = QT_TRANSLATE_NOOP("Text", "Pointing is unchanged, because the sensor is only a cross-check"),
                .remedy = "%2",
+               .help = AlarmHelp::OpenNorth,
                .examples =
                    {"12.3°",
                     "Check the azimuth offset and mounting of the sensor, iron near the compass and the azimuth zero"}},
@@ -42,6 +43,7 @@ inline constexpr std::array kPointingAlarms{
         .what = QT_TRANSLATE_NOOP("Text", "The orientation sensor and the axes differ by %1 in elevation"),
         .action = QT_TRANSLATE_NOOP("Text", "Pointing is unchanged, because the sensor is only a cross-check"),
         .remedy = "%2",
+        .help = AlarmHelp::OpenNorth,
         .examples = {"4.5°",
                      "Check the elevation offset and mounting of the sensor, the elevation zero and the coupling"},
         .placeOf = "sensor.disagrees-azimuth"},
@@ -49,11 +51,13 @@ inline constexpr std::array kPointingAlarms{
         .id = "north.not-set",
         .source = "north",
         .severity = Severity::Advisory,
-        .what = QT_TRANSLATE_NOOP("Text",
-                                  "North is not set, and the orientation sensor and the axes differ by %1 in azimuth"),
+        .what =
+            QT_TRANSLATE_NOOP("Text", "North is not set: the orientation sensor and the axes differ by %1 in azimuth"),
         .action = QT_TRANSLATE_NOOP("Text", "Pointing is unchanged. Until north is set, azimuths are axis angles"),
-        .remedy = QT_TRANSLATE_NOOP(
-            "Text", "Find north (panel North, Ctrl+9). If the axis zero is north, check sensor mounting and coupling"),
+        .remedy = QT_TRANSLATE_NOOP("Text",
+                                    "Find north on the page North. If the axis zero is north, check the mounting of "
+                                    "the sensor and the coupling"),
+        .help = AlarmHelp::OpenNorth,
         .examples = {"40.3°"}},
     AlarmEntry{
         .id = "sun.near",
@@ -62,7 +66,8 @@ inline constexpr std::array kPointingAlarms{
         .what = QT_TRANSLATE_NOOP("Text", "The beam is less than %1° from the Sun"),
         .action = QT_TRANSLATE_NOOP("Text", "Boresight starts no motion and allows only motions away from the Sun"),
         .remedy = QT_TRANSLATE_NOOP(
-            "Text", "Move the mount away or let the Sun pass. The setting keep_away (Sun) turns this off"),
+            "Text",
+            "Move the mount away, or wait until the Sun has passed. The setting keep_away (Sun) turns this rule off"),
         .examples = {"5.0"}},
     AlarmEntry{
         .id = "sun.near-one-axis",
@@ -72,7 +77,8 @@ inline constexpr std::array kPointingAlarms{
                                   "The beam may be less than %1° from the Sun, because the mount has only one axis"),
         .action = QT_TRANSLATE_NOOP("Text", "Boresight starts no motion and allows only motions away from the Sun"),
         .remedy = QT_TRANSLATE_NOOP(
-            "Text", "Move the mount away or let the Sun pass. The setting keep_away (Sun) turns this off"),
+            "Text",
+            "Move the mount away, or wait until the Sun has passed. The setting keep_away (Sun) turns this rule off"),
         .examples = {"5.0"},
         .placeOf = "sun.near"},
     AlarmEntry{.id = "sun.clock",
@@ -81,59 +87,66 @@ inline constexpr std::array kPointingAlarms{
                .what = QT_TRANSLATE_NOOP(
                    "Text", "The clock of this computer is not synchronised, so the position of the Sun is unknown"),
                .action = QT_TRANSLATE_NOOP("Text", "Boresight refuses motions to every position that the Sun can have"),
-               .remedy = QT_TRANSLATE_NOOP(
-                   "Text", "Synchronise the clock by NTP or GPS. If its time is right, set clock (Sun) to trusted")},
-    AlarmEntry{
-        .id = "sun.followed",
-        .source = "calibration",
-        .severity = Severity::Warning,
-        .what = QT_TRANSLATE_NOOP("Text", "the antenna points at the Sun, or moves to it"),
-        .action = "%1",
-        .remedy = QT_TRANSLATE_NOOP(
-            "Text",
-            "Never look along the beam or a sight tube without a solar filter. Protect a dish feed from the heat"),
-        .examples = {"The mount tracks the Sun until you command another motion"}},
+               .remedy = QT_TRANSLATE_NOOP("Text",
+                                           "Synchronise the clock by NTP or GPS. If its time is right, set clock (Sun) "
+                                           "to trusted on the page Profile"),
+               .help = AlarmHelp::OpenProfile},
+    AlarmEntry{.id = "sun.followed",
+               .source = "calibration",
+               .severity = Severity::Warning,
+               .what = QT_TRANSLATE_NOOP("Text", "The antenna points at the Sun, or moves to it"),
+               .action = "%1",
+               .remedy = QT_TRANSLATE_NOOP("Text",
+                                           "Never look along the beam or a sight tube without a solar filter. Protect "
+                                           "the feed of a dish from the heat"),
+               .examples = {"The mount tracks the Sun until you command another motion"}},
     AlarmEntry{.id = "swing.waits",
                .source = "calibration",
                .severity = Severity::Warning,
-               .what = QT_TRANSLATE_NOOP("Text", "the compass swing waits for its sensor"),
+               .what = QT_TRANSLATE_NOOP("Text", "The compass swing waits for its sensor"),
                .action = QT_TRANSLATE_NOOP(
-                   "Text", "The mount stands still. It continues BY ITSELF when sensor data returns within %1 s"),
+                   "Text", "The mount stands still. It moves again BY ITSELF if sensor data returns before %1"),
                .remedy = QT_TRANSLATE_NOOP("Text", "Keep clear of the mount. STOP or Hold ends the swing"),
-               .examples = {"30"}},
-    AlarmEntry{.id = "calibration.other-mount",
-               .source = "calibration",
-               .severity = Severity::Warning,
-               .what = "%1",
-               .action = QT_TRANSLATE_NOOP("Text", "The model stays in force. Boresight moves nothing"),
-               .remedy = QT_TRANSLATE_NOOP("Text", "Find north again and apply it, or undo the calibration"),
-               .examples = {"The pointing model in force (\"Sun\", 2026-11-21) was applied with another drive"}},
+               .help = AlarmHelp::OpenNorth,
+               .examples = {"17:06:10Z"}},
+    AlarmEntry{
+        .id = "calibration.other-mount",
+        .source = "calibration",
+        .severity = Severity::Warning,
+        .what = "%1",
+        .action = QT_TRANSLATE_NOOP("Text", "The model stays in force. Boresight moves nothing because of this"),
+        .remedy = QT_TRANSLATE_NOOP("Text", "Find north again on the page North and apply it, or undo the calibration"),
+        .help = AlarmHelp::OpenNorth,
+        .examples = {"The pointing model in force (\"Sun\", 2026-11-21) was applied with another drive"}},
     AlarmEntry{
         .id = "calibration.not-stored",
         .source = "calibration",
         .severity = Severity::Warning,
-        .what = "%1",
+        .what = QT_TRANSLATE_NOOP("Text", "The history of the calibration is not stored: %1"),
         .action = QT_TRANSLATE_NOOP("Text", "The calibration is in force. Boresight keeps its history in memory only"),
         .remedy = QT_TRANSLATE_NOOP(
-            "Text", "Check the disk or choose another --state-dir. After a restart Undo is not possible"),
+            "Text", "Check the disk, or choose another folder with --state-dir. After a restart Undo is not possible"),
+        .brief = "%1",
         .examples = {"cannot write calibrations.toml: no space left on device"}},
-    AlarmEntry{
-        .id = "points.other-drive",
-        .source = "calibration",
-        .severity = Severity::Warning,
-        .what = QT_TRANSLATE_NOOP("Text", "the points on the page Sun/Moon were taken with another drive"),
-        .action = QT_TRANSLATE_NOOP("Text", "Boresight no longer uses any of them"),
-        .remedy = QT_TRANSLATE_NOOP(
-            "Text", "Drop them and take new ones. On the page Model you can use a point again that is still right")},
-    AlarmEntry{
-        .id = "points.other-site",
-        .source = "calibration",
-        .severity = Severity::Warning,
-        .what = QT_TRANSLATE_NOOP("Text", "the points on the page Sun/Moon were taken at another site"),
-        .action = QT_TRANSLATE_NOOP("Text", "Boresight no longer uses any of them"),
-        .remedy = QT_TRANSLATE_NOOP(
-            "Text", "Drop them and take new ones. On the page Model you can use a point again that is still right"),
-        .placeOf = "points.other-drive"},
+    AlarmEntry{.id = "points.other-drive",
+               .source = "calibration",
+               .severity = Severity::Warning,
+               .what = QT_TRANSLATE_NOOP("Text", "The points on the page Sun/Moon were taken with another drive"),
+               .action = QT_TRANSLATE_NOOP("Text", "Boresight no longer uses any of them"),
+               .remedy = QT_TRANSLATE_NOOP("Text",
+                                           "Open the page North, drop the points and take new ones. On its page Model "
+                                           "you can use a point again that is still right"),
+               .help = AlarmHelp::OpenNorth},
+    AlarmEntry{.id = "points.other-site",
+               .source = "calibration",
+               .severity = Severity::Warning,
+               .what = QT_TRANSLATE_NOOP("Text", "The points on the page Sun/Moon were taken at another site"),
+               .action = QT_TRANSLATE_NOOP("Text", "Boresight no longer uses any of them"),
+               .remedy = QT_TRANSLATE_NOOP("Text",
+                                           "Open the page North, drop the points and take new ones. On its page Model "
+                                           "you can use a point again that is still right"),
+               .help = AlarmHelp::OpenNorth,
+               .placeOf = "points.other-drive"},
 };
 
 }  // namespace boresight

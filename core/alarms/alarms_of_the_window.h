@@ -14,7 +14,7 @@ inline constexpr std::array kWindowAlarms{
     AlarmEntry{.id = "window.station-silent",
                .source = "station",
                .severity = Severity::Alarm,
-               .what = QT_TRANSLATE_NOOP("Text", "No status from the station for %1"),
+               .what = QT_TRANSLATE_NOOP("Text", "The station has sent no status for %1"),
                .action = QT_TRANSLATE_NOOP("Text", "The window hides the old numbers"),
                .remedy = QT_TRANSLATE_NOOP("Text", "Use the hard-wired emergency stop if the mount moves"),
                .examples = {"2.5 s"}},
@@ -22,8 +22,16 @@ inline constexpr std::array kWindowAlarms{
                .source = "station",
                .severity = Severity::Alarm,
                .what = QT_TRANSLATE_NOOP("Text", "STOP is not confirmed"),
-               .action = QT_TRANSLATE_NOOP("Text", "The window sent it, but the status does not show it"),
+               .action = QT_TRANSLATE_NOOP("Text", "The window sent STOP, but the status does not show it"),
                .remedy = QT_TRANSLATE_NOOP("Text", "Use the hard-wired emergency stop if the mount moves")},
+    // Shown while no other alarm is: the way back from a STOP.
+    AlarmEntry{.id = "window.stop-latched",
+               .source = "station",
+               .severity = Severity::Warning,
+               .what = QT_TRANSLATE_NOOP("Text", "STOP is latched"),
+               .action = QT_TRANSLATE_NOOP("Text", "Boresight holds the mount and refuses every motion"),
+               .remedy = QT_TRANSLATE_NOOP("Text", "Press Reset stop when the mount may move again"),
+               .help = AlarmHelp::ResetStop},
 };
 
 }  // namespace boresight

@@ -54,12 +54,13 @@ std::vector<const AlarmEntry*> alarmCatalogue()
 QString alarmTable()
 {
     QString table = QStringLiteral(
-        "| id | severity | what happened | what Boresight did | what to do |\n"
-        "|---|---|---|---|---|\n");
+        "| id | severity | what happened | what Boresight did | what to do | button |\n"
+        "|---|---|---|---|---|---|\n");
     for (const AlarmEntry* const entry : alarmCatalogue()) {
         const AlarmText text = textOf(*entry, examplesOf(*entry));
-        table += QStringLiteral("| `%1` | %2 | %3 | %4 | %5 |\n")
-                     .arg(QLatin1String(entry->id), severityText(*entry), text.what, text.action, text.remedy);
+        table += QStringLiteral("| `%1` | %2 | %3 | %4 | %5 | %6 |\n")
+                     .arg(QLatin1String(entry->id), severityText(*entry), text.what, text.action, text.remedy,
+                          buttonText(entry->help));
     }
     return table;
 }

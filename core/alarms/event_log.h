@@ -14,7 +14,7 @@
 // Station thread only.
 namespace boresight {
 
-// Without its time, for files: "azimuth drive [drive.silent]: No reply from the azimuth drive. …"
+// Without its time, for files: "azimuth drive [drive.silent]: The azimuth drive does not reply. …"
 [[nodiscard]] QString plainLine(const LogEntry& entry);
 
 class EventLog

@@ -3,9 +3,8 @@
 
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
+#include "core/base/time_of_day.h"
 #include "core/units/degrees_text.h"
-
-#include <QDateTime>
 
 #include <algorithm>
 #include <cmath>
@@ -39,12 +38,6 @@ QString timeText(Seconds time)
 {
     return time < Seconds(100.0) ? QStringLiteral("%1 s").arg(std::lround(time.count()))
                                  : QStringLiteral("%1 min").arg(std::lround(time.count() / 60.0));
-}
-
-QString clockText(UtcTime utc)
-{
-    const auto time = std::chrono::round<std::chrono::seconds>(utc).time_since_epoch();
-    return QDateTime::fromSecsSinceEpoch(time.count(), Qt::UTC).toString(QStringLiteral("HH:mm:ss'Z'"));
 }
 
 }  // namespace
@@ -140,7 +133,7 @@ void CableGuard::tell(const CableEnd& end)
         return;
     }
     m_told = now;
-    const QStringList when{degreesText(end.end, 1), clockText(now.ends)};
+    const QStringList when{degreesText(end.end, 1), timeOfDayText(now.ends)};
     if (end.turningBack) {
         m_alarms.raise(alarmEntry("cable.turns-back"), now.severity, when + QStringList(timeText(*end.turningBack)));
     } else {

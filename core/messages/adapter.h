@@ -15,6 +15,7 @@ struct Adapter
     QString name;             // as it calls itself: maker and product
     QString detail;           // serial number, port: what tells two of a kind apart
     bool recognised = false;  // made for these drives; else it may be something else altogether
+    bool simulated = false;   // a program answers there, and no real drive
 
     bool operator==(const Adapter&) const = default;
 };

@@ -27,6 +27,7 @@ struct ScanResult
     QString bus;
     std::vector<ScannedDrive> drives;  // by their ids
     QStringList problems;              // what is wrong and what to do about it; also why nobody could be asked
+    bool simulated = false;            // a program has answered, and no real drive
 
     bool operator==(const ScanResult&) const = default;
 };

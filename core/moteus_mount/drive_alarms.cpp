@@ -11,10 +11,11 @@ namespace {
 using supervision::Symptom;
 using supervision::Weight;
 
-QString meaning(const moteus::FaultText& text)
+// Each text of a fault is a sentence without its full stop.
+QString causeAndRemedy(const moteus::FaultText& text)
 {
-    return text.cause.empty() ? Text::of(text.meaning)
-                              : Text::tr("%1. Likely: %2").arg(Text::of(text.meaning), Text::of(text.cause));
+    return text.cause.empty() ? Text::of(text.remedy)
+                              : Text::tr("Likely cause: %1. %2").arg(Text::of(text.cause), Text::of(text.remedy));
 }
 
 AlarmCase fault(const QString& drive, int code)
@@ -23,10 +24,10 @@ AlarmCase fault(const QString& drive, int code)
         return {alarmEntry("drive.fault-unnamed"), {drive}};
     }
     const moteus::FaultText text = moteus::faultText(code);
-    const QString remedy = Text::of(text.remedy);
+    const QString remedy = causeAndRemedy(text);
     return {alarmEntry("drive.fault"),
-            {drive, QString::number(code), meaning(text),
-             text.saysRearm ? remedy : Text::tr("%1, then re-arm").arg(remedy)}};
+            {drive, QString::number(code), Text::of(text.meaning),
+             text.saysRearm ? remedy : Text::tr("%1. Then press Re-arm").arg(remedy)}};
 }
 
 // Where a warning can get worse.
@@ -60,19 +61,21 @@ const AlarmEntry& stopEntryOf(Symptom symptom)
 
 AlarmCase silenced(const QString& drive, Seconds watchdog, const QString& advice)
 {
-    const QString remedy = advice.isEmpty() ? Text::tr("Check the supply, the CAN cable and the adapter, then re-arm")
-                                            : Text::tr("%1 Then re-arm").arg(advice);
+    const QString remedy = advice.isEmpty()
+                               ? Text::tr("Check the supply, the CAN cable and the adapter. Then press Re-arm")
+                               : Text::tr("%1 Then press Re-arm").arg(advice);
     return {alarmEntry("drive.silent"), {drive, QString::number(watchdog.count()), remedy}};
 }
 
 AlarmCase unheard(const QString& drive, const QString& advice, bool needsRearm)
 {
     if (advice.isEmpty()) {
-        return {alarmEntry("drive.no-reply"),
-                {drive, Text::tr("Check supply, CAN cable, adapter and the drive's id in the profile. boresightctl "
-                                 "scan lists the drives")}};
+        return {
+            alarmEntry("drive.no-reply"),
+            {drive, Text::tr("Check the supply, the CAN cable, the adapter and the id of the drive. The page Drives "
+                             "lists the drives")}};
     }
-    return {alarmEntry("drive.no-reply"), {drive, needsRearm ? Text::tr("%1 Then re-arm").arg(advice) : advice}};
+    return {alarmEntry("drive.no-reply"), {drive, needsRearm ? Text::tr("%1 Then press Re-arm").arg(advice) : advice}};
 }
 
 AlarmCase answersAgain(const QString& drive)
@@ -102,7 +105,7 @@ AlarmCase lost(const QString& drive, DriveLoss loss, int faultCode)
 AlarmCase activeLimit(const QString& drive, int code)
 {
     const moteus::FaultText limit = moteus::faultText(code);
-    return {alarmEntry("drive.limit"), {drive, QString::number(code), meaning(limit), Text::of(limit.remedy)}};
+    return {alarmEntry("drive.limit"), {drive, QString::number(code), Text::of(limit.meaning), causeAndRemedy(limit)}};
 }
 
 QString limitClause(int code)

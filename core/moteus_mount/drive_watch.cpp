@@ -160,6 +160,7 @@ supervision::AxisObservation DriveWatch::observation(Drive& drive, const trackin
     };
     return {
         .now = context.now,
+        .utc = context.utc,
         .received = drive.heard(),
         .fresh = report.received != m_observed,
         .placed = place && place->received != m_placed,

@@ -22,6 +22,7 @@ public:
     struct Context
     {
         SteadyTime now{};
+        UtcTime utc{};         // the same moment, for sentences
         Seconds running{0.0};  // since the start of the program, or since the bus was taken back
         bool turnKnown = false;
         bool faultLatched = false;

@@ -213,6 +213,7 @@ void MoteusMount::watchDrives(const MountSituation& known, MountFindings& found)
 {
     for (const Axis axis : axes()) {
         const DriveWatch::Context context{.now = m_now,
+                                          .utc = m_clock.utc(),
                                           .running = m_now - m_started,
                                           .turnKnown = m_turns.known(axis),
                                           .faultLatched = known.faultLatched || !found.troubles.empty(),

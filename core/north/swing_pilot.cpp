@@ -3,6 +3,7 @@
 
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
+#include "core/base/time_of_day.h"
 #include "core/control/calibration_source.h"
 
 #include <utility>
@@ -135,7 +136,8 @@ void SwingPilot::warnOfWait(const QString& why)
 {
     const QString left = QString::number(m_run->waitLeft(m_clock.now()).count(), 'f', 0);
     m_log.add(Severity::Warning, kSwingSource, Text::tr("the swing stands still for %1 s at most: %2").arg(left, why));
-    m_control.alarms().raise(alarmEntry("swing.waits"), {left});
+    const UtcTime until = m_clock.utc() + std::chrono::round<UtcTime::duration>(m_run->waitLeft(m_clock.now()));
+    m_control.alarms().raise(alarmEntry("swing.waits"), {timeOfDayText(until)});
 }
 
 RunEnd SwingPilot::finish() const

@@ -3,6 +3,7 @@
 
 #include "core/base/bus_name.h"
 #include "core/base/text.h"
+#include "core/can/bit_timing.h"
 #include "core/can/serial_port_check.h"
 #include "core/can/stable_port.h"
 
@@ -52,7 +53,8 @@ Adapter canAdapter(const CanInterfaceFacts& interface)
     return {.bus = QStringLiteral("socketcan:") + interface.name,
             .name = Text::tr("CAN interface"),
             .detail = interface.up ? interface.name : Text::tr("%1, down").arg(interface.name),
-            .recognised = true};
+            .recognised = true,
+            .simulated = socketcan::looksVirtual(interface.name)};
 }
 
 QByteArray contents(const QString& path)
@@ -102,8 +104,40 @@ std::vector<Adapter> adaptersOf(const std::vector<SerialPortFacts>& ports,
     all.push_back({.bus = QStringLiteral("simulated"),
                    .name = Text::tr("Simulated mount"),
                    .detail = Text::tr("built in, to try everything without a mount"),
-                   .recognised = true});
+                   .recognised = true,
+                   .simulated = true});
     return all;
+}
+
+bool isSimulatedBus(const QString& bus)
+{
+    const auto name = parseBusName(bus.toStdString());
+    if (!name) {
+        return false;
+    }
+    switch (name->kind) {
+        case BusKind::Simulated:
+            return true;
+        case BusKind::SocketCan:
+            return socketcan::looksVirtual(QString::fromStdString(name->target));
+        case BusKind::Fdcanusb:
+            break;
+    }
+    const auto port = portIdentity(QString::fromStdString(name->target));
+    return port && isPseudoTerminal(port->device);
+}
+
+std::vector<Adapter> withNamed(std::vector<Adapter> found, const QString& bus)
+{
+    const bool isThere = std::ranges::find(found, bus, &Adapter::bus) != found.end();
+    if (!isThere && parseBusName(bus.toStdString())) {
+        found.insert(found.begin(), {.bus = bus,
+                                     .name = bus.section(QLatin1Char(':'), 1),
+                                     .detail = Text::tr("named by the command line or the profile"),
+                                     .recognised = true,
+                                     .simulated = isSimulatedBus(bus)});
+    }
+    return found;
 }
 
 Result<> mayBeScanned(const SerialPortFacts& port)

@@ -36,6 +36,10 @@ struct CanInterfaceFacts
                                               const std::vector<CanInterfaceFacts>& interfaces);
 
 // Those of this computer, now. Reads files of the kernel: some milliseconds, not on the gui thread.
+// A bus whose drives a program makes: the built-in mount, a pseudo-terminal, a virtual CAN interface.
+[[nodiscard]] bool isSimulatedBus(const QString& bus);
+// And the bus that somebody has named, if it is none of them.
+[[nodiscard]] std::vector<Adapter> withNamed(std::vector<Adapter> found, const QString& bus);
 [[nodiscard]] std::vector<Adapter> findAdapters();
 
 // Whether a scan may write to this port. Not to another USB device: it takes our lines for its own commands. The bus of

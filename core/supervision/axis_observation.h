@@ -22,6 +22,7 @@ struct AngleLeap
 struct AxisObservation
 {
     SteadyTime now{};
+    UtcTime utc{};          // the same moment, for sentences
     SteadyTime received{};  // when the last reply came
     bool fresh = false;     // a new reply since the last tick
     bool placed = true;     // it says a place that is believed; else `actual` is older and says nothing new

@@ -2,6 +2,7 @@
 #include "core/supervision/axis_supervisor.h"
 
 #include "core/base/text.h"
+#include "core/base/time_of_day.h"
 #include "core/supervision/finding_words.h"
 
 #include <algorithm>
@@ -126,7 +127,7 @@ void AxisSupervisor::judgeFollowing(const AxisObservation& seen)
                              .release = 0.5 * m_profile->supervision.followingHint.degrees(),
                              .after = m_profile->supervision.followingTime};
     m_following.update(seen.now, error.degrees(), limits, [&] {
-        return Text::tr("%1 is %2 away from its set-point for %3 (set-point %4, axis %5)")
+        return Text::tr("%1 was %2 away from its set-point for %3 (set-point %4, axis %5)")
                    .arg(m_name, words(apart), words(m_profile->supervision.followingTime), words(seen.commanded),
                         words(seen.actual)) +
                limit(seen.now);
@@ -291,7 +292,7 @@ void AxisSupervisor::judgeSupply(const AxisObservation& seen)
     }
     m_supplyLow.update(seen.now, -voltage, low, [&] {
         const bool stop = voltage <= m_profile->supervision.supplyStop;
-        return Text::tr("the supply of %1 is at %2 V, below %3 V")
+        return Text::tr("the supply of %1 fell to %2 V, below %3 V")
             .arg(m_name, words(voltage, 1),
                  words(stop ? m_profile->supervision.supplyStop : m_profile->supervision.supplyLow, 1));
     });
@@ -299,11 +300,11 @@ void AxisSupervisor::judgeSupply(const AxisObservation& seen)
         seen.now, voltage,
         {.hint = m_profile->supervision.supplyHigh, .release = m_profile->supervision.supplyHigh - kSupplyReturns},
         [&] {
-            return Text::tr("the supply of %1 is at %2 V, above %3 V")
+            return Text::tr("the supply of %1 rose to %2 V, above %3 V")
                 .arg(m_name, words(voltage, 1), words(m_profile->supervision.supplyHigh, 1));
         });
     m_supplyTrend.add(seen.now, voltage);
-    judgeTrend(m_supplyFalls, seen.now, m_supplyTrend,
+    judgeTrend(m_supplyFalls, seen, m_supplyTrend,
                {.value = m_profile->supervision.supplyLow,
                 .fromBelow = false,
                 .near = std::numeric_limits<double>::infinity(),
@@ -322,11 +323,11 @@ void AxisSupervisor::judgeBoard(const AxisObservation& seen)
     m_boardHot.update(seen.now, temperature,
                       {.hint = m_profile->supervision.boardHot, .release = m_profile->supervision.boardHot - kCoolsBy},
                       [&] {
-                          return Text::tr("%1 is at %2 °C and switches off at %3 °C")
+                          return Text::tr("%1 reached %2 °C and switches off at %3 °C")
                               .arg(what, words(temperature, 0), words(m_profile->supervision.boardLimit, 0));
                       });
     m_boardTrend.add(seen.now, temperature);
-    judgeTrend(m_boardWarms, seen.now, m_boardTrend,
+    judgeTrend(m_boardWarms, seen, m_boardTrend,
                {.value = m_profile->supervision.boardLimit, .near = kTrendNear, .unit = QStringLiteral("°C")}, what);
 }
 
@@ -338,13 +339,13 @@ void AxisSupervisor::judgeMotor(const AxisObservation& seen)
     const QString what = Text::tr("the motor of %1").arg(m_name);
     m_motorHot.update(seen.now, *seen.motorTemperature,
                       {.hint = m_profile->supervision.motorHot, .release = m_profile->supervision.motorHot - kCoolsBy},
-                      [&] { return Text::tr("%1 is at %2 °C").arg(what, words(*seen.motorTemperature, 0)); });
+                      [&] { return Text::tr("%1 reached %2 °C").arg(what, words(*seen.motorTemperature, 0)); });
     m_motorTrend.add(seen.now, *seen.motorTemperature);
-    judgeTrend(m_motorWarms, seen.now, m_motorTrend,
+    judgeTrend(m_motorWarms, seen, m_motorTrend,
                {.value = m_profile->supervision.motorHot, .near = kTrendNear, .unit = QStringLiteral("°C")}, what);
 }
 
-void AxisSupervisor::judgeTrend(Watch& watch, SteadyTime now, const Trend& trend, const TrendLimit& to,
+void AxisSupervisor::judgeTrend(Watch& watch, const AxisObservation& seen, const Trend& trend, const TrendLimit& to,
                                 const QString& what)
 {
     const auto line = trend.line();
@@ -353,11 +354,11 @@ void AxisSupervisor::judgeTrend(Watch& watch, SteadyTime now, const Trend& trend
     // Sooner is worse.
     const double soon = left ? -left->count() : -std::numeric_limits<double>::infinity();
     const double ahead = m_profile->supervision.trendAhead.count();
-    watch.update(now, soon, {.hint = -ahead, .release = -1.5 * ahead, .quietFor = Seconds(10.0)}, [&] {
-        return (to.fromBelow ? Text::tr("%1 is at %2 %3 and rising %4 %3/min: %5 %3 in %6 min")
-                             : Text::tr("%1 is at %2 %3 and falling %4 %3/min: %5 %3 in %6 min"))
+    watch.update(seen.now, soon, {.hint = -ahead, .release = -1.5 * ahead, .quietFor = Seconds(10.0)}, [&] {
+        return (to.fromBelow ? Text::tr("%1 reached %2 %3 and, rising by %4 %3/min, reaches %5 %3 at %6")
+                             : Text::tr("%1 fell to %2 %3 and, falling by %4 %3/min, reaches %5 %3 at %6"))
             .arg(what, words(line->now, to.decimals), to.unit, words(std::abs(line->perMinute), 1),
-                 words(to.value, to.decimals), words(left->count() / 60.0, 1));
+                 words(to.value, to.decimals), timeOfDayText(seen.utc + std::chrono::round<UtcTime::duration>(*left)));
     });
 }
 

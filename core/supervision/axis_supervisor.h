@@ -65,7 +65,8 @@ private:
     void judgeSupply(const AxisObservation& seen);
     void judgeBoard(const AxisObservation& seen);
     void judgeMotor(const AxisObservation& seen);
-    void judgeTrend(Watch& watch, SteadyTime now, const Trend& trend, const TrendLimit& to, const QString& what);
+    void judgeTrend(Watch& watch, const AxisObservation& seen, const Trend& trend, const TrendLimit& to,
+                    const QString& what);
 
     QString m_name;  // "the azimuth"
     Axis m_axis;

@@ -85,7 +85,7 @@ TEST_F(HostSearchTest, ListsAdaptersAndGpredictInTheBackground)
     bool gpredict = false;
     QObject::connect(&search, &HostSearch::adaptersFound, &search, [&](const auto& found) { adapters = found; });
     QObject::connect(&search, &HostSearch::gpredictFound, &search, [&](const auto&) { gpredict = true; });
-    search.findAdapters();
+    search.findAdapters({});
     search.findGpredict(QDir::tempPath());
     EXPECT_TRUE(fakes::waitUntil([&] { return !adapters.empty() && gpredict; }));
     EXPECT_EQ(adapters.back().bus, QStringLiteral("simulated"));

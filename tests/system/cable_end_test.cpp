@@ -37,7 +37,7 @@ protected:
     void look(SimulatedStation& rig)
     {
         farthest = std::max(farthest, rig.truth(Axis::Azimuth));
-        if (!toldAt && rig.alarmSays(QStringLiteral("azimuth cable ends"))) {
+        if (!toldAt && rig.alarmSays(QStringLiteral("azimuth reaches its cable end"))) {
             toldAt = m_now;
         }
     }
@@ -63,7 +63,7 @@ TEST_F(CableEndTest, IsToldAheadThenTheMountTurnsBackAndFollowsOn)
     EXPECT_EQ(end->end, 450_deg);
     EXPECT_NEAR(end->in.count(), 450.0 - 435.0, 5.0);
     ASSERT_TRUE(end->turningBack.has_value());
-    EXPECT_TRUE(rig.logSays(QStringLiteral("unwinds 360°")));
+    EXPECT_TRUE(rig.logSays(QStringLiteral("unwrap the cable by 360°")));
 
     stream(rig, 435.0, 90);
     EXPECT_LE(farthest, 450.2) << "the mechanical end is never reached";
@@ -82,7 +82,7 @@ TEST_F(CableEndTest, WithoutAnotherTurnItSaysThatItHoldsAndStopsAtTheEnd)
     stream(rig, 400.0, 40);
     ASSERT_TRUE(rig.status().cableEnd.has_value());
     EXPECT_FALSE(rig.status().cableEnd->turningBack.has_value());
-    EXPECT_TRUE(rig.logSays(QStringLiteral("holds until the target can be reached again")));
+    EXPECT_TRUE(rig.logSays(QStringLiteral("hold there until the mount can reach the target again")));
     stream(rig, 440.0, 30);
     EXPECT_LE(farthest, 450.2);
     EXPECT_NEAR(rig.truth(Axis::Azimuth), 450.0, 0.2);

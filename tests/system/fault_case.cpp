@@ -76,7 +76,7 @@ double reported(SimulatedStation& rig, Axis axis)
 
 std::vector<Group> lostLines()
 {
-    const std::string noReply = "No reply from the ";
+    const std::string noReply = "drive does not reply";
     std::vector<Group> groups{
         {.fault = {.name = "CAN cable cut",
                    .injections = {{.kind = FaultKind::LostCommand, .value = 1.0}},
@@ -232,7 +232,7 @@ std::vector<Group> driveFaults()
             groups.push_back({.fault = {.name = name(axis) + " drive fault " + std::to_string(code),
                                         .injections = {{.kind = FaultKind::DriveFault, .axis = axis, .value = code}},
                                         .hurt = hurt(axis),
-                                        .alarm = name(axis) + " drive fault " + std::to_string(code) + ": ",
+                                        .alarm = "drive reports fault " + std::to_string(code) + ": ",
                                         .stillWithin = kCoasting},
                               .moments = everywhere ? kEverywhere : std::vector{Moment::InSlew}});
         }
@@ -246,7 +246,7 @@ std::vector<Group> supplies()
     std::vector<Group> groups{
         {.fault = {.name = "loss of power for 3 s",
                    .injections = {{.kind = FaultKind::PowerLoss}},
-                   .alarm = "No reply from the ",
+                   .alarm = "drive does not reply",
                    .stillWithin = kCoasting},
          .moments = kEverywhere},
         {.fault = {.name = "power blinks for 0.1 s",
@@ -267,8 +267,10 @@ std::vector<Group> supplies()
                    .alarm = "supply",
                    .alarmWithin = Seconds(1.5)},
          .moments = kFast},
-        {.fault =
-             {.name = "supply 3 V", .injections = {volts(3.0)}, .alarm = "drive fault 40", .stillWithin = kCoasting},
+        {.fault = {.name = "supply 3 V",
+                   .injections = {volts(3.0)},
+                   .alarm = "drive reports fault 40",
+                   .stillWithin = kCoasting},
          .moments = kFast},
         {.fault = {.name = "supply 45 V",
                    .injections = {volts(45.0)},
@@ -277,8 +279,10 @@ std::vector<Group> supplies()
                    .alarm = "supply",
                    .alarmWithin = Seconds(1.5)},
          .moments = {Moment::AtRest, Moment::InSlew}},
-        {.fault =
-             {.name = "supply 60 V", .injections = {volts(60.0)}, .alarm = "drive fault 34", .stillWithin = kCoasting},
+        {.fault = {.name = "supply 60 V",
+                   .injections = {volts(60.0)},
+                   .alarm = "drive reports fault 34",
+                   .stillWithin = kCoasting},
          .moments = kFast},
     };
     for (const Axis axis : kAxes) {

@@ -62,8 +62,8 @@ TEST_F(FaultTest, ASilentBusStopsTheMountAndNothingMovesWhenItIsBack)
     rig.run(Seconds(0.2));  // the watchdog of 0.1 s, and the drive's own ramp
     const AxisPosition stopped = rig.truth();
     rig.run(Seconds(0.2));
-    EXPECT_TRUE(rig.alarmSays(QStringLiteral("No reply from the azimuth drive")));
-    EXPECT_TRUE(rig.alarmSays(QStringLiteral("No reply from the elevation drive")));
+    EXPECT_TRUE(rig.alarmSays(QStringLiteral("The azimuth drive does not reply")));
+    EXPECT_TRUE(rig.alarmSays(QStringLiteral("The elevation drive does not reply")));
     rig.run(Seconds(0.5));
     EXPECT_EQ(client->ask("p\n", 2).substr(0, 4) == "RPRT", false) << "0.9 s old is still a position";
     rig.run(Seconds(0.2));
@@ -255,6 +255,76 @@ TEST_F(FaultTest, EveryStartOfAMotionIsExplained)
     // Of a resolution of 0.0055°.
     EXPECT_TRUE(rig.logSays(QStringLiteral("moves the mount from 0.00° 10.00°: P 200.00° 60.00°")) ||
                 rig.logSays(QStringLiteral("moves the mount from -0.01° 10.00°: P 200.00° 60.00°")));
+}
+
+// What the operator reads first must be the cause, in each order of things, also after an acknowledgement.
+class RootCauseTest : public FaultTest
+{
+protected:
+    [[nodiscard]] Alarm first() const { return rig.status().alarms.front(); }
+    [[nodiscard]] bool stands(const QString& name) const
+    {
+        const std::vector<Alarm> alarms = rig.status().alarms;
+        return std::ranges::any_of(alarms, [&](const Alarm& one) { return one.active && one.name == name; });
+    }
+    void expectFirst(const char* name)
+    {
+        EXPECT_EQ(first().name.toStdString(), name) << first().what.toStdString();
+        EXPECT_EQ(rig.ask(request::AcknowledgeAlarms{}), "");
+        rig.run(Seconds(2.0));
+        EXPECT_EQ(first().name.toStdString(), name) << first().what.toStdString();
+        EXPECT_TRUE(first().active);
+    }
+};
+
+// REQ-ALARMS-302 (RootCauseTest.*)
+TEST_F(RootCauseTest, AnAdapterThatIsGoneInMidPass)
+{
+    inject(sim::FaultKind::BusOff, {});
+    rig.run(Seconds(3.0));
+    EXPECT_TRUE(stands(QStringLiteral("drive.silent")));
+    expectFirst("bus.down");
+}
+
+TEST_F(RootCauseTest, AnAdapterThatIsGoneAfterAFault)
+{
+    inject(sim::FaultKind::DriveFault, Axis::Elevation, 38.0);
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(first().name, QStringLiteral("drive.fault"));
+    EXPECT_EQ(first().help, AlarmHelp::Rearm);
+    inject(sim::FaultKind::BusOff, {});
+    rig.run(Seconds(3.0));
+    EXPECT_TRUE(stands(QStringLiteral("drive.fault")));
+    expectFirst("bus.down");
+}
+
+TEST_F(RootCauseTest, OneDriveWithoutPower)
+{
+    inject(sim::FaultKind::BoardPowerLoss, Axis::Azimuth);
+    rig.run(Seconds(3.0));
+    EXPECT_EQ(first().about, QStringLiteral("azimuth")) << first().what.toStdString();
+    expectFirst("drive.silent");
+}
+
+TEST_F(RootCauseTest, OverTemperatureThenSilence)
+{
+    inject(sim::FaultKind::DriveFault, Axis::Azimuth, 38.0);
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(rig.ask(request::AcknowledgeAlarms{}), "");
+    inject(sim::FaultKind::Silence, Axis::Azimuth);
+    rig.run(Seconds(3.0));
+    EXPECT_TRUE(stands(QStringLiteral("drive.no-reply")));
+    expectFirst("drive.fault");
+}
+
+TEST_F(RootCauseTest, StopWhileFaulted)
+{
+    inject(sim::FaultKind::DriveFault, Axis::Azimuth, 38.0);
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(rig.ask(request::Stop{}), "");
+    rig.run(Seconds(0.5));
+    EXPECT_TRUE(rig.status().stopLatched);
+    expectFirst("drive.fault");
 }
 
 }  // namespace

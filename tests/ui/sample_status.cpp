@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/sample_status.h"
 
+#include "core/alarms/catalogue.h"
 #include "core/control/beam_report.h"
 #include "tests/ui/sample_drives.h"
 #include "tests/ui/sample_permissions.h"
@@ -53,18 +54,18 @@ AxisSample sampleOf(Angle commanded, double seconds, double rate)
     return sample;
 }
 
-// In the words of core/station and core/moteus, as AlarmBoard makes sentences of them.
-void addAlarm(StationStatus& status, Severity severity, const QString& what, const QString& action,
-              const QString& remedy)
+void addAlarm(StationStatus& status, const AlarmKey& key, Severity severity, const QStringList& arguments)
 {
-    Alarm alarm;
-    alarm.id = status.alarms.size() + 1;
-    alarm.severity = severity;
-    alarm.what = what;
-    alarm.action = action;
-    alarm.remedy = remedy;
-    alarm.since = kUtc - std::chrono::seconds(7);
-    status.alarms.push_back(alarm);
+    const AlarmText text = textOf(*key.entry, arguments);
+    status.alarms.push_back({.id = status.alarms.size() + 1,
+                             .name = QString::fromLatin1(key.entry->id),
+                             .about = key.about,
+                             .severity = severity,
+                             .what = text.what,
+                             .action = text.action,
+                             .remedy = text.remedy,
+                             .help = key.entry->help,
+                             .since = kUtc - std::chrono::seconds(7)});
 }
 
 // One object for all statuses, as the station sends it.
@@ -190,17 +191,16 @@ StationStatus faulted()
     status.azimuth.stateText = QStringLiteral("over temperature (38)");
     status.drives->azimuth.registers = QStringLiteral("moteus mode 1, fault 38");
     status.elevation.state = AxisState::Holding;
+    const QString drive = QStringLiteral("azimuth drive");
     addAlarm(
-        status, Severity::Alarm,
-        QStringLiteral("Azimuth drive fault 38: The board (75 °C by default) or the motor is too hot. Likely: Too much "
-                       "torque for too long, or too little cooling."),
-        QStringLiteral("The output of the drive is off. The other axis holds if its drive can."),
-        QStringLiteral("Let it cool down. Lower the torque or improve the cooling, then re-arm."));
-    addAlarm(status, Severity::Warning,
-             QStringLiteral("Azimuth drive limit 100: Current reduced because the board is warm. Likely: Much "
-                            "torque for a long time, or too little cooling."),
-             QStringLiteral("The drive gives less than Boresight commands."),
-             QStringLiteral("It ends when the board cools down. Fault 38 follows if it gets hotter."));
+        status, alarmEntry("drive.fault").of(Axis::Azimuth), Severity::Alarm,
+        {drive, QStringLiteral("38"), QStringLiteral("The board (75 °C by default) or the motor is too hot"),
+         QStringLiteral("Likely cause: Too much torque for too long, or too little cooling. Let it cool down. Lower "
+                        "the torque or improve the cooling. Then press Re-arm")});
+    addAlarm(status, alarmEntry("drive.limit").of(Axis::Azimuth), Severity::Warning,
+             {drive, QStringLiteral("100"), QStringLiteral("Current reduced because the board is warm"),
+              QStringLiteral("Likely cause: Much torque for a long time, or too little cooling. It ends when the board "
+                             "cools down. Fault 38 follows if it gets hotter")});
     return status;
 }
 
@@ -218,11 +218,12 @@ StationStatus disconnected()
     status.line.state = MountLine::State::Lost;
     status.line.problem = QStringLiteral("can0 is gone: plug the adapter in again");
     status.simulated = false;
-    for (const char* const drive : {"azimuth drive", "elevation drive"}) {
-        addAlarm(
-            status, Severity::Alarm, QStringLiteral("No reply from the %1.").arg(QLatin1String(drive)),
-            QStringLiteral("Boresight ended the motion. If the drive has power, its watchdog brakes it after 0.1 s."),
-            QStringLiteral("Check the supply, the CAN cable and the adapter, then re-arm."));
+    for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
+        const QString drive =
+            axis == Axis::Azimuth ? QStringLiteral("azimuth drive") : QStringLiteral("elevation drive");
+        addAlarm(status, alarmEntry("drive.silent").of(axis), Severity::Alarm,
+                 {drive, QStringLiteral("0.1"),
+                  QStringLiteral("Check the supply, the CAN cable and the adapter. Then press Re-arm")});
     }
     return status;
 }
@@ -258,9 +259,8 @@ StationStatus cableEnding()
     StationStatus status = tracking(480.0);
     status.trim = SkyPointing{.azimuth = 0.3_deg, .elevation = -0.1_deg};
     status.cableEnd = CableEnd{.end = 450_deg, .in = Seconds(41.0), .turningBack = Seconds(37.0)};
-    addAlarm(status, Severity::Warning, QStringLiteral("Azimuth cable ends at 450.0°, about 17:14:40Z."),
-             QStringLiteral("At the end Boresight unwinds 360° and resumes. The target is lost for about 37 s."),
-             QStringLiteral("To choose the moment, press Unwind earlier, then give control back."));
+    addAlarm(status, alarmEntry("cable.turns-back"), Severity::Warning,
+             {QStringLiteral("450.0°"), QStringLiteral("17:14:40Z"), QStringLiteral("37 s")});
     profile::Profile profile = *status.profile;
     profile.presets = {{"beacon", {113_deg, 10_deg}}, {"zenith", {0_deg, 90_deg}}};
     status.profile = std::make_shared<const profile::Profile>(profile);
@@ -285,9 +285,7 @@ StationStatus limited()
     status.targetText = QStringLiteral("P 171.25 -2.40");
     status.limited = true;
     status.limitedReason = QStringLiteral("elevation -2.4° below limit 10.0°");
-    addAlarm(status, Severity::Advisory, QStringLiteral("The target is outside the limits."),
-             QStringLiteral("The mount goes to the nearest permitted point (elevation -2.4° below limit 10.0°)."),
-             QStringLiteral("None needed. Tracking resumes when the target comes inside."));
+    addAlarm(status, alarmEntry("target.outside"), Severity::Advisory, {status.limitedReason});
     return status;
 }
 

@@ -63,6 +63,17 @@ QStringList linesOfDrives(const StationStatus& status)
     return lines;
 }
 
+// A simulated drive is named so, one by one: it answers as a real one does.
+QStringList tagged(QStringList drives, bool simulated)
+{
+    if (simulated) {
+        for (QString& drive : drives) {
+            drive = GuideConnect::tr("%1 (simulated)").arg(drive);
+        }
+    }
+    return drives;
+}
+
 }  // namespace
 
 GuideConnect::GuideConnect(ProfileChange& change, RequestDesk& desk, HostDesk& host, QWidget* parent)
@@ -79,7 +90,7 @@ GuideConnect::GuideConnect(ProfileChange& change, RequestDesk& desk, HostDesk& h
       m_use(new CommandButton(tr("Connect"), tr("Connect to the mount by the selected adapter"), desk, *m_notice, this))
 {
     build();
-    connect(m_refresh, &QPushButton::clicked, &m_host, &HostDesk::adaptersWanted);
+    connect(m_refresh, &QPushButton::clicked, this, [this] { Q_EMIT m_host.adaptersWanted(busInUse()); });
     connect(m_scan, &QPushButton::clicked, this, &GuideConnect::scan);
     connect(m_use, &QPushButton::clicked, this, &GuideConnect::use);
     connect(m_list, &QListWidget::currentRowChanged, this, &GuideConnect::showButtons);
@@ -119,7 +130,7 @@ void GuideConnect::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
     if (m_adapters.empty()) {
-        Q_EMIT m_host.adaptersWanted();
+        Q_EMIT m_host.adaptersWanted(busInUse());
     }
 }
 
@@ -131,6 +142,9 @@ void GuideConnect::showAdapters(const std::vector<Adapter>& adapters)
     for (const Adapter& adapter : m_adapters) {
         QString text = adapter.recognised ? adapter.name : tr("%1 (unknown to Boresight)").arg(adapter.name);
         text += QStringLiteral("  ·  ") + adapter.detail;
+        if (adapter.simulated) {
+            text = tr("SIMULATED  ·  %1").arg(text);
+        }
         auto* const item = new QListWidgetItem(text, m_list);
         item->setToolTip(adapter.bus);
     }
@@ -147,6 +161,12 @@ QString GuideConnect::selectedBus() const
     const int row = m_list->currentRow();
     return row >= 0 && row < static_cast<int>(m_adapters.size()) ? m_adapters[static_cast<std::size_t>(row)].bus
                                                                  : QString();
+}
+
+bool GuideConnect::isSimulated(const QString& bus) const
+{
+    const auto adapter = std::ranges::find(m_adapters, bus, &Adapter::bus);
+    return adapter != m_adapters.end() && adapter->simulated;
 }
 
 QString GuideConnect::busInUse() const
@@ -214,13 +234,15 @@ void GuideConnect::showFound()
     QStringList lines;
     if (selectedBus() == busInUse()) {
         lines << (m_status.drives ? tr("In use. %1.").arg(surveySentence(*m_status.drives).text) : tr("In use."));
-        lines << linesOfDrives(m_status);
+        lines << tagged(linesOfDrives(m_status), isSimulated(selectedBus()));
     } else if (selectedBus() == m_scanning) {
         lines << tr("Scanning …");
     } else if (m_result && m_result->bus == selectedBus()) {
+        QStringList drives;
         for (const ScannedDrive& one : m_result->drives) {
-            lines << line(one);
+            drives << line(one);
         }
+        lines << tagged(drives, m_result->simulated);
         lines << m_result->problems;
     } else {
         lines << tr("Press Scan to list the drives on this bus. Scanning moves nothing.");

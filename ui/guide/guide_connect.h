@@ -44,6 +44,7 @@ private:
     void showFound();
     [[nodiscard]] QString selectedBus() const;
     [[nodiscard]] QString busInUse() const;
+    [[nodiscard]] bool isSimulated(const QString& bus) const;
     [[nodiscard]] ProfileChange::Edit useSelected() const;
     [[nodiscard]] std::vector<int> idsFound() const;
 

@@ -6,6 +6,7 @@
 #include "ui/kit/widest.h"
 
 #include <QGridLayout>
+#include <QPushButton>
 
 namespace boresight::ui {
 
@@ -41,6 +42,13 @@ QPushButton* PromptBar::addButton(const QString& text)
     QPushButton* const button = makePushButton({.text = text}, this);
     addButton(*button);
     return button;
+}
+
+void PromptBar::dismiss()
+{
+    if (auto* const last = qobject_cast<QPushButton*>(m_buttons->itemAt(m_buttons->count() - 1)->widget())) {
+        last->click();
+    }
 }
 
 void PromptBar::setText(const QString& text)

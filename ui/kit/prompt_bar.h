@@ -24,6 +24,7 @@ public:
     void addButton(QWidget& button);
     QPushButton* addButton(const QString& text);
     void setText(const QString& text);
+    void dismiss();  // presses the last button, which declines
 
     [[nodiscard]] ValueLabel& notice() { return *m_notice; }
 

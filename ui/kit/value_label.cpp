@@ -13,6 +13,27 @@ namespace boresight::ui {
 namespace {
 constexpr int kValueLabelMargin = 2;  // px, so that a slanted glyph is not clipped
 constexpr int kOutline = 5;           // px around the text of an outlined tag
+constexpr int kLongWord = 24;         // letters: may be wider than a narrow label
+
+// The path of a device is one word, and as wide as three.
+QString withBreaks(const QString& text)
+{
+    QString broken;
+    qsizetype inWord = 0;
+    qsizetype length = 0;
+    for (qsizetype i = 0; i < text.size(); ++i) {
+        if (inWord == 0) {
+            const qsizetype end = text.indexOf(QLatin1Char(' '), i);
+            length = (end < 0 ? text.size() : end) - i;
+        }
+        broken += text[i];
+        inWord = text[i] == QLatin1Char(' ') ? 0 : inWord + 1;
+        if (length > kLongWord && text[i].isPunct()) {
+            broken += QChar(0x200b);  // a line may end here
+        }
+    }
+    return broken;
+}
 }  // namespace
 
 ValueLabel::ValueLabel(const QString& accessibleName, const QFont& font, const QString& widestText, QWidget* parent)
@@ -31,6 +52,13 @@ void ValueLabel::setAlignment(Qt::Alignment alignment)
 void ValueLabel::setLines(int lines)
 {
     m_lines = lines;
+}
+
+void ValueLabel::setWrapping(bool on)
+{
+    m_wrapping = on;
+    setSizePolicy(on ? QSizePolicy::Expanding : QSizePolicy::Fixed, QSizePolicy::Preferred);
+    updateGeometry();
 }
 
 void ValueLabel::setStretching(bool on)
@@ -68,10 +96,14 @@ void ValueLabel::setValue(const QString& text, Tone tone, Symbol symbol)
     if (text == m_text && tone == m_tone && symbol == m_symbol) {
         return;
     }
+    const bool otherHeight = m_wrapping && text != m_text;
     m_text = text;
     m_tone = tone;
     m_symbol = symbol;
     setAccessibleDescription(text);
+    if (otherHeight) {
+        updateGeometry();
+    }
     if (m_collapsing) {
         setVisible(!text.isEmpty());
     }
@@ -107,8 +139,7 @@ int ValueLabel::linesHeight() const
 // their lines are taller.
 int ValueLabel::excess() const
 {
-    return m_lines > 1 || !fonts::isOfNumbers(font()) ? 0
-                                                      : std::max(0, fontMetrics().height() - fonts::lineRoom(font()));
+    return wraps() || !fonts::isOfNumbers(font()) ? 0 : std::max(0, fontMetrics().height() - fonts::lineRoom(font()));
 }
 
 QSize ValueLabel::sizeHint() const
@@ -120,7 +151,28 @@ QSize ValueLabel::sizeHint() const
 
 QSize ValueLabel::minimumSizeHint() const
 {
-    return {m_stretching ? 0 : sizeHint().width(), sizeHint().height()};
+    return {m_stretching || m_wrapping ? 0 : sizeHint().width(), sizeHint().height()};
+}
+
+int ValueLabel::heightForWidth(int width) const
+{
+    return m_wrapping ? heightOf(shownText(), width - aroundText()) : -1;
+}
+
+QString ValueLabel::shownText() const
+{
+    return m_wrapping ? withBreaks(m_text) : m_text;
+}
+
+int ValueLabel::aroundText() const
+{
+    return 2 * (m_outlined ? kOutline : kValueLabelMargin) + (m_symbol == Symbol::None ? 0 : symbolRoom());
+}
+
+int ValueLabel::heightOf(const QString& text, int width) const
+{
+    // Without the alignment: in the middle of so high a rectangle the height is rounded up.
+    return fontMetrics().boundingRect(QRect(0, 0, width, QWIDGETSIZE_MAX), Qt::TextWordWrap, text).height();
 }
 
 QRect ValueLabel::textRect() const
@@ -132,24 +184,22 @@ QRect ValueLabel::textRect() const
 // What there is room for; the whole is in the tooltip.
 QString ValueLabel::fitted(QSize room) const
 {
-    if (m_lines == 1) {
+    if (!wraps()) {
         return fontMetrics().elidedText(m_text, Qt::ElideRight, room.width());
     }
     const auto fits = [&](const QString& text) {
-        // Without the alignment: in the middle of so high a rectangle the height is rounded up.
-        const QRect endless(0, 0, room.width(), QWIDGETSIZE_MAX);
-        return fontMetrics().boundingRect(endless, Qt::TextWordWrap, text).height() <=
-               std::max(room.height(), linesHeight());
+        return heightOf(text, room.width()) <= std::max(room.height(), linesHeight());
     };
-    if (fits(m_text)) {
-        return m_text;
+    const QString text = shownText();
+    if (fits(text)) {
+        return text;
     }
     qsizetype least = 0;
-    for (qsizetype most = m_text.size(); most - least > 1;) {
+    for (qsizetype most = text.size(); most - least > 1;) {
         const qsizetype middle = (least + most) / 2;
-        (fits(m_text.left(middle) + QStringLiteral("…")) ? least : most) = middle;
+        (fits(text.left(middle) + QStringLiteral("…")) ? least : most) = middle;
     }
-    return m_text.left(least) + QStringLiteral("…");
+    return text.left(least) + QStringLiteral("…");
 }
 
 void ValueLabel::paintEvent(QPaintEvent*)
@@ -160,13 +210,13 @@ void ValueLabel::paintEvent(QPaintEvent*)
     QPainter painter(this);
     const QColor colour = currentTheme().colour(m_tone);
     const QRect room = textRect();
-    const int flags = int(m_alignment) | (m_lines > 1 ? int(Qt::TextWordWrap) : int(Qt::TextSingleLine));
+    const int flags = int(m_alignment) | (wraps() ? int(Qt::TextWordWrap) : int(Qt::TextSingleLine));
     const QString shown = fitted(room.size());
     if (m_symbol != Symbol::None && m_symbolShown) {
         const QRect used = fontMetrics().boundingRect(room, flags, shown);
         const double size = symbolSize();
         const double top =
-            m_lines > 1 ? used.top() + 0.5 * (fontMetrics().height() - size) : room.center().y() + 0.5 - 0.5 * size;
+            wraps() ? used.top() + 0.5 * (fontMetrics().height() - size) : room.center().y() + 0.5 - 0.5 * size;
         drawSymbol(painter, m_symbol, QRectF(used.left() - symbolRoom(), top, size, size), colour);
     }
     painter.setPen(colour);
@@ -178,11 +228,8 @@ void ValueLabel::paintEvent(QPaintEvent*)
 
 bool ValueLabel::isElided() const
 {
-    if (m_lines == 1) {
-        return fontMetrics().horizontalAdvance(m_text) > textRect().width();
-    }
-    const QRect room(0, 0, textRect().width(), QWIDGETSIZE_MAX);
-    return fontMetrics().boundingRect(room, Qt::TextWordWrap, m_text).height() > height();
+    return wraps() ? heightOf(shownText(), textRect().width()) > height()
+                   : fontMetrics().horizontalAdvance(m_text) > textRect().width();
 }
 
 bool ValueLabel::event(QEvent* event)

@@ -20,6 +20,7 @@ public:
 
     void setAlignment(Qt::Alignment alignment);
     void setLines(int lines);     // more than one: words wrap
+    void setWrapping(bool on);    // words wrap, and the label is as high as its text in the width that it is given
     void setStretching(bool on);  // takes the width it is given instead of the template's
     void setOutlined(bool on);
     void setWidest(const QString& text);  // another template
@@ -36,6 +37,8 @@ public:
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
+    [[nodiscard]] bool hasHeightForWidth() const override { return m_wrapping; }
+    [[nodiscard]] int heightForWidth(int width) const override;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -43,6 +46,10 @@ protected:
 
 private:
     [[nodiscard]] QRect textRect() const;
+    [[nodiscard]] bool wraps() const { return m_wrapping || m_lines > 1; }
+    [[nodiscard]] QString shownText() const;
+    [[nodiscard]] int aroundText() const;  // px of the width that are not for the text
+    [[nodiscard]] int heightOf(const QString& text, int width) const;
     [[nodiscard]] QString fitted(QSize room) const;
     [[nodiscard]] double symbolSize() const;
     [[nodiscard]] int linesHeight() const;
@@ -56,6 +63,7 @@ private:
     Qt::Alignment m_alignment = Qt::AlignLeft | Qt::AlignVCenter;
     int m_lines = 1;
     bool m_stretching = false;
+    bool m_wrapping = false;
     bool m_outlined = false;
     bool m_collapsing = false;
     bool m_symbolRoom = false;

@@ -22,7 +22,7 @@ public:
 
 Q_SIGNALS:
     // Asked by a page.
-    void adaptersWanted();
+    void adaptersWanted(const QString& namedBus);  // which is listed, too
     void scanWanted(const QString& bus);
     void gpredictWanted(const QString& folder);
     // Answered by the owner of the window.

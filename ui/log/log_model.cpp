@@ -6,6 +6,8 @@
 #include "ui/kit/symbol.h"
 #include "ui/kit/theme.h"
 
+#include <algorithm>
+
 namespace boresight::ui {
 
 namespace {
@@ -26,6 +28,17 @@ void LogModel::append(const std::vector<LogEntry>& entries)
     if (m_entries.size() > kMaxEntries) {
         dropEldest();
     }
+}
+
+// A line of a flickering alarm comes later than the alarm. Two axes may have one each in the same tick.
+std::optional<int> LogModel::lineOf(const Alarm& alarm) const
+{
+    const auto fits = [&alarm](const LogEntry& line) {
+        return line.alarm == alarm.name && line.utc >= alarm.since && line.severity == alarm.severity &&
+               (line.source.contains(alarm.about) || line.text.startsWith(alarm.what));
+    };
+    const auto found = std::ranges::find_if(m_entries, fits);
+    return found == m_entries.end() ? std::nullopt : std::optional(static_cast<int>(found - m_entries.begin()));
 }
 
 void LogModel::dropEldest()

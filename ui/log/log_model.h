@@ -30,6 +30,9 @@ public:
     void append(const std::vector<LogEntry>& entries);
     [[nodiscard]] const LogEntry& entry(int row) const { return m_entries[static_cast<std::size_t>(row)]; }
 
+    // Of the line that came with this alarm; empty if it is not there (any more).
+    [[nodiscard]] std::optional<int> lineOf(const Alarm& alarm) const;
+
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
 protected:

@@ -15,7 +15,9 @@ LogPage::LogPage(LogModel& model, Lines lines, QWidget* parent)
       m_filter(new LogFilter(this)),
       m_view(lines == Lines::All
                  ? new LinesView(tr("Events"), QStringLiteral("boresight-events.txt"), *m_filter, this)
-                 : new LinesView(tr("Why did it move?"), QStringLiteral("boresight-moves.txt"), *m_filter, this))
+                 : new LinesView(tr("Why did it move?"), QStringLiteral("boresight-moves.txt"), *m_filter, this)),
+      m_source(new QComboBox(this)),
+      m_text(new QLineEdit(this))
 {
     m_filter->setSourceModel(&model);
     m_view->setFollowing();
@@ -35,34 +37,45 @@ LogPage::LogPage(LogModel& model, Lines lines, QWidget* parent)
 
 void LogPage::addSources()
 {
-    auto* const source = new QComboBox(this);
-    source->setAccessibleName(tr("Filter by source"));
-    source->addItem(tr("All sources"), QVariant::fromValue(int(LogSource::All)));
-    source->addItem(tr("Operator"), QVariant::fromValue(int(LogSource::Operator)));
-    source->addItem(tr("rotctld clients"), QVariant::fromValue(int(LogSource::Clients)));
-    source->addItem(tr("Station"), QVariant::fromValue(int(LogSource::Station)));
-    connect(source, &QComboBox::currentIndexChanged, this,
-            [this, source] { m_filter->setSource(static_cast<LogSource>(source->currentData().toInt())); });
-    m_view->addControl(*source);
+    m_source->setAccessibleName(tr("Filter by source"));
+    m_source->addItem(tr("All sources"), QVariant::fromValue(int(LogSource::All)));
+    m_source->addItem(tr("Operator"), QVariant::fromValue(int(LogSource::Operator)));
+    m_source->addItem(tr("rotctld clients"), QVariant::fromValue(int(LogSource::Clients)));
+    m_source->addItem(tr("Station"), QVariant::fromValue(int(LogSource::Station)));
+    connect(m_source, &QComboBox::currentIndexChanged, this,
+            [this] { m_filter->setSource(static_cast<LogSource>(m_source->currentData().toInt())); });
+    m_view->addControl(*m_source);
 }
 
 void LogPage::addSeverity()
 {
-    auto* const warnings = new QCheckBox(tr("▲ only"), this);
-    warnings->setAccessibleName(tr("Warnings and alarms only"));
-    warnings->setToolTip(tr("Warnings and alarms only"));
-    connect(warnings, &QCheckBox::toggled, m_filter, &LogFilter::setWarningsOnly);
-    m_view->addControl(*warnings);
+    m_warnings = new QCheckBox(tr("▲ only"), this);
+    m_warnings->setAccessibleName(tr("Warnings and alarms only"));
+    m_warnings->setToolTip(tr("Warnings and alarms only"));
+    connect(m_warnings, &QCheckBox::toggled, m_filter, &LogFilter::setWarningsOnly);
+    m_view->addControl(*m_warnings);
 }
 
 void LogPage::addText()
 {
-    auto* const text = new QLineEdit(this);
-    text->setAccessibleName(tr("Filter by text"));
-    text->setPlaceholderText(tr("contains"));
-    text->setClearButtonEnabled(true);
-    connect(text, &QLineEdit::textChanged, m_filter, &LogFilter::setText);
-    m_view->addControl(*text, 1);
+    m_text->setAccessibleName(tr("Filter by text"));
+    m_text->setPlaceholderText(tr("contains"));
+    m_text->setClearButtonEnabled(true);
+    connect(m_text, &QLineEdit::textChanged, m_filter, &LogFilter::setText);
+    m_view->addControl(*m_text, 1);
+}
+
+void LogPage::reveal(int row)
+{
+    const auto place = [this, row] { return m_filter->mapFromSource(m_filter->sourceModel()->index(row, 0)); };
+    if (!place().isValid()) {
+        m_source->setCurrentIndex(0);
+        m_text->clear();
+        if (m_warnings != nullptr) {
+            m_warnings->setChecked(false);
+        }
+    }
+    m_view->select(place().row());
 }
 
 }  // namespace boresight::ui

@@ -5,6 +5,10 @@
 
 #include <QWidget>
 
+class QCheckBox;
+class QComboBox;
+class QLineEdit;
+
 // Lines of the log with their filters: by source, by severity, by text. One page shows all of them, another only who
 // moved the mount, and why.
 namespace boresight::ui {
@@ -25,6 +29,8 @@ public:
     LogPage(LogModel& model, Lines lines, QWidget* parent = nullptr);
 
     [[nodiscard]] const LogFilter& shown() const { return *m_filter; }
+    // Selects this line of the model. Filters that hide it are cleared.
+    void reveal(int row);
 
 private:
     void addSources();
@@ -33,6 +39,9 @@ private:
 
     LogFilter* m_filter;
     LinesView* m_view;
+    QComboBox* m_source;
+    QCheckBox* m_warnings = nullptr;  // in the page of all lines
+    QLineEdit* m_text;
 };
 
 }  // namespace boresight::ui

@@ -31,7 +31,8 @@ LogPanel::LogPanel(RequestDesk& desk, bool sound, QWidget* parent)
     connect(m_alarms, &AlarmsPage::beepWanted, this, &LogPanel::beepWanted);
     connect(m_alarms, &AlarmsPage::soundChanged, this, &LogPanel::soundChanged);
     addPage(*m_motions, tr("Why did it move?"), tr("Who moved the mount, and why"));
-    addPage(*m_events, tr("Events"), tr("Every line of the log"))->click();
+    m_eventsChoice = addPage(*m_events, tr("Events"), tr("Every line of the log"));
+    m_eventsChoice->click();
     addDiagnosticsButton();
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(6, 6, 6, 6);
@@ -87,6 +88,21 @@ void LogPanel::showStatus(const StationStatus& status)
 void LogPanel::append(const std::vector<LogEntry>& entries)
 {
     m_model->append(entries);
+}
+
+void LogPanel::showAlarm(const Alarm& alarm)
+{
+    if (const std::optional<int> row = m_model->lineOf(alarm)) {
+        m_eventsChoice->setChecked(true);
+        m_events->reveal(*row);
+    } else {
+        showAlarms();
+    }
+}
+
+void LogPanel::showAlarms()
+{
+    m_alarmsChoice->setChecked(true);
 }
 
 }  // namespace boresight::ui

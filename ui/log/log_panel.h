@@ -28,6 +28,9 @@ public:
 
     void showStatus(const StationStatus& status);
     void append(const std::vector<LogEntry>& entries);
+    // To the line that came with it; an alarm without one stands in the list of alarms.
+    void showAlarm(const Alarm& alarm);
+    void showAlarms();
 
     [[nodiscard]] const LogPage& events() const { return *m_events; }
     [[nodiscard]] const LogPage& motions() const { return *m_motions; }
@@ -49,6 +52,7 @@ private:
     QStackedWidget* m_pages;
     QLabel* m_timing;
     ChoiceButton* m_alarmsChoice;
+    ChoiceButton* m_eventsChoice = nullptr;
 };
 
 }  // namespace boresight::ui

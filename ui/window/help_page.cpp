@@ -27,7 +27,7 @@ constexpr Line kLines[] = {
     {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Pause, F12"),
      QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "STOP from anywhere")},
     {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Esc"),
-     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "close the menu or dialog, cancel a drag; else STOP")},
+     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "leaves a field, a list or a question first. The next Esc is STOP")},
     {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "arrows"),
      QT_TRANSLATE_NOOP("boresight::ui::HelpPage",
                        "jog while held, after a click on the pad or Enter; up and down move elevation")},

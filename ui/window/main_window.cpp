@@ -20,7 +20,8 @@
 #include "ui/log/log_panel.h"
 #include "ui/north/calibration_panel.h"
 #include "ui/sky/polar_plot.h"
-#include "ui/window/alarm_line.h"
+#include "ui/window/alarm_card.h"
+#include "ui/window/authority_button.h"
 #include "ui/window/axis_readout.h"
 #include "ui/window/close_prompt.h"
 #include "ui/window/diagnostics_saver.h"
@@ -60,7 +61,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_last(clock),
       m_header(new HeaderBar(this)),
       m_progress(new ProgressLine(this)),
-      m_alarms(new AlarmLine(m_desk, this)),
+      m_alarms(new AlarmCard(m_desk, this)),
       m_plot(new PolarPlot(m_draft, this)),
       m_plotCell(new QGridLayout),
       m_strip(new QWidget(this)),
@@ -70,6 +71,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_panels(new PanelTabs(clock, m_desk, m_draft, settings, this)),
       m_guideProgress(settings.guide),
       m_lastCommand(new ValueLabel(tr("Last line of the log"), fonts::label(), {}, this)),
+      m_authority(new AuthorityButton(m_desk, m_alarms->notice(), this)),
       m_leadBar(new LeadPrompt(m_desk, this)),
       m_handBackBar(new HandBackPrompt(m_desk, this)),
       m_pickBar(new PromptBar(tr("Direction under the cursor"), {directionText({359.99_deg, -89.99_deg})}, 1, this)),
@@ -101,6 +103,15 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(&m_panels->jog(), &JogPanel::stopPressed, this, &MainWindow::stop);
     connect(&m_panels->jog(), &JogPanel::recentGoTosChanged, this, &MainWindow::recentGoTosChanged);
     connect(m_plot, &PolarPlot::editingChanged, this, &MainWindow::showEditing);
+    connect(m_alarms, &AlarmCard::panelWanted, m_panels, &PanelTabs::open);
+    connect(m_alarms, &AlarmCard::lineWanted, this, [this](const Alarm& alarm) {
+        m_panels->bringUp(m_panels->log());
+        m_panels->log().showAlarm(alarm);
+    });
+    connect(m_alarms, &AlarmCard::listWanted, this, [this] {
+        m_panels->bringUp(m_panels->log());
+        m_panels->log().showAlarms();
+    });
     connect(&m_panels->log(), &LogPanel::diagnosticsWanted, this, &MainWindow::saveDiagnostics);
     connect(m_diagnostics, &DiagnosticsSaver::saved, this, [this](const QString& path) {
         m_alarms->sayForAWhile(tr("Diagnostics saved: %1").arg(path), m_clock.now());
@@ -162,7 +173,10 @@ QWidget* MainWindow::makeSide(QWidget& ground)
     column->addWidget(m_sensor);
     m_side->addWidget(m_panels);
     column->addWidget(m_side, 1);
-    column->addWidget(m_lastCommand);
+    auto* const bottom = new QHBoxLayout;
+    column->addLayout(bottom);
+    bottom->addWidget(m_lastCommand, 1);
+    bottom->addWidget(m_authority);
     m_lastCommand->setStretching(true);
     m_lastCommand->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     return side;
@@ -235,6 +249,7 @@ void MainWindow::showStatus(const StationStatus& status)
     m_header->showStatus(status);
     m_progress->setDone(status.slew ? std::optional(status.slew->done) : std::nullopt);
     m_alarms->showStatus(status);
+    m_authority->showStatus(status);
     m_plot->showStatus(status);
     m_readout->showStatus(status);
     m_sensor->showStatus(status.sensor);

@@ -23,7 +23,8 @@ class QStackedWidget;
 // More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
-class AlarmLine;
+class AlarmCard;
+class AuthorityButton;
 class AxisReadout;
 class ClosePrompt;
 class CommandButton;
@@ -118,7 +119,7 @@ private:
     LastStatus m_last;
     HeaderBar* m_header;
     ProgressLine* m_progress;
-    AlarmLine* m_alarms;
+    AlarmCard* m_alarms;
     PolarPlot* m_plot;
     QGridLayout* m_plotCell;  // the plot, and prompts over it
     QWidget* m_strip;         // the charts, in a wide window
@@ -129,6 +130,7 @@ private:
     GuideProgress m_guideProgress;
     GuidePage* m_guide = nullptr;  // made when it is first opened
     ValueLabel* m_lastCommand;
+    AuthorityButton* m_authority;
     LeadPrompt* m_leadBar;
     HandBackPrompt* m_handBackBar;
     PromptBar* m_pickBar;

@@ -131,6 +131,38 @@ void PanelTabs::offerCharts(bool on)
     setTabVisible(indexOf(m_charts), on);
 }
 
+void PanelTabs::open(AlarmHelp help)
+{
+    switch (help) {
+        case AlarmHelp::OpenProtection:
+            bringUp(*m_protection);
+            break;
+        case AlarmHelp::OpenDrives:
+            bringUp(*m_drives);
+            break;
+        case AlarmHelp::OpenClients:
+            bringUp(*m_clients);
+            break;
+        case AlarmHelp::OpenLimits:
+        case AlarmHelp::MovePark:
+            bringUp(*m_limits);
+            break;
+        case AlarmHelp::OpenNorth:
+        case AlarmHelp::ConfirmWrap:
+            bringUpByKey(*m_north);  // or the question, which stands in its place
+            break;
+        case AlarmHelp::OpenProfile:
+            bringUp(*m_profile);
+            break;
+        case AlarmHelp::None:
+        case AlarmHelp::Rearm:
+        case AlarmHelp::ResetStop:
+        case AlarmHelp::Unwind:
+        case AlarmHelp::Reconnect:
+            break;
+    }
+}
+
 int PanelTabs::keyOf(const QWidget* panel) const
 {
     const auto found = std::ranges::find_if(m_keys, [panel](const auto& one) { return one.second == panel; });

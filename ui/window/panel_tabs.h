@@ -42,6 +42,7 @@ public:
     void arrange(const WindowLayout& layout);
     void offerCharts(bool on);     // off while they stand beside the panels
     void bringUp(QWidget& panel);  // to the front, also from behind "Mount"
+    void open(AlarmHelp help);     // the panel that helps against an alarm
 
     [[nodiscard]] JogPanel& jog() { return *m_jog; }
     [[nodiscard]] CalibrationPanel& north() { return *m_north; }

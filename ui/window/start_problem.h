@@ -1,18 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QMessageBox>
+#include <QDialog>
 
-// What a program says that cannot start, when there is no terminal to say it in: the reason whole, to be selected and
-// copied. Gui thread.
+// What a program shows that cannot start, when there is no terminal to print it to: the reason whole, to be selected
+// and copied, what Boresight did, what to do, and a button that helps. Gui thread.
 namespace boresight::ui {
 
-class StartProblem : public QMessageBox
+class StartProblem : public QDialog
 {
     Q_OBJECT
 
 public:
     explicit StartProblem(const QString& reason, QWidget* parent = nullptr);
+
+    // The profile to start with instead; empty: the operator quits.
+    [[nodiscard]] const QString& chosenProfile() const { return m_chosen; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void build(const QString& reason);
+    void chooseProfile();
+
+    QString m_chosen;
 };
 
 }  // namespace boresight::ui

@@ -2,13 +2,49 @@
 #include "ui/window/stop_keys.h"
 
 #include "ui/kit/asking_panel.h"
+#include "ui/kit/prompt_bar.h"
 
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
 #include <QApplication>
+#include <QComboBox>
 #include <QKeyEvent>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QTextEdit>
 #include <QWidget>
 #include <QWindow>
 
 namespace boresight::ui {
+
+namespace {
+
+// The widget itself, or one that it is in.
+template <class T>
+T* around(QWidget* widget)
+{
+    while (widget != nullptr && qobject_cast<T*>(widget) == nullptr) {
+        widget = widget->parentWidget();
+    }
+    return qobject_cast<T*>(widget);
+}
+
+// The editor that a list or a table has opened in one of its cells.
+bool isCellEditor(QWidget* widget)
+{
+    return widget != nullptr && qobject_cast<QAbstractItemView*>(widget) == nullptr &&
+           around<QAbstractItemView>(widget) != nullptr;
+}
+
+// Where a person types or chooses.
+bool isField(QWidget* widget)
+{
+    return qobject_cast<QLineEdit*>(widget) != nullptr || qobject_cast<QAbstractSpinBox*>(widget) != nullptr ||
+           qobject_cast<QComboBox*>(widget) != nullptr || qobject_cast<QAbstractItemView*>(widget) != nullptr ||
+           qobject_cast<QPlainTextEdit*>(widget) != nullptr || qobject_cast<QTextEdit*>(widget) != nullptr;
+}
+
+}  // namespace
 
 StopKeys::StopKeys(QWidget& window) : QObject(&window), m_window(window)
 {
@@ -24,11 +60,37 @@ bool StopKeys::eventFilter(QObject* watched, QEvent* event)
     if (!isStop(watched, press->key())) {
         return false;
     }
-    const bool used = press->key() == Qt::Key_Escape && (closeQuestion() || m_firstUse());
-    if (!press->isAutoRepeat() && !used) {
+    if (press->key() == Qt::Key_Escape && isCellEditor(QApplication::focusWidget())) {
+        return false;  // its table takes the typed text back
+    }
+    if (press->isAutoRepeat()) {
+        return true;
+    }
+    if (press->key() != Qt::Key_Escape || !leave()) {
         Q_EMIT stopPressed();
     }
     return true;  // seen first by the native window, so no control below it gets the key
+}
+
+// True if there was something to leave.
+bool StopKeys::leave() const
+{
+    if (closeQuestion() || m_firstUse()) {
+        return true;
+    }
+    QWidget* const focus = QApplication::focusWidget();
+    if (focus == nullptr || focus->window() != &m_window) {
+        return false;
+    }
+    if (auto* const prompt = around<PromptBar>(focus)) {
+        prompt->dismiss();
+        return true;
+    }
+    if (isField(focus)) {
+        focus->clearFocus();
+        return true;
+    }
+    return false;
 }
 
 // True if one was open.

@@ -8,9 +8,9 @@
 class QWidget;
 
 // The keys that stop the mount. Pause and F12 stop from anywhere in the program, a modal dialog or an open menu
-// included, which a QShortcut would not reach. Esc stops while the window itself has the keyboard; with a menu or a
-// dialog open, or a panel that asks, it closes that, as everywhere, and a drag of the mouse it cancels first.
-// Auto-repeat is ignored. Gui thread.
+// included, which a QShortcut would not reach. Esc first leaves what has the keyboard: a field, a list or a table loses
+// the focus, a question or a prompt closes, a drag of the mouse ends. With nothing to leave it stops. Auto-repeat is
+// ignored. Gui thread.
 namespace boresight::ui {
 
 class StopKeys : public QObject
@@ -29,6 +29,7 @@ Q_SIGNALS:
     void stopPressed();
 
 private:
+    [[nodiscard]] bool leave() const;
     [[nodiscard]] bool closeQuestion() const;
     [[nodiscard]] bool isStop(QObject* watched, int key) const;
 

@@ -18,7 +18,7 @@ const QString kOver = QStringLiteral("the alarm is over");
 QString wholeLine(const AlarmEntry& entry)
 {
     const AlarmText text = textOf(entry, {QStringLiteral("Lost.")});
-    return QStringList({text.what, text.action, text.remedy}).join(QLatin1Char(' '));
+    return QStringList({text.brief, text.action, text.remedy}).join(QLatin1Char(' '));
 }
 
 const QString kLost = wholeLine(kBus);
@@ -58,10 +58,10 @@ TEST_F(AlarmBoardTest, ALineDoesNotNameItsSourceTwice)
     const LogEntry line = log.since(0, EventLog::kCapacity).back();
     EXPECT_EQ(line.source, QStringLiteral("azimuth drive"));
     EXPECT_EQ(line.alarm, QStringLiteral("drive.fault-unnamed"));
-    EXPECT_TRUE(line.text.startsWith(QStringLiteral("In fault, reports no fault code. The output")))
+    EXPECT_TRUE(line.text.startsWith(QStringLiteral("In fault without a fault code. The drive switched")))
         << line.text.toStdString();
     EXPECT_TRUE(plainLine(line).startsWith(QStringLiteral("azimuth drive [drive.fault-unnamed]: In fault")));
-    EXPECT_EQ(board.list().front().what, QStringLiteral("Azimuth drive is in fault and reports no fault code."));
+    EXPECT_EQ(board.list().front().what, QStringLiteral("The azimuth drive is in fault without a fault code."));
 }
 
 TEST_F(AlarmBoardTest, WhatWasToldIsAlsoToldToBeOver)

@@ -122,23 +122,92 @@ TEST(AlarmCatalogue, EveryFindingOfTheSupervisionHasEntriesOfItsOwn)
         const AlarmCase alarm =
             drive_alarms::supervised({.symptom = symptom, .weight = Weight::Stop, .what = QStringLiteral("x")});
         EXPECT_EQ(alarm.entry.severity, Severity::Alarm) << alarm.entry.id;
-        EXPECT_TRUE(textOf(alarm.entry, alarm.arguments).remedy.contains(QStringLiteral("re-arm"))) << alarm.entry.id;
+        EXPECT_TRUE(textOf(alarm.entry, alarm.arguments).remedy.endsWith(QStringLiteral("press Re-arm.")))
+            << alarm.entry.id;
     }
 }
 
 TEST(AlarmCatalogue, SentencesAreFilledWithTheirArguments)
 {
     const QStringList arguments{QStringLiteral("azimuth drive"), QStringLiteral("38"), QStringLiteral("100%2 wrong"),
-                                QStringLiteral("Look at it, then re-arm")};
+                                QStringLiteral("Look at it. Then press Re-arm")};
     const AlarmText text = textOf(alarmEntry("drive.fault"), arguments);
-    EXPECT_EQ(text.what, QStringLiteral("Azimuth drive fault 38: 100%2 wrong."));
+    EXPECT_EQ(text.what, QStringLiteral("The azimuth drive reports fault 38: 100%2 wrong."));
     EXPECT_EQ(text.brief, QStringLiteral("Fault 38: 100%2 wrong."));
-    EXPECT_EQ(text.remedy, QStringLiteral("Look at it, then re-arm."));
+    EXPECT_EQ(text.remedy, QStringLiteral("Look at it. Then press Re-arm."));
     EXPECT_EQ(namedByWhat(alarmEntry("drive.silent"), arguments), QStringList(QStringLiteral("azimuth drive")));
-    EXPECT_EQ(
-        textOf(alarmEntry("axis.stalled"), {QStringLiteral("x")}).remedy,
-        QStringLiteral(
-            "Look for a cable, a lock, ice or a slipping coupling that blocks the axis, and free it. Then re-arm."));
+    EXPECT_EQ(textOf(alarmEntry("axis.stalled"), {QStringLiteral("x")}).remedy,
+              QStringLiteral("Look for a cable, a lock, ice or a slipping coupling that blocks the axis. Free the "
+                             "axis. Then press Re-arm."));
+}
+
+QStringList examplesOf(const AlarmEntry& entry)
+{
+    QStringList examples;
+    for (int i = 0; i < entry.argumentCount(); ++i) {
+        examples << QString::fromUtf8(entry.examples[static_cast<std::size_t>(i)]);
+    }
+    return examples;
+}
+
+// REQ-ALARMS-300: An alarm whose remedy names a button or a page has the help that acts so.
+TEST(AlarmCatalogue, ARemedyThatNamesAButtonHasIt)
+{
+    static const std::pair<const char*, AlarmHelp> kNamed[] = {{"press Re-arm", AlarmHelp::Rearm},
+                                                               {"Press Reset stop", AlarmHelp::ResetStop},
+                                                               {"Press Unwrap now", AlarmHelp::Unwind},
+                                                               {"press Reconnect", AlarmHelp::Reconnect},
+                                                               {"page Protection", AlarmHelp::OpenProtection},
+                                                               {"Press Fix", AlarmHelp::OpenProtection},
+                                                               {"page Drives", AlarmHelp::OpenDrives},
+                                                               {"page Clients", AlarmHelp::OpenClients},
+                                                               {"the limits if", AlarmHelp::OpenLimits},
+                                                               {"page North", AlarmHelp::OpenNorth},
+                                                               {"page Profile", AlarmHelp::OpenProfile},
+                                                               {"in the profile", AlarmHelp::OpenProfile},
+                                                               {"the position of the axis", AlarmHelp::ConfirmWrap}};
+    for (const AlarmEntry* const entry : alarmCatalogue()) {
+        const std::string remedy = textOf(*entry, examplesOf(*entry)).remedy.toStdString();
+        for (const auto& [words, help] : kNamed) {
+            if (remedy.find(words) != std::string::npos) {
+                EXPECT_EQ(entry->help, help) << entry->id << ": " << remedy;
+                break;
+            }
+        }
+    }
+}
+
+// REQ-ALARMS-301: Each of the three texts of an alarm is made of whole sentences that can be read alone. None tells a
+// time that runs on.
+TEST(AlarmCatalogue, EverySentenceCanBeReadAlone)
+{
+    static const std::regex runsOn("\\b(in|within|for) [0-9.]+ (s|min|h)\\b");
+    static const std::regex done("(was|stalled|has sent|away|is lost|came|jumped|a jump) ");
+    static const std::regex known("does not move: |moves the wrong way: ");  // and how long that was looked at
+    for (const AlarmEntry* const entry : alarmCatalogue()) {
+        const AlarmText text = textOf(*entry, examplesOf(*entry));
+        for (const QString& sentences : {text.what, text.action, text.remedy}) {
+            const std::string all = sentences.toStdString();
+            EXPECT_TRUE(sentences.endsWith(QLatin1Char('.'))) << entry->id << ": " << all;
+            EXPECT_FALSE(sentences.front().isLower()) << entry->id << ": " << all;
+            EXPECT_FALSE(sentences.contains(QLatin1Char(';'))) << entry->id << ": " << all;
+            EXPECT_FALSE(sentences.contains(QStringLiteral(".."))) << entry->id << ": " << all;
+            EXPECT_LE(sentences.count(QStringLiteral(". ")), 2) << entry->id << ": " << all;
+            EXPECT_TRUE(!std::regex_search(all, runsOn) || std::regex_search(all, done) ||
+                        std::regex_search(all, known))
+                << entry->id << ": " << all;
+        }
+    }
+}
+
+// A text that comes whole from elsewhere stands alone only where it is a sentence.
+// REQ-ALARMS-301
+TEST(AlarmCatalogue, WhatHappenedIsNamedUnlessTheReportIsASentence)
+{
+    static const std::regex whole("(axis|drives)\\..*|journal.in-use|profile.advice|calibration.other-mount");
+    for (const AlarmEntry* const entry : alarmCatalogue()) {
+        EXPECT_TRUE(std::string_view(entry->what) != "%1" || std::regex_match(entry->id, whole)) << entry->id;
+    }
 }
 
 // With BORESIGHT_ALARM_TABLE set, the table is written into the page of that path.

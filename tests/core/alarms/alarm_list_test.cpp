@@ -136,5 +136,72 @@ TEST(AlarmList, TheCauseComesBeforeASymptomThatWasSeenEarlier)
     EXPECT_EQ(alarms.list().front().id, 1U) << "alone it comes first";
 }
 
+std::vector<std::string> namesOf(const AlarmList& alarms)
+{
+    std::vector<std::string> names;
+    for (const Alarm& alarm : alarms.list()) {
+        names.push_back(alarm.name.toStdString());
+    }
+    return names;
+}
+
+void raise(AlarmList& alarms, const AlarmKey& key)
+{
+    QStringList arguments;
+    for (int i = 0; i < key.entry->argumentCount(); ++i) {
+        arguments << QStringLiteral("x");
+    }
+    static_cast<void>(alarms.raise(key, key.entry->severity, arguments, {}));
+}
+
+// REQ-ALARMS-302 (AlarmCause.*): The root cause is on top, whatever severity or order: a bus that is gone before the
+// faults and silences of the drives, a disturbed bus before the silences, a fault of a drive before its silence.
+TEST(AlarmCause, ABusThatIsGoneStandsBeforeFaultsAndSilencesAlsoWhenItWasAcknowledged)
+{
+    AlarmList alarms;
+    raise(alarms, alarmEntry("drive.fault").of(Axis::Elevation));
+    raise(alarms, alarmEntry("drive.silent").of(Axis::Azimuth));
+    raise(alarms, alarmEntry("bus.down"));
+    alarms.acknowledgeAll();
+    raise(alarms, alarmEntry("drive.silent").of(Axis::Elevation));
+    ASSERT_EQ(namesOf(alarms).size(), 4U);
+    EXPECT_EQ(namesOf(alarms).front(), "bus.down");
+    EXPECT_TRUE(alarms.list().front().acknowledged);
+}
+
+TEST(AlarmCause, AWarningOfTheBusStandsBeforeTheSilenceThatItExplains)
+{
+    AlarmList alarms;
+    raise(alarms, alarmEntry("drive.silent").of(Axis::Azimuth));
+    raise(alarms, alarmEntry("rotctld.not-listening"));
+    raise(alarms, alarmEntry("bus.trouble"));
+    EXPECT_EQ(namesOf(alarms), (std::vector<std::string>{"bus.trouble", "rotctld.not-listening", "drive.silent"}));
+    alarms.clear(alarmEntry("drive.silent").of(Axis::Azimuth));
+    alarms.acknowledgeAll();
+    EXPECT_EQ(namesOf(alarms), (std::vector<std::string>{"rotctld.not-listening", "bus.trouble"}))
+        << "alone it is a warning";
+}
+
+TEST(AlarmCause, AFaultStandsBeforeTheSilenceOfItsOwnDrive)
+{
+    AlarmList alarms;
+    raise(alarms, alarmEntry("drive.fault").of(Axis::Azimuth));
+    alarms.acknowledgeAll();
+    raise(alarms, alarmEntry("drive.silent").of(Axis::Azimuth));
+    EXPECT_EQ(namesOf(alarms), (std::vector<std::string>{"drive.fault", "drive.silent"}));
+    raise(alarms, alarmEntry("drive.silent").of(Axis::Elevation));
+    alarms.clear(alarmEntry("drive.silent").of(Axis::Azimuth));
+    EXPECT_EQ(namesOf(alarms).front(), "drive.silent") << "of the other axis, and new";
+}
+
+TEST(AlarmCause, WhatIsOverExplainsNothing)
+{
+    AlarmList alarms;
+    raise(alarms, alarmEntry("bus.down"));
+    alarms.clear(alarmEntry("bus.down"));
+    raise(alarms, alarmEntry("drive.silent").of(Axis::Azimuth));
+    EXPECT_EQ(namesOf(alarms), (std::vector<std::string>{"drive.silent", "bus.down"}));
+}
+
 }  // namespace
 }  // namespace boresight

@@ -351,8 +351,8 @@ TEST(BlindDrive, SupplyAndHeatAreJudgedWithoutAPlace)
     rig.azimuth.voltage = 19.0;
     rig.azimuth.temperature = 65.0;
     rig.run(Seconds(0.18));
-    EXPECT_THAT(rig.alarms(), HasSubstr("The supply of the azimuth is at 19.0 V"));
-    EXPECT_THAT(rig.alarms(), HasSubstr("The drive board of the azimuth is at 65 °C"));
+    EXPECT_THAT(rig.alarms(), HasSubstr("The supply of the azimuth fell to 19.0 V"));
+    EXPECT_THAT(rig.alarms(), HasSubstr("The drive board of the azimuth reached 65 °C"));
 }
 
 // REQ-SUPERVISION-13a
@@ -374,8 +374,8 @@ TEST(BlindDrive, ValuesThatAreNoNumbersAreUnknown)
     rig.azimuth.voltage = 19.0;
     rig.azimuth.temperature = 65.0;
     rig.run(Seconds(0.5));
-    EXPECT_THAT(rig.alarms(), HasSubstr("at 19.0 V"));
-    EXPECT_THAT(rig.alarms(), HasSubstr("at 65 °C"));
+    EXPECT_THAT(rig.alarms(), HasSubstr("fell to 19.0 V"));
+    EXPECT_THAT(rig.alarms(), HasSubstr("reached 65 °C"));
 }
 
 // Story: from 10°/s the mount ran on by 3.5°, came back, and raised a false "following error": its set-point had been
@@ -401,7 +401,7 @@ TEST(StopInMidMotion, BrakesFromTheSetPoint)
         rig.tick();
     }
     EXPECT_EQ(rate, 0.0);
-    EXPECT_THAT(rig.alarms(), HasSubstr("The supply of the azimuth is at 11.5 V"));
+    EXPECT_THAT(rig.alarms(), HasSubstr("The supply of the azimuth fell to 11.5 V"));
     EXPECT_THAT(rig.alarms(), ::testing::Not(HasSubstr("away from its set-point")));
 }
 

@@ -359,7 +359,7 @@ TEST(DriveCare, TwoBoardsWithOneIdAreRecognisedByThemselves)
 {
     CareRig rig(sim::factoryPair());
     rig.run(Seconds(4.0));
-    EXPECT_TRUE(rig.alarm("No reply from the azimuth drive"));
+    EXPECT_TRUE(rig.alarm("The azimuth drive does not reply"));
     ASSERT_TRUE(rig.alarm("wo boards have the id 1"));
     EXPECT_TRUE(rig.control.status().alarms.front().what.contains(QStringLiteral("wo boards have the id 1")))
         << "the cause before what it leads to";

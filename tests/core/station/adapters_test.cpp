@@ -155,5 +155,28 @@ TEST(Adapters, TheseOfThisComputerAreFound)
     EXPECT_EQ(findAdapters().back().bus, QStringLiteral("simulated"));
 }
 
+// REQ-CAN-300: A bus whose drives a program makes is marked as simulated. The bus that somebody has named is listed,
+// too.
+TEST(Adapters, WhatAProgramMakesIsMarkedAsSimulated)
+{
+    const auto all = adaptersOf({kFdcanusb}, {{QStringLiteral("can0"), true}, {QStringLiteral("vcan0"), true}});
+    for (const Adapter& adapter : all) {
+        EXPECT_EQ(adapter.simulated, adapter.bus.contains(QStringLiteral("vcan")) || adapter.bus == u"simulated")
+            << adapter.bus.toStdString();
+    }
+    EXPECT_FALSE(isSimulatedBus(QStringLiteral("fdcanusb:/dev/null")));
+}
+
+// REQ-CAN-300
+TEST(Adapters, ABusThatWasNamedIsListedOnce)
+{
+    const auto found = adaptersOf({}, {{QStringLiteral("can0"), true}});
+    EXPECT_EQ(withNamed(found, QStringLiteral("socketcan:can0")), found);
+    EXPECT_EQ(withNamed(found, QString()), found);
+    const auto more = withNamed(found, QStringLiteral("fdcanusb:/tmp/adapter"));
+    ASSERT_EQ(more.size(), found.size() + 1);
+    EXPECT_EQ(more.front().bus, QStringLiteral("fdcanusb:/tmp/adapter"));
+}
+
 }  // namespace
 }  // namespace boresight

@@ -20,7 +20,7 @@ TEST(Station, ABusThatDoesNotOpenIsAnAlarmAndIsTriedAgain)
     rig.run(5);
     auto alarms = rig.station->status().alarms;
     ASSERT_EQ(alarms.size(), 1U);
-    EXPECT_TRUE(alarms.front().what.contains(QStringLiteral("No such adapter")));
+    EXPECT_TRUE(alarms.front().what.contains(QStringLiteral("no such adapter")));
     EXPECT_TRUE(rig.link->sent.empty());
     rig.link->openError.clear();
     rig.station->openMount();
@@ -39,7 +39,7 @@ TEST(Station, ALostAdapterIsShownAtOnceAndReopened)
     rig.run(5);
     rig.link->report({.state = LinkState::Lost, .text = QStringLiteral("the adapter is gone")});
     ASSERT_FALSE(rig.station->status().alarms.empty());
-    EXPECT_TRUE(rig.station->status().alarms.front().what.contains(QStringLiteral("The adapter is gone")));
+    EXPECT_TRUE(rig.station->status().alarms.front().what.contains(QStringLiteral("the adapter is gone")));
     rig.station->openMount();
     EXPECT_EQ(rig.link->openings, 2);
 }
@@ -52,7 +52,7 @@ TEST(Station, ABusThatIsTriedAgainKeepsItsAlarm)
     rig.run(5);
     rig.link->report({.state = LinkState::Lost, .text = QStringLiteral("the adapter is gone")});
     rig.link->report({.state = LinkState::Closed});
-    EXPECT_EQ(rig.station->status().alarms.front().what, QStringLiteral("The adapter is gone."));
+    EXPECT_EQ(rig.station->status().alarms.front().what, QStringLiteral("The CAN bus is down: the adapter is gone."));
     EXPECT_TRUE(rig.station->status().alarms.front().active);
 }
 

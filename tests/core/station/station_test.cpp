@@ -207,7 +207,7 @@ TEST(Station, AWrongPortIsNotSaidToBeTriedAgain)
     rig.station->openAll();
     rig.link->report({.state = LinkState::Lost, .text = QStringLiteral("no fdcanusb answers"), .leftAlone = true});
     EXPECT_EQ(rig.station->status().alarms.front().action,
-              QStringLiteral("Nothing can be commanded. Boresight sends nothing more to this port."));
+              QStringLiteral("Boresight can command nothing. It sends nothing more to this port."));
 }
 
 // REQ-STATION-17

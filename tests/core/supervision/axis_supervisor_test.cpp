@@ -276,8 +276,8 @@ TEST_F(AxisSupervisorTest, BoardAndMotorAreHot)
     seen.motorTemperature = 82.0;
     ticks(2);
     EXPECT_EQ(found(Symptom::BoardHot)->what.toStdString(),
-              "the drive board of the azimuth is at 61 °C and switches off at 75 °C");
-    EXPECT_EQ(found(Symptom::MotorHot)->what.toStdString(), "the motor of the azimuth is at 82 °C");
+              "the drive board of the azimuth reached 61 °C and switches off at 75 °C");
+    EXPECT_EQ(found(Symptom::MotorHot)->what.toStdString(), "the motor of the azimuth reached 82 °C");
     EXPECT_FALSE(stops(Symptom::BoardHot));
 }
 
@@ -290,7 +290,7 @@ TEST_F(AxisSupervisorTest, AMotorThatWarmsUpIsToldWithTheTimeLeft)
     }
     ASSERT_TRUE(found(Symptom::MotorHot));
     EXPECT_THAT(found(Symptom::MotorHot)->what.toStdString(),
-                HasSubstr("the motor of the azimuth is at 58 °C and rising 6.0 °C/min: 80 °C in 3."));
+                HasSubstr("the motor of the azimuth reached 58 °C and, rising by 6.0 °C/min, reaches 80 °C at 00:0"));
 }
 
 // REQ-SUPERVISION-09

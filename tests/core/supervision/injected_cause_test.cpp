@@ -255,7 +255,7 @@ TEST_F(InjectedCause, ABatteryThatRunsEmpty)
     }
     ASSERT_TRUE(mount.first(Symptom::SupplyLow, Weight::Hint));
     EXPECT_LT(mount.now(), Seconds(160.0)) << "it reaches 20 V at 400 s";
-    EXPECT_THAT(text(Symptom::SupplyLow, Weight::Hint), HasSubstr("falling 0."));
+    EXPECT_THAT(text(Symptom::SupplyLow, Weight::Hint), HasSubstr("falling by 0."));
     RecordProperty("what", text(Symptom::SupplyLow, Weight::Hint));
 }
 
@@ -274,7 +274,7 @@ TEST(BoardHot, IsToldBeforeItIsHot)
     }
     ASSERT_TRUE(mount.first(Symptom::BoardHot, Weight::Hint)) << mount.report();
     const std::string what = mount.first(Symptom::BoardHot, Weight::Hint)->observed.what.toStdString();
-    EXPECT_THAT(what, HasSubstr(" °C/min: 75 °C in "));
+    EXPECT_THAT(what, HasSubstr(" °C/min, reaches 75 °C at "));
     EXPECT_LT(*mount.seen(Axis::Azimuth).boardTemperature, 60.0);
     RecordProperty("what", what);
 }

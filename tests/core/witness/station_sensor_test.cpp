@@ -193,7 +193,7 @@ TEST(StationSensor, ASensorThatFailsIsAWarningAndThePointingGoesOn)
     rig.run(kSurvey);
     rig.mount->sensor.setFault(sim::SensorFault::Silent);
     rig.run(6.0);
-    EXPECT_THAT(rig.alarms(), HasSubstr("No data from the orientation sensor (simulated)"));
+    EXPECT_THAT(rig.alarms(), HasSubstr("The orientation sensor (simulated) sends no data"));
     EXPECT_EQ(rig.sensor().presence, Presence::Lost);
     ASSERT_TRUE(rig.ask(request::PointAxes{{20_deg, 30_deg}}));
     rig.run(10.0);

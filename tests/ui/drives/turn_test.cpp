@@ -83,8 +83,7 @@ TEST_F(TurnTest, CoversNeitherStopNorStateNorAlarmsAndStopWorks)
     auto* const stop = window.findChild<StopButton*>();
     EXPECT_EQ(window.size(), QSize(1024, 700));
     for (const QWidget* const above :
-         {static_cast<QWidget*>(stop), static_cast<QWidget*>(named<ValueLabel>("Worst alarm")),
-          static_cast<QWidget*>(named<ValueLabel>("Actual azimuth"))}) {
+         {static_cast<QWidget*>(stop), static_cast<QWidget*>(named<ValueLabel>("Actual azimuth"))}) {
         EXPECT_EQ(window.childAt(above->mapTo(&window, above->rect().center())), above);
     }
     QTest::mousePress(stop, Qt::LeftButton);

@@ -64,14 +64,15 @@ TEST_F(AlarmsTest, SaysWhatHappenedWhatWasDoneAndWhatToDo)
     show(samples::faulted());
     ASSERT_EQ(rows(), 2);
     EXPECT_EQ(cell(0, AlarmModel::Time), QStringLiteral("17:05:52"));
-    EXPECT_TRUE(cell(0, AlarmModel::What).startsWith(QStringLiteral("■ Azimuth drive fault 38")));
+    EXPECT_TRUE(cell(0, AlarmModel::What).startsWith(QStringLiteral("■ The azimuth drive reports fault 38")));
     EXPECT_TRUE(cell(1, AlarmModel::What).startsWith(QStringLiteral("▲ ")));
-    EXPECT_EQ(reading(),
-              QStringLiteral("2026-11-21 17:05:52.000Z, active, not acknowledged\n"
-                             "■ Azimuth drive fault 38: The board (75 °C by default) or the motor is too hot. "
-                             "Likely: Too much torque for too long, or too little cooling.\n"
-                             "Boresight: The output of the drive is off. The other axis holds if its drive can.\n"
-                             "To do: Let it cool down. Lower the torque or improve the cooling, then re-arm."))
+    EXPECT_EQ(
+        reading(),
+        QStringLiteral("2026-11-21 17:05:52.000Z, active, not acknowledged\n"
+                       "■ The azimuth drive reports fault 38: The board (75 °C by default) or the motor is too hot.\n"
+                       "Boresight: The drive switched its output off. The other axis holds if its drive can.\n"
+                       "To do: Likely cause: Too much torque for too long, or too little cooling. Let it cool "
+                       "down. Lower the torque or improve the cooling. Then press Re-arm."))
         << "the worst is read without a click";
     clickRow(1);
     EXPECT_TRUE(reading().contains(QStringLiteral("Boresight: The drive gives less than Boresight commands.")));

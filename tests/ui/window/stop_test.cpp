@@ -12,6 +12,12 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPointer>
+#include <QTableWidget>
+
+#include <gmock/gmock.h>
+
+#include <set>
+#include <string>
 
 namespace boresight::ui {
 namespace {
@@ -24,7 +30,7 @@ protected:
 };
 
 // REQ-UI-01 (StopTest.*): STOP acts on press, in every state, panel and size, through dialogs and menus. Esc stops
-// unless it closes something.
+// unless it leaves or closes something.
 TEST_F(StopTest, ActsOnPressNotOnRelease)
 {
     QTest::mousePress(&stop(), Qt::LeftButton);
@@ -170,11 +176,10 @@ TEST_F(StopTest, PauseAndF12ReachThroughModalDialogsMenusAndFields)
 
 TEST_F(StopTest, EscStopsUnlessAMenuOrDialogIsOpen)
 {
+    window.setFocus();
     QTest::keyClick(&window, Qt::Key_Escape);
     EXPECT_EQ(stops(), 1u);
-    auto* const azimuth = named<QLineEdit>("Azimuth");
-    azimuth->setFocus();
-    QTest::keyClick(azimuth, Qt::Key_Escape);
+    QTest::keyClick(&window, Qt::Key_Escape);
     EXPECT_EQ(stops(), 2u);
 
     QTest::keyClick(&window, Qt::Key_F1);
@@ -193,6 +198,78 @@ TEST_F(StopTest, EscStopsUnlessAMenuOrDialogIsOpen)
     QTest::keyClick(QApplication::activePopupWidget(), Qt::Key_Escape);
     EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
     EXPECT_EQ(stops(), 2u);
+}
+
+// REQ-UI-800: Esc first leaves what has the keyboard: a text field, a search, a list, a table, a spin box, a combo box
+// or a prompt. The next Esc stops. Pause and F12 stop at once.
+TEST_F(StopTest, EscLeavesAFieldFirst)
+{
+    give(samples::update(samples::factoryDrives()));
+    std::set<std::string> kinds;
+    std::size_t expected = 0;
+    for (const char panel : kPanels) {
+        openPanel(panel);
+        settle();
+        for (QWidget* const field : window.findChildren<QWidget*>()) {
+            const bool isField = field->inherits("QLineEdit") || field->inherits("QAbstractItemView") ||
+                                 field->inherits("QAbstractSpinBox") || field->inherits("QComboBox") ||
+                                 field->inherits("QPlainTextEdit");
+            if (!isField || !field->isVisible() || !field->isEnabled() || field->focusPolicy() == Qt::NoFocus ||
+                field->focusProxy() != nullptr) {
+                continue;
+            }
+            const std::string which = std::string(1, panel) + " " + field->accessibleName().toStdString();
+            kinds.insert(field->inherits("QLineEdit")           ? "text"
+                         : field->inherits("QAbstractItemView") ? "list"
+                         : field->inherits("QAbstractSpinBox")  ? "number"
+                         : field->inherits("QComboBox")         ? "choice"
+                                                                : "reading");
+            field->setFocus();
+            ASSERT_NE(QApplication::focusWidget(), nullptr) << which;
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_F12);
+            EXPECT_EQ(stops(), ++expected) << which;
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+            EXPECT_EQ(stops(), expected) << which << ": it is left first";
+            EXPECT_FALSE(field->hasFocus()) << which;
+            QTest::keyClick(&window, Qt::Key_Escape);
+            EXPECT_EQ(stops(), ++expected) << which;
+        }
+    }
+    EXPECT_THAT(kinds, testing::ElementsAre("choice", "list", "number", "reading", "text"));
+}
+
+// REQ-UI-800
+TEST_F(StopTest, EscDismissesAPromptThatHasTheKeyboard)
+{
+    auto* const sky = window.findChild<SkyMarkers*>();
+    QTest::mouseClick(sky, Qt::LeftButton, {}, sky->projection().zenith.toPoint());
+    auto* const goHere = named<CommandButton>("Go here");
+    ASSERT_TRUE(goHere->isVisible());
+    goHere->setFocus();
+    QTest::keyClick(goHere, Qt::Key_Escape);
+    EXPECT_FALSE(goHere->isVisible());
+    EXPECT_EQ(stops(), 0u);
+    QTest::keyClick(&window, Qt::Key_Escape);
+    EXPECT_EQ(stops(), 1u);
+}
+
+// Esc in the editor of a cell takes the typed text back.
+// REQ-UI-800
+TEST_F(StopTest, EscTakesBackWhatIsTypedInACell)
+{
+    QTableWidget table(1, 1, window.centralWidget());
+    table.setItem(0, 0, new QTableWidgetItem(QStringLiteral("before")));
+    table.resize(200, 100);
+    table.show();
+    table.setCurrentCell(0, 0);
+    table.editItem(table.item(0, 0));
+    auto* const editor = table.findChild<QLineEdit*>();
+    ASSERT_NE(editor, nullptr);
+    editor->setFocus();
+    QTest::keyClicks(editor, QStringLiteral("typed"));
+    QTest::keyClick(editor, Qt::Key_Escape);
+    EXPECT_EQ(table.item(0, 0)->text(), QStringLiteral("before"));
+    EXPECT_EQ(stops(), 0u);
 }
 
 TEST_F(StopTest, AHeldKeyStopsOnce)

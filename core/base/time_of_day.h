@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+
+#include <QDateTime>
+#include <QString>
+
+// A time in a sentence that is read later: "17:06:10Z" stays true, "in 27 s" does not. Any thread.
+namespace boresight {
+
+[[nodiscard]] inline QString timeOfDayText(UtcTime utc)
+{
+    const auto time = std::chrono::round<std::chrono::seconds>(utc).time_since_epoch();
+    return QDateTime::fromSecsSinceEpoch(time.count(), Qt::UTC).toString(QStringLiteral("HH:mm:ss'Z'"));
+}
+
+}  // namespace boresight

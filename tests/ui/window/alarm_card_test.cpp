@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/alarm_card.h"
+
+#include "core/alarms/catalogue.h"
+#include "tests/ui/sample_alarms.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/kit/command_button.h"
+#include "ui/kit/lines_view.h"
+#include "ui/log/log_panel.h"
+#include "ui/window/panel_tabs.h"
+
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QTableView>
+
+namespace boresight::ui {
+namespace {
+
+class AlarmCardTest : public WindowFixture
+{
+protected:
+    AlarmCard& card() { return *window.findChild<AlarmCard*>(); }
+    PanelTabs& panels() { return *window.findChild<PanelTabs*>(); }
+    bool seen(const char* button) { return named<QPushButton>(button)->isVisible(); }
+};
+
+// REQ-UI-802 (AlarmCardTest.*): The alarm on top stands in the window whole, with the one button that helps. The card
+// is there only while there is an alarm, a latched STOP or a notice. A click on its text opens its line in the log, and
+// the count opens the list.
+TEST_F(AlarmCardTest, IsThereOnlyWhileThereIsAnAlarm)
+{
+    EXPECT_FALSE(card().isVisible());
+    give(samples::update(samples::faulted()));
+    EXPECT_TRUE(card().isVisible());
+    EXPECT_TRUE(text("Worst alarm").startsWith(QStringLiteral("The azimuth drive reports fault 38")));
+    EXPECT_EQ(text("What was done and what to do").count(QLatin1Char('\n')), 1) << "two more sentences, a line each";
+    give(samples::update(samples::idle()));
+    EXPECT_FALSE(card().isVisible());
+    window.warn(QStringLiteral("The profile was not stored."));
+    EXPECT_TRUE(card().isVisible()) << "a notice, too";
+    window.warn({});
+    EXPECT_FALSE(card().isVisible());
+}
+
+TEST_F(AlarmCardTest, AnAlarmThatIsOverSaysSo)
+{
+    StationStatus status = samples::faulted();
+    status.state = StationState::Standby;
+    for (Alarm& alarm : status.alarms) {
+        alarm.active = false;
+    }
+    give(samples::update(status));
+    EXPECT_TRUE(text("Worst alarm").startsWith(QStringLiteral("Cleared: ")));
+    EXPECT_TRUE(seen("Acknowledge"));
+    EXPECT_FALSE(named<CommandButton>("Reset stop")->isVisible());
+}
+
+TEST_F(AlarmCardTest, StopInAFaultLeavesBothWaysBackOneAfterTheOther)
+{
+    StationStatus status = samples::faulted();
+    status.stopLatched = true;
+    give(samples::update(status));
+    QTest::mouseClick(named<CommandButton>("Re-arm"), Qt::LeftButton);
+    EXPECT_EQ(asked<request::Rearm>().size(), 1u);
+    give(samples::acceptance(samples::stopped(), requests.back().id));
+    EXPECT_EQ(text("Worst alarm"), QStringLiteral("STOP is latched."));
+    QTest::mouseClick(named<CommandButton>("Reset stop"), Qt::LeftButton);
+    EXPECT_EQ(asked<request::ResetStop>().size(), 1u);
+}
+
+TEST_F(AlarmCardTest, StopBesideAnotherAlarmCanBeReset)
+{
+    StationStatus status = samples::cableEnding();
+    status.stopLatched = true;
+    status.state = StationState::Stopped;
+    give(samples::update(status));
+    EXPECT_TRUE(seen("Unwrap now"));
+    EXPECT_TRUE(seen("Reset stop"));
+}
+
+TEST_F(AlarmCardTest, TheButtonDoesWhatHelps)
+{
+    give(samples::update(samples::cableEnding()));
+    QTest::mouseClick(named<CommandButton>("Unwrap now"), Qt::LeftButton);
+    EXPECT_EQ(asked<request::Unwind>().size(), 1u);
+    give(samples::acceptance(samples::alarmed(alarmEntry("bus.left-alone")), requests.back().id));
+    QTest::mouseClick(named<CommandButton>("Reconnect"), Qt::LeftButton);
+    ASSERT_EQ(asked<request::Reconnect>().size(), 1u);
+    EXPECT_EQ(asked<request::Reconnect>().front().profile, *samples::idle().profile);
+}
+
+TEST_F(AlarmCardTest, TheButtonOpensThePanelThatHelps)
+{
+    const auto opens = [this](const AlarmEntry& entry, const char* button) {
+        openPanel('1');
+        give(samples::update(samples::alarmed(entry)));
+        QTest::mouseClick(named<CommandButton>(button), Qt::LeftButton);
+        return panels().arrangement().panel;
+    };
+    EXPECT_EQ(opens(alarmEntry("drives.dangerous"), "Open Protection"), 7);
+    EXPECT_EQ(opens(alarmEntry("drive.no-reply"), "Open Drives"), 6);
+    EXPECT_EQ(opens(alarmEntry("cable.ends"), "Open Limits"), 3);
+    EXPECT_EQ(opens(alarmEntry("north.not-set"), "Open North"), 9);
+    EXPECT_EQ(opens(alarmEntry("rotctld.open"), "Open Profile"), 8);
+}
+
+// Every help of the catalogue has a button with a text, and does something.
+TEST_F(AlarmCardTest, EveryHelpActs)
+{
+    for (const AlarmEntry* const entry : alarmCatalogue()) {
+        if (entry->help == AlarmHelp::None) {
+            continue;
+        }
+        openPanel('1');
+        requests.clear();
+        StationStatus status = samples::alarmed(*entry);
+        if (entry->help == AlarmHelp::Unwind) {
+            status.permissions = samples::cableEnding().permissions;
+        }
+        status.state = entry->help == AlarmHelp::Rearm ? StationState::Fault : StationState::Standby;
+        status.stopLatched = entry->help == AlarmHelp::ResetStop;
+        give(samples::update(status));
+        const QString button = buttonText(entry->help);
+        ASSERT_FALSE(button.isEmpty()) << entry->id;
+        QTest::mouseClick(named<CommandButton>(button.toUtf8().constData()), Qt::LeftButton);
+        EXPECT_TRUE(requests.size() == 1 || panels().arrangement().panel != 1) << entry->id;
+        for (const NumberedRequest& request : requests) {
+            give(samples::acceptance(status, request.id));
+        }
+    }
+}
+
+TEST_F(AlarmCardTest, AClickOnTheTextOpensItsLineInTheLog)
+{
+    StationUpdate update = samples::update(samples::faulted());
+    const Alarm& alarm = update.status.alarms.front();
+    for (std::uint64_t i = 1; i <= 40; ++i) {
+        update.log.push_back(
+            samples::logEntry(i, Severity::Advisory, QStringLiteral("operator"), QStringLiteral("go")));
+    }
+    LogEntry line = samples::logEntry(41, alarm.severity, QStringLiteral("azimuth drive"),
+                                      QStringLiteral("Fault 38: The line of the alarm."));
+    line.utc = alarm.since;
+    line.kind = LogKind::Alarm;
+    line.alarm = alarm.name;
+    LogEntry other = line;
+    other.source = QStringLiteral("elevation drive");
+    other.text = QStringLiteral("Of the other axis.");
+    update.log.push_back(other);
+    update.log.push_back(line);
+    update.log.push_back(samples::logEntry(42, Severity::Advisory, QStringLiteral("operator"), QStringLiteral("go")));
+    give(update);
+    named<QLineEdit>("Filter by text")->setText(QStringLiteral("go"));  // hides it
+    settle();
+    QTest::mouseClick(named<ValueLabel>("Worst alarm"), Qt::LeftButton);
+    EXPECT_EQ(panels().arrangement().panel, 5);
+    EXPECT_TRUE(
+        named<QPlainTextEdit>("Selected line")->toPlainText().contains(QStringLiteral("The line of the alarm")));
+}
+
+TEST_F(AlarmCardTest, TheCountOpensTheList)
+{
+    give(samples::update(samples::faulted()));
+    auto* const count = named<QPushButton>("All alarms");
+    EXPECT_EQ(count->text(), QStringLiteral("1 of 2"));
+    QTest::mouseClick(count, Qt::LeftButton);
+    EXPECT_EQ(panels().arrangement().panel, 5);
+    EXPECT_TRUE(named<QTableView>("Alarms")->isVisible());
+    give(samples::update(samples::cableEnding()));
+    EXPECT_FALSE(count->isVisible()) << "one alone";
+}
+
+}  // namespace
+}  // namespace boresight::ui

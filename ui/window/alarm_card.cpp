@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/alarm_card.h"
+
+#include "core/alarms/catalogue.h"
+#include "ui/kit/command_button.h"
+#include "ui/kit/format.h"
+#include "ui/kit/push_button.h"
+#include "ui/kit/symbol.h"
+#include "ui/kit/value_label.h"
+#include "ui/window/flow_row.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace boresight::ui {
+
+namespace {
+
+constexpr std::chrono::seconds kSaidFor{10};  // time enough to read a path
+constexpr int kCardMargin = 12;               // px
+constexpr int kCardSymbol = 12;               // px
+constexpr double kCardRadius = 6.0;           // px
+constexpr double kCardTint = 0.09;            // of the alarm's colour in the ground
+
+QFont boldOf(QFont font)
+{
+    font.setBold(true);
+    return font;
+}
+
+QColor mixed(const QColor& ground, const QColor& colour, double part)
+{
+    const auto mix = [part](double a, double b) { return static_cast<float>((1.0 - part) * a + part * b); };
+    return QColor::fromRgbF(mix(ground.redF(), colour.redF()), mix(ground.greenF(), colour.greenF()),
+                            mix(ground.blueF(), colour.blueF()));
+}
+
+// What brings the station back, whatever the alarm on top is about.
+AlarmHelp recoveryOf(const StationStatus& status)
+{
+    if (status.state == StationState::Fault) {
+        return AlarmHelp::Rearm;
+    }
+    return status.stopLatched ? AlarmHelp::ResetStop : AlarmHelp::None;
+}
+
+// A latched STOP is no alarm of the station: the operator knows it, and needs the way back.
+std::optional<Alarm> mostUrgent(const StationStatus& status)
+{
+    if (!status.alarms.empty()) {
+        return status.alarms.front();
+    }
+    if (!status.stopLatched) {
+        return std::nullopt;
+    }
+    const AlarmEntry& entry = alarmEntry("window.stop-latched");
+    const AlarmText text = textOf(entry, {});
+    return Alarm{.name = QLatin1String(entry.id),
+                 .severity = entry.severity,
+                 .what = text.what,
+                 .action = text.action,
+                 .remedy = text.remedy,
+                 .help = entry.help,
+                 .since = status.utc,
+                 .acknowledged = true};
+}
+
+QString linesOf(QStringList sentences)
+{
+    sentences.removeAll(QString());
+    return sentences.join(QLatin1Char('\n'));
+}
+
+QString listOf(const std::vector<Alarm>& alarms)
+{
+    QStringList all;
+    for (const Alarm& alarm : alarms) {
+        all << dateText(alarm.since) + (alarm.active ? QString() : AlarmCard::tr(", cleared")) + QLatin1Char('\n') +
+                   linesOf({alarm.what, alarm.action, alarm.remedy});
+    }
+    return all.join(QStringLiteral("\n\n"));
+}
+
+}  // namespace
+
+AlarmCard::AlarmCard(RequestDesk& desk, QWidget* parent)
+    : QWidget(parent),
+      m_what(new ValueLabel(tr("Worst alarm"), boldOf(fonts::text()), {}, this)),
+      m_advice(new ValueLabel(tr("What was done and what to do"), fonts::label(), {}, this)),
+      m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_since(new ValueLabel(tr("When the alarm came"), fonts::small(), QStringLiteral("00:00:00Z"), this)),
+      m_help(new CommandButton({}, {}, desk, *m_notice, this)),
+      m_recover(new CommandButton(buttonText(AlarmHelp::ResetStop), {}, desk, *m_notice, this)),
+      m_acknowledge(new CommandButton(tr("Acknowledge"), tr("Acknowledge all alarms (F8)"), desk, *m_notice, this)),
+      m_count(makePushButton({.text = {}, .name = tr("All alarms"), .help = tr("Open the list of alarms")}, this))
+{
+    build();
+    connect(m_help, &QPushButton::clicked, this, [this] { help(m_shown ? m_shown->help : AlarmHelp::None, *m_help); });
+    connect(m_recover, &QPushButton::clicked, this, [this] { help(m_recovery, *m_recover); });
+    connect(m_acknowledge, &QPushButton::clicked, this, [this] { m_acknowledge->ask(request::AcknowledgeAlarms{}); });
+    connect(m_count, &QPushButton::clicked, this, &AlarmCard::listWanted);
+    m_notice->installEventFilter(this);
+    hide();
+}
+
+void AlarmCard::build()
+{
+    for (ValueLabel* const label : {m_what, m_advice, m_notice}) {
+        label->setWrapping(true);
+        label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    }
+    for (ValueLabel* const label : {m_what, m_advice}) {
+        label->setCursor(Qt::PointingHandCursor);
+    }
+    m_notice->setCollapsing(true);
+    m_count->setFlat(true);
+    m_since->setFixedHeight(kTouchSize);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    auto* const buttons = new FlowRow;
+    for (QWidget* const part :
+         {static_cast<QWidget*>(m_help), static_cast<QWidget*>(m_recover), static_cast<QWidget*>(m_acknowledge),
+          static_cast<QWidget*>(m_count), static_cast<QWidget*>(m_since)}) {
+        buttons->addWidget(part);
+    }
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(2 * kCardMargin + kCardSymbol, kCardMargin - 2, kCardMargin, kCardMargin - 2);
+    column->setSpacing(4);
+    column->addWidget(m_what);
+    column->addWidget(m_advice);
+    column->addWidget(m_notice);
+    column->addSpacing(2);
+    column->addLayout(buttons);
+}
+
+void AlarmCard::showStatus(const StationStatus& status)
+{
+    m_shown = mostUrgent(status);
+    m_recovery = recoveryOf(status);
+    m_profile = status.profile;
+    showAlarm(status);
+    showButtons(status);
+    showCount(status);
+    showWhetherNeeded();
+    update();
+}
+
+void AlarmCard::showAlarm(const StationStatus& status)
+{
+    for (ValueLabel* const label : {m_what, m_advice}) {
+        label->setVisible(m_shown.has_value());
+    }
+    m_since->setVisible(!status.alarms.empty());
+    if (!m_shown) {
+        m_what->setValue({});
+        m_advice->setValue({});
+        m_what->setToolTip({});
+        m_advice->setToolTip({});
+        return;
+    }
+    const Alarm& alarm = *m_shown;
+    m_what->setValue(alarm.active ? alarm.what : tr("Cleared: %1").arg(alarm.what));
+    m_advice->setValue(linesOf({alarm.action, alarm.remedy}));
+    m_since->setValue(clockText(alarm.since) + QLatin1Char('Z'), Tone::Secondary);
+    m_what->setToolTip(listOf(status.alarms));
+    m_advice->setToolTip(m_what->toolTip());
+}
+
+void AlarmCard::showButtons(const StationStatus& status)
+{
+    const AlarmHelp shown = m_shown && m_shown->active ? m_shown->help : AlarmHelp::None;
+    // Re-arm and Reset stop are there when they can act, and once.
+    const bool recovers = shown == AlarmHelp::Rearm || shown == AlarmHelp::ResetStop;
+    m_help->setVisible(shown != AlarmHelp::None && !recovers);
+    m_help->setCommand(buttonText(shown), m_shown ? m_shown->remedy : QString());
+    m_help->setBlocked(shown == AlarmHelp::Unwind      ? status.permissions.reason(Action::Unwind)
+                       : shown == AlarmHelp::Reconnect ? status.permissions.reason(Action::Reconnect)
+                                                       : QString());
+    m_recover->setVisible(m_recovery != AlarmHelp::None);
+    m_recover->setCommand(buttonText(m_recovery == AlarmHelp::None ? AlarmHelp::ResetStop : m_recovery),
+                          m_recovery == AlarmHelp::Rearm
+                              ? tr("Clear the drive fault. The mount then stands in STANDBY. Nothing moves by itself.")
+                              : tr("Release STOP. The mount then stands in STANDBY. Nothing moves by itself."));
+}
+
+void AlarmCard::showCount(const StationStatus& status)
+{
+    const auto waiting = std::ranges::count_if(status.alarms, [](const Alarm& alarm) { return !alarm.acknowledged; });
+    m_acknowledge->setVisible(waiting > 0 || m_acknowledge->isWaiting());
+    m_flashing = waiting > 0;
+    m_count->setText(tr("1 of %1").arg(status.alarms.size()));
+    m_count->setToolTip(tr("Open the list of alarms. Not acknowledged: %1").arg(waiting));
+    m_count->setVisible(status.alarms.size() > 1);
+}
+
+void AlarmCard::showWhetherNeeded()
+{
+    const bool needed = m_shown || m_recovery != AlarmHelp::None || !m_notice->text().isEmpty();
+    if (isVisibleTo(parentWidget()) != needed) {
+        setVisible(needed);
+    }
+}
+
+// A notice comes and goes at any time.
+bool AlarmCard::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent) {
+        showWhetherNeeded();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void AlarmCard::help(AlarmHelp help, CommandButton& button)
+{
+    switch (help) {
+        case AlarmHelp::None:
+            return;
+        case AlarmHelp::Rearm:
+            button.ask(request::Rearm{});
+            return;
+        case AlarmHelp::ResetStop:
+            button.ask(request::ResetStop{});
+            return;
+        case AlarmHelp::Unwind:
+            button.ask(request::Unwind{});
+            return;
+        case AlarmHelp::Reconnect:
+            button.ask(request::Reconnect{*m_profile});
+            return;
+        case AlarmHelp::MovePark:
+        case AlarmHelp::OpenProtection:
+        case AlarmHelp::OpenDrives:
+        case AlarmHelp::OpenClients:
+        case AlarmHelp::OpenLimits:
+        case AlarmHelp::OpenNorth:
+        case AlarmHelp::OpenProfile:
+        case AlarmHelp::ConfirmWrap:
+            Q_EMIT panelWanted(help);
+            return;
+    }
+}
+
+void AlarmCard::paintEvent(QPaintEvent*)
+{
+    const Theme& theme = currentTheme();
+    const bool urgent = m_shown && m_shown->active;
+    const QColor colour = urgent ? theme.colour(toneOf(m_shown->severity)) : theme.grid;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(colour, 1.0));
+    painter.setBrush(mixed(theme.window, colour, urgent ? kCardTint : 0.0));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kCardRadius, kCardRadius);
+    if (m_shown && m_symbolShown) {
+        const double line = m_what->fontMetrics().height();
+        const QRectF box(kCardMargin, m_what->y() + 0.5 * (line - kCardSymbol), kCardSymbol, kCardSymbol);
+        drawSymbol(painter, symbolOf(m_shown->severity), box, theme.colour(toneOf(m_shown->severity)));
+    }
+}
+
+void AlarmCard::mouseReleaseEvent(QMouseEvent* event)
+{
+    const auto isOn = [event](const QWidget* text) {
+        return text->isVisible() && text->geometry().contains(event->pos());
+    };
+    if (event->button() == Qt::LeftButton && m_shown && (isOn(m_what) || isOn(m_advice))) {
+        Q_EMIT lineWanted(*m_shown);
+    }
+}
+
+void AlarmCard::beat(SteadyTime now, bool flashing)
+{
+    const bool symbolShown = flashing || !m_flashing;
+    if (symbolShown != std::exchange(m_symbolShown, symbolShown)) {
+        update();
+    }
+    if (!m_said.isEmpty() && now - m_saidAt >= kSaidFor) {
+        if (m_notice->text() == m_said) {
+            m_notice->setValue({});
+        }
+        m_said.clear();
+    }
+}
+
+void AlarmCard::sayForAWhile(const QString& what, SteadyTime now)
+{
+    m_notice->setValue(what);
+    m_said = what;
+    m_saidAt = now;
+}
+
+void AlarmCard::acknowledge()
+{
+    if (m_acknowledge->isVisible()) {
+        m_acknowledge->ask(request::AcknowledgeAlarms{});
+    }
+}
+
+}  // namespace boresight::ui
+
+#include "moc_alarm_card.cpp"

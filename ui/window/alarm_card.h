@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/messages/station_status.h"
+
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+class QPushButton;
+
+// The alarm that matters most, whole: what happened in bold, what Boresight did, what to do, and the one button that
+// helps. Beside it the way back from a STOP or a fault, Acknowledge, and how many alarms there are. A click on the text
+// opens its line in the log. There only while there is an alarm, a latched STOP, or something to report. An alarm not
+// yet acknowledged flashes its symbol at 1 Hz, never its text. Gui thread.
+namespace boresight::ui {
+
+class CommandButton;
+class RequestDesk;
+class ValueLabel;
+
+class AlarmCard : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit AlarmCard(RequestDesk& desk, QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+    void beat(SteadyTime now, bool flashing);
+    // In the place of a refusal, for some seconds.
+    void sayForAWhile(const QString& what, SteadyTime now);
+    void acknowledge();  // F8
+
+    // For refusals of controls that have no line of their own (STOP).
+    [[nodiscard]] ValueLabel& notice() { return *m_notice; }
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+Q_SIGNALS:
+    void lineWanted(const boresight::Alarm& alarm);  // of the log
+    void listWanted();                               // of all alarms
+    void panelWanted(boresight::AlarmHelp help);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+
+private:
+    void build();
+    void showAlarm(const StationStatus& status);
+    void showButtons(const StationStatus& status);
+    void showCount(const StationStatus& status);
+    void showWhetherNeeded();
+    void help(AlarmHelp help, CommandButton& button);
+
+    ValueLabel* m_what;
+    ValueLabel* m_advice;
+    ValueLabel* m_notice;
+    ValueLabel* m_since;
+    CommandButton* m_help;
+    CommandButton* m_recover;
+    CommandButton* m_acknowledge;
+    QPushButton* m_count;
+    std::optional<Alarm> m_shown;
+    std::shared_ptr<const profile::Profile> m_profile;  // in force
+    AlarmHelp m_recovery = AlarmHelp::None;
+    bool m_flashing = false;
+    bool m_symbolShown = true;
+    QString m_said;
+    SteadyTime m_saidAt{};
+};
+
+}  // namespace boresight::ui

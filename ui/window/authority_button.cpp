@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/authority_button.h"
+
+namespace boresight::ui {
+
+AuthorityButton::AuthorityButton(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
+    : CommandButton(tr("Give to clients"), {}, desk, notice, parent)
+{
+    connect(this, &QPushButton::clicked, this, [this] {
+        ask(m_control == Authority::Operator ? Request(request::GiveAuthority{}) : Request(request::TakeAuthority{}));
+    });
+}
+
+void AuthorityButton::showStatus(const StationStatus& status)
+{
+    m_control = status.authority;
+    const bool ours = m_control == Authority::Operator;
+    setCommand(ours ? tr("Give to clients") : tr("Take control"),
+               ours ? tr("Let rotctld clients move the mount again")
+                    : tr("Keep the mount for the operator: motion commands of clients are refused"));
+}
+
+}  // namespace boresight::ui
+
+#include "moc_authority_button.cpp"
