@@ -64,6 +64,21 @@ void Arming::latchStop()
     m_authority = Authority::Operator;
 }
 
+// An act while the operator has the authority anyway takes nothing.
+void Arming::takeAuthority(Taking how)
+{
+    if (m_authority == Authority::Clients || how == Taking::Explicitly) {
+        m_taken = how;
+    }
+    m_authority = Authority::Operator;
+}
+
+void Arming::giveAuthority()
+{
+    m_authority = Authority::Clients;
+    m_taken.reset();
+}
+
 Result<> Arming::resetStop()
 {
     if (!m_stopLatched) {
@@ -154,7 +169,7 @@ QString Arming::rearmObstacle() const
     return obstacle;
 }
 
-Result<> Arming::rearm(const Source& source)
+Result<> Arming::mayRearm(const Source& source) const
 {
     if (source.kind == SourceKind::Client && m_authority == Authority::Operator) {
         return failure(ErrorCode::Refused, Text::tr("The operator has control. Only the operator can re-arm."));
@@ -171,9 +186,17 @@ Result<> Arming::rearm(const Source& source)
     if (const QString why = rearmObstacle(); !why.isEmpty()) {
         return failure(ErrorCode::Refused, why);
     }
+    return {};
+}
+
+Result<> Arming::rearm(const Source& source)
+{
+    if (const Result<> may = mayRearm(source); !may) {
+        return may;
+    }
     m_log.add(Severity::Advisory, source.name, Text::tr("re-arms, and first stops drives in fault or time-out"));
     if (source.kind == SourceKind::Operator) {
-        m_authority = Authority::Operator;  // clients still sending must not move the mount at once
+        takeAuthority(Taking::ByAct);  // clients still sending must not move the mount at once
     }
     m_retry.rearmed();
     beginRearm();

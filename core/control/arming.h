@@ -24,6 +24,13 @@ namespace boresight {
 // What no client may ask.
 [[nodiscard]] Result<> operatorOnly(const Source& source);
 
+// How the operator takes the authority from the clients.
+enum class Taking
+{
+    Explicitly,
+    ByAct  // a motion, STOP, a re-arm: whatever clients must not undo at once
+};
+
 class Arming
 {
 public:
@@ -39,8 +46,12 @@ public:
     Result<> resetStop();
     [[nodiscard]] bool stopLatched() const { return m_stopLatched; }
 
-    void setAuthority(Authority authority) { m_authority = authority; }
+    // The operator has the authority from now on, by an explicit request for it or by another act.
+    void takeAuthority(Taking how);
+    void giveAuthority();
     [[nodiscard]] Authority authority() const { return m_authority; }
+    // It was taken by an act of the operator that was about something else, and not explicitly since.
+    [[nodiscard]] bool tookByAct() const { return m_taken == Taking::ByAct; }
 
     // The program ends: no start and no re-arm from now on.
     void close() { m_closing = true; }
@@ -53,6 +64,8 @@ public:
     // Latches the fault. `reason` in words: "azimuth drive: over temperature (38)"; the first one of a series stays.
     void lost(Axis axis, supervision::LossClass kind, const QString& reason);
     [[nodiscard]] std::optional<QString> fault() const;
+    // What stands in the way of a re-arm.
+    [[nodiscard]] Result<> mayRearm(const Source& source) const;
     // Clears faults and time-outs of the drives; done when completesRearm() says so.
     Result<> rearm(const Source& source);
     // Once in a tick, after its losses: re-arms by the policy when it is time. True once when a re-arm is done.
@@ -78,6 +91,7 @@ private:
     EventLog& m_log;
     supervision::RetryPolicy m_retry;
     Authority m_authority = Authority::Clients;
+    std::optional<Taking> m_taken;  // by the operator, since the clients had it
     bool m_stopLatched = false;
     bool m_closing = false;
     bool m_connected = false;

@@ -78,7 +78,7 @@ std::optional<CableGuard::TurnBack> CableGuard::turnBackTo(Angle azimuth, const 
 QString CableGuard::begin(const TurnBack& back, const tracking::MotionLimits& limits)
 {
     m_turnBack = back;
-    const QString what = Text::tr("turns back by %1 because the cable ends at %2")
+    const QString what = Text::tr("turns back by %1 because the cable ends at axis %2")
                              .arg(degreesText(abs(back.by), 0), degreesText(back.end, 1));
     return back.follows ? Text::tr("%1, and the target is lost for about %2").arg(what, timeText(turnTime(limits)))
                         : what;

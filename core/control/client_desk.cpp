@@ -15,7 +15,7 @@ constexpr std::chrono::seconds kStillWanting{5};
 
 Result<> ClientDesk::ask(const request::TakeAuthority&, const Source& by)
 {
-    m_helm.takeOver(by);
+    m_helm.takeOver(by, Taking::Explicitly);
     if (m_helm.current().commander().kind == SourceKind::Client && !m_helm.current().is(Activity::None)) {
         m_helm.hold(Activity::Holding);
     }
@@ -66,7 +66,7 @@ Result<> ClientDesk::ask(const request::Disconnect&, const Source& by)
 void ClientDesk::letClientsMove()
 {
     endCalibrationMotion();
-    m_arming.setAuthority(Authority::Clients);
+    m_arming.giveAuthority();
 }
 
 void ClientDesk::endClientMotion()

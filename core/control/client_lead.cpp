@@ -4,6 +4,8 @@
 #include "core/base/peer_address.h"
 #include "core/base/text.h"
 
+#include <algorithm>
+
 namespace boresight {
 namespace {
 
@@ -53,10 +55,14 @@ std::string ClientLead::hostOf(std::uint64_t clientId) const
     return found == m_clients.end() ? std::string() : found->second.host;
 }
 
+bool ClientLead::leads(SteadyTime now) const
+{
+    return m_leader && now - m_leader->seen < kRelease;
+}
+
 bool ClientLead::leadHeld(const Rules& rules, SteadyTime now) const
 {
-    return rules.lead != profile::Lead::Last && m_leader && now - m_leader->seen < kRelease &&
-           !lockedOut(rules, m_leader->host);
+    return rules.lead != profile::Lead::Last && leads(now) && !lockedOut(rules, m_leader->host);
 }
 
 bool ClientLead::continues(const Source& client) const
@@ -146,6 +152,35 @@ void ClientLead::moved(const Source& client, SteadyTime now)
     const int motions = same ? m_leader->motions : 0;
     m_leader =
         Leader{.client = client, .host = hostOf(client.clientId), .since = now, .seen = now, .motions = motions + 1};
+}
+
+void ClientLead::read(std::uint64_t clientId, SteadyTime now)
+{
+    if (const auto found = m_clients.find(clientId); found != m_clients.end()) {
+        found->second.read = now;
+    }
+}
+
+QString ClientLead::taken(SteadyTime now)
+{
+    m_taken = now;
+    m_takenFrom = leads(now) && !m_leader->left ? std::optional(m_leader->client.clientId) : std::nullopt;
+    return m_takenFrom ? m_leader->client.name : QString();
+}
+
+bool ClientLead::isWanted(const Rules& rules, SteadyTime now) const
+{
+    const auto recent = [now](const std::optional<SteadyTime>& when) { return when && now - *when < kRelease; };
+    const auto wants = [&](const auto& each) {
+        const auto& [id, one] = each;
+        const bool may = !one.readOnly && !lockedOut(rules, one.host);
+        return may && (recent(one.asked) || (id == m_takenFrom && recent(one.read)));
+    };
+    const auto comesAgain = [&](const auto& passer) {
+        const auto& [host, one] = passer;
+        return !lockedOut(rules, host) && recent(one.asked) && one.asked > m_taken;
+    };
+    return std::ranges::any_of(m_clients, wants) || std::ranges::any_of(m_passers, comesAgain);
 }
 
 void ClientLead::followed(std::uint64_t clientId, SteadyTime now)

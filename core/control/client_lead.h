@@ -36,6 +36,8 @@ public:
     void asked(const Source& client, SteadyTime now);
     // It has moved the mount.
     void moved(const Source& client, SteadyTime now);
+    // It reads where the mount is.
+    void read(std::uint64_t clientId, SteadyTime now);
     // It reads where the mount is, which follows it: it is there, though its target stands still for a while.
     void followed(std::uint64_t clientId, SteadyTime now);
 
@@ -52,6 +54,11 @@ public:
     // By the operator: this client has control from now on, for kRelease even if it sends nothing.
     Result<> give(const Rules& rules, std::uint64_t clientId, SteadyTime now);
     Result<> setReadOnly(std::uint64_t clientId, bool readOnly);
+    // The operator takes control from the clients. The one that had it is the answer; empty: none had.
+    QString taken(SteadyTime now);
+    // A client that is here would move the mount if the operator gave control back: it asks for motions, or it had
+    // control and goes on reading the position. A program that connects for each command counts once it asks again.
+    [[nodiscard]] bool isWanted(const Rules& rules, SteadyTime now) const;
     // Clients may move the mount again. The client that had control before the operator continues.
     void resume(SteadyTime now);
 
@@ -68,6 +75,7 @@ private:
         std::string host;
         bool readOnly = false;
         std::optional<SteadyTime> asked{};  // for a motion, last
+        std::optional<SteadyTime> read{};   // the position, last
         int asks = 0;
         bool waits = false;  // since another client re-armed
     };
@@ -90,6 +98,7 @@ private:
     };
 
     [[nodiscard]] std::string hostOf(std::uint64_t clientId) const;
+    [[nodiscard]] bool leads(SteadyTime now) const;  // whatever the rules are
     [[nodiscard]] bool leadHeld(const Rules& rules, SteadyTime now) const;
     [[nodiscard]] bool continues(const Source& client) const;
     [[nodiscard]] QString leaderText(SteadyTime now) const;
@@ -97,6 +106,8 @@ private:
     std::map<std::uint64_t, Connected> m_clients;
     std::map<std::string, Passer> m_passers;  // by host
     std::optional<Leader> m_leader;
+    SteadyTime m_taken{};  // by the operator, last
+    std::optional<std::uint64_t> m_takenFrom;
 };
 
 }  // namespace boresight

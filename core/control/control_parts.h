@@ -7,8 +7,10 @@
 #include "core/control/cable_guard.h"
 #include "core/control/client_lead.h"
 #include "core/control/current_motion.h"
+#include "core/control/slew_watch.h"
 #include "core/control/standstill_watch.h"
 #include "core/control/sun_watch.h"
+#include "core/motion/first_moves.h"
 #include "core/motion/motion.h"
 #include "core/mount/mount_driver.h"
 #include "core/pointing/mount_model.h"
@@ -32,6 +34,7 @@ struct ControlParts
     const ClientLead& lead;
     const CableGuard& cable;
     const SunWatch& sun;
+    const SlewWatch& slew;
     const AlarmBoard& alarms;
     SteadyTime now;  // of the running or last tick
     std::uint64_t tick = 0;
@@ -40,6 +43,13 @@ struct ControlParts
     [[nodiscard]] AxisPosition standing() const
     {
         return mount.follows() ? motion.place() : mount.measured().value_or(AxisPosition{});
+    }
+    // Where the axes would stop if they braked now.
+    [[nodiscard]] AxisPosition stoppingPlace() const
+    {
+        const auto rest = [this](Axis axis) { return restingPlace(motion.setpoint(axis), motion.limits(axis)); };
+        return mount.follows() ? AxisPosition{.azimuth = rest(Axis::Azimuth), .elevation = rest(Axis::Elevation)}
+                               : standing();
     }
     // Where the axes are going, else where they stand.
     [[nodiscard]] AxisPosition heading() const

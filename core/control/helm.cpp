@@ -5,12 +5,13 @@
 #include "core/mount/mount_service.h"
 #include "core/pointing/nearest_permitted.h"
 #include "core/units/direction_text.h"
+#include "core/units/duration_text.h"
 
 namespace boresight {
 
 QString Helm::directionText(const AxisPosition& place) const
 {
-    return boresight::directionText(view().model.pointing().toSky(place));
+    return boresight::directionText(view().model.toSky(place));
 }
 
 Result<> Helm::mayGoTo(const AxisPosition& place) const
@@ -35,6 +36,26 @@ Result<AxisPosition> Helm::placeOf(const SkyPointing& direction) const
     return resolved.position;
 }
 
+Result<AxisPosition> Helm::placeAlong(Axis axis, Angle angle, const AxisPosition& from) const
+{
+    constexpr int kRounds = 3;  // on a mast that leans one angle of the beam depends on both axes
+    constexpr Angle kHalfTurn = Angle::fromDegrees(180.0);
+    AxisPosition place = from;
+    for (int i = 0; i < kRounds; ++i) {
+        SkyPointing beam = view().model.pointing().toSky(place);
+        const bool overTheTop = beam.elevation > Angle::fromDegrees(90.0);
+        (axis == Axis::Azimuth ? beam.azimuth : beam.elevation) =
+            axis == Axis::Azimuth && overTheTop ? angle + kHalfTurn : angle;
+        const auto found = placeOf(beam);
+        if (!found) {
+            return found;
+        }
+        (axis == Axis::Azimuth ? place.azimuth : place.elevation) =
+            axis == Axis::Azimuth ? found->azimuth : found->elevation;
+    }
+    return place;
+}
+
 Result<> Helm::reaches(const SkyPointing& direction) const
 {
     return placeOf(direction).and_then([&](const AxisPosition& place) -> Result<> {
@@ -50,9 +71,24 @@ Result<> Helm::reaches(const SkyPointing& direction) const
 Result<> Helm::goTo(const AxisPosition& place, Activity activity, const Source& by, const QString& what)
 {
     return mayPoint(by).and_then([&] { return mayGoTo(place); }).map([&] {
-        begin(activity, by, what);
-        m_of.motion.goTo(view().model.resolve(place).position);
+        const AxisPosition end = view().model.resolve(place).position;
+        begin(activity, by, what, arrivalText(end));
+        m_of.motion.goTo(end);
     });
+}
+
+// From where the axes stand: they are taken over soon.
+QString Helm::arrivalText(const AxisPosition& place) const
+{
+    Motion ahead = m_of.motion;
+    if (!m_of.mount.follows()) {
+        ahead.start(Axis::Azimuth, standing().azimuth);
+        ahead.start(Axis::Elevation, standing().elevation);
+    }
+    ahead.enforceRegion(true);
+    ahead.goTo(place);
+    const auto course = Course::of(std::move(ahead), now());
+    return course ? Text::tr("there in %1").arg(durationText(course->duration())) : QString();
 }
 
 Result<> Helm::goToAnyTurn(const AxisPosition& place, Activity activity, const Source& by, const QString& what)
@@ -198,13 +234,20 @@ void Helm::end(Severity severity, const QString& why)
     hold(Activity::Holding);
 }
 
-void Helm::takeOver(const Source& by)
+void Helm::takeOver(const Source& by, Taking how)
 {
-    if (by.kind == SourceKind::Operator && m_of.arming.authority() == Authority::Clients) {
-        m_of.arming.setAuthority(Authority::Operator);
-        m_of.log.add(Severity::Advisory, by,
-                     Text::tr("takes control, and Boresight refuses motion commands of clients"));
+    if (by.kind != SourceKind::Operator) {
+        return;
     }
+    if (m_of.arming.authority() == Authority::Clients) {
+        const QString from = m_of.lead.taken(now());
+        m_of.log.add(
+            Severity::Advisory, by,
+            from.isEmpty()
+                ? Text::tr("takes control, and Boresight refuses motion commands of clients")
+                : Text::tr("takes control from %1, and Boresight refuses motion commands of clients").arg(from));
+    }
+    m_of.arming.takeAuthority(how);
 }
 
 Result<> Helm::beginOwn(Activity activity, const Source& by, const QString& what)
@@ -212,13 +255,14 @@ Result<> Helm::beginOwn(Activity activity, const Source& by, const QString& what
     return mayPoint(by).map([&] { begin(activity, by, what); });
 }
 
-void Helm::begin(Activity activity, const Source& by, const QString& what)
+void Helm::begin(Activity activity, const Source& by, const QString& what, const QString& detail)
 {
     takeOver(by);
     if (!current().continues(activity, by)) {
         m_of.cable.forgetTurnBack();
-        m_of.log.add(Severity::Advisory, by,
-                     Text::tr("moves the mount from %1: %2").arg(directionText(heading()), what), LogKind::MotionStart);
+        const QString line = Text::tr("moves the mount from %1: %2").arg(directionText(heading()), what);
+        m_of.log.add(Severity::Advisory, by, detail.isEmpty() ? line : line + QStringLiteral(", ") + detail,
+                     LogKind::MotionStart);
     }
     if (by.kind == SourceKind::Client) {
         m_of.lead.moved(by, now());

@@ -44,7 +44,7 @@ public:
     [[nodiscard]] SteadyTime now() const { return view().now; }
     [[nodiscard]] AxisPosition standing() const { return view().standing(); }
     [[nodiscard]] AxisPosition heading() const { return view().heading(); }
-    // The direction that the beam has there.
+    // The direction that the beam has there, in words: an azimuth from 0° to 360°.
     [[nodiscard]] QString directionText(const AxisPosition& place) const;
 
     // May this source send the mount anywhere? Every goTo and streamTo asks it, too.
@@ -53,6 +53,8 @@ public:
     [[nodiscard]] Result<> mayGoTo(const AxisPosition& place) const;
     // The axes of a direction, on the wrap nearest to where they are going; an error when they do not reach it.
     [[nodiscard]] Result<AxisPosition> placeOf(const SkyPointing& direction) const;
+    // The same for an azimuth or an elevation alone: the other axis stays where it is in `from`.
+    [[nodiscard]] Result<AxisPosition> placeAlong(Axis axis, Angle angle, const AxisPosition& from) const;
     // Whether the beam can be pointed there from where it is.
     [[nodiscard]] Result<> reaches(const SkyPointing& direction) const;
 
@@ -85,11 +87,13 @@ public:
     void hold(Activity left);
     // The same, and logs why in the name of whoever moved the mount. This line is never left out.
     void end(Severity severity, const QString& why);
-    // The operator who asks has the authority from now on.
-    void takeOver(const Source& by);
+    // The operator who asks has the authority from now on. Clients lose it never without a line in the log.
+    void takeOver(const Source& by, Taking how = Taking::ByAct);
 
 private:
-    void begin(Activity activity, const Source& by, const QString& what);
+    // `detail` is logged besides `what`, and not shown.
+    void begin(Activity activity, const Source& by, const QString& what, const QString& detail = {});
+    [[nodiscard]] QString arrivalText(const AxisPosition& place) const;
     [[nodiscard]] Result<> mayRun(const AxisRates& rates, Activity activity, const Source& by) const;
     [[nodiscard]] AxisPosition turnWithAWay(const AxisPosition& place) const;
     [[nodiscard]] std::optional<CableGuard::TurnBack> turnBackTo(const AxisPosition& place, const Source& by) const;

@@ -82,6 +82,7 @@ ControlParts StationControl::parts() const
             .lead = m_lead,
             .cable = m_cable,
             .sun = m_region.sun(),
+            .slew = m_slew,
             .alarms = m_alarms,
             .now = m_now,
             .tick = m_tick};
@@ -133,6 +134,7 @@ void StationControl::sourceGone(const Source& source)
 
 void StationControl::positionRead(std::uint64_t clientId)
 {
+    m_lead.read(clientId, m_now);
     for (const auto& one : m_sources) {
         one->positionRead(clientId);
     }
@@ -153,6 +155,7 @@ Result<> StationControl::handle(const request::Stop&, const Source& source)
     if (!m_arming.stopLatched()) {
         m_log.add(Severity::Warning, source.name, Text::tr("STOP is latched, and the mount decelerates and holds"));
     }
+    takeOver(source);
     m_arming.latchStop();
     keepStopped();
     holdHere(Activity::None);
@@ -173,7 +176,10 @@ Result<> StationControl::handle(const request::ResetStop&, const Source& source)
 Result<> StationControl::handle(const request::Rearm&, const Source& source)
 {
     if (source.kind != SourceKind::Client) {
-        return m_arming.rearm(source);
+        return m_arming.mayRearm(source).and_then([&] {
+            takeOver(source);
+            return m_arming.rearm(source);
+        });
     }
     return m_lead.mayAct(m_profile->rotctld, source, m_now).and_then([&]() -> Result<> {
         if (!faultLatched() && m_lead.waits(source.clientId)) {
@@ -236,6 +242,8 @@ void StationControl::profileChanged(const profile::Profile& before, const profil
     for (const Axis axis : kAxes) {
         m_motion.setLimits(axis, after.axis(axis).limits);
     }
+    m_motion.setArrival(after.control.arrival);
+    m_slew.lookAgain();
     m_adviceAlarms.update(after);
 }
 
@@ -321,6 +329,8 @@ void StationControl::tick()
     watchRegion();
     watchCable();
     watchLimited();
+    // After what may end or send the motion: looks ahead along the way that is left.
+    m_slew.update(m_mount.follows() && state() == StationState::Slew, m_motion, now);
     // After everything that raises or clears an alarm.
     m_alarms.tick();
     // Last: the mount is left when the set-points of this tick are at rest.

@@ -18,6 +18,7 @@
 #include "core/control/mount_desk.h"
 #include "core/control/orderly_end.h"
 #include "core/control/region_keeper.h"
+#include "core/control/slew_watch.h"
 #include "core/control/source_log.h"
 #include "core/control/standstill_watch.h"
 #include "core/control/status_report.h"
@@ -175,6 +176,7 @@ private:
     Arming m_arming;
     ClientLead m_lead;
     CableGuard m_cable;
+    SlewWatch m_slew;
     SourceLog m_sourceLog;
 
     CurrentMotion m_current;

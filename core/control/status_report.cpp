@@ -209,12 +209,12 @@ AxisStatus StatusReport::axisStatus(Axis axis) const
 // From the set-points on.
 std::vector<SkyPointing> StatusReport::route() const
 {
-    std::vector<AxisPosition> corners = m_of.motion.route();
-    if (corners.empty() || !m_of.mount.follows() || !m_of.mount.wrapsKnown()) {
+    std::vector<AxisPosition> way = m_of.slew.way(m_of.now);
+    if (way.empty() || !m_of.mount.follows() || !m_of.mount.wrapsKnown()) {
         return {};
     }
-    corners.insert(corners.begin(), m_of.motion.place());
-    return beamPath(m_of.model, corners);
+    way.insert(way.begin(), m_of.motion.place());
+    return beamPath(m_of.model, way);
 }
 
 // Only an answer to this very tick counts: an older one would be drawn as if it were new.
@@ -263,8 +263,10 @@ StationStatus StatusReport::status() const
                          .limited = !limitedReason().isEmpty(),
                          .limitedReason = limitedReason(),
                          .route = route(),
+                         .slew = m_of.slew.progress(m_of.now),
                          .cableEnd = m_of.cable.end(),
                          .authority = m_of.arming.authority(),
+                         .tookControl = m_of.arming.tookByAct() && m_of.lead.isWanted(m_of.profile.rotctld, m_of.now),
                          .drives = drivesStatus(),
                          .alarms = m_of.alarms.list(),
                          .utc = m_of.clock.utc(),

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -26,6 +27,11 @@ struct PointSky  // go to a direction, the nearest permitted turn
 struct PointAxes  // go to mechanical angles: chooses the turn
 {
     AxisPosition position;
+};
+struct PointAxis  // go to this azimuth or elevation of a direction; the other axis stays where it is
+{
+    Axis axis = Axis::Azimuth;
+    Angle angle;
 };
 struct Jog  // dead-man: must be repeated within kJogKeepAlive, else the axes stop; zero rates end it
 {
@@ -53,8 +59,10 @@ struct Nudge  // while a stream is followed: shifts it, see StationStatus::trim;
 };
 struct ClearTrim
 {};
-struct Horizon  // elevation 0°, or the lowest permitted, at the present azimuth
-{};
+struct Horizon  // elevation 0°, or the lowest permitted, at the present azimuth or at this one
+{
+    std::optional<Angle> azimuth;
+};
 struct Hold  // decelerate and hold; not latched
 {};
 struct Stop  // decelerate and hold, latched until ResetStop
@@ -204,13 +212,13 @@ using CalibrationRequest =
                  request::UndoCalibration, request::RedoCalibration>;
 
 using Request =
-    std::variant<request::PointSky, request::PointAxes, request::Jog, request::Move, request::Step, request::Follow,
-                 request::Nudge, request::ClearTrim, request::Horizon, request::Hold, request::Stop, request::ResetStop,
-                 request::Park, request::Home, request::Unwind, request::Rearm, request::TakeAuthority,
-                 request::GiveAuthority, request::GiveLead, request::SetReadOnly, request::Disconnect,
-                 request::AcknowledgeAlarms, request::AcknowledgeAlarm, request::ApplyProfile, request::Reconnect,
-                 request::ReadDrives, request::FixDrives, request::SwitchOff, request::ReleaseBus, request::TakeBus,
-                 request::ChooseTurn, request::ProveCrashStop, request::EndProof, CalibrationRequest>;
+    std::variant<request::PointSky, request::PointAxes, request::PointAxis, request::Jog, request::Move, request::Step,
+                 request::Follow, request::Nudge, request::ClearTrim, request::Horizon, request::Hold, request::Stop,
+                 request::ResetStop, request::Park, request::Home, request::Unwind, request::Rearm,
+                 request::TakeAuthority, request::GiveAuthority, request::GiveLead, request::SetReadOnly,
+                 request::Disconnect, request::AcknowledgeAlarms, request::AcknowledgeAlarm, request::ApplyProfile,
+                 request::Reconnect, request::ReadDrives, request::FixDrives, request::SwitchOff, request::ReleaseBus,
+                 request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof, CalibrationRequest>;
 
 // A request of the screen, numbered so that the answer finds the control that sent it.
 struct NumberedRequest

@@ -27,6 +27,8 @@ void obey(AxisProfile& axis, Seconds duration, const AxisWish& wish)
 {
     if (wish.braking) {
         axis.brake(duration, *wish.braking);
+    } else if (wish.target && wish.arrival) {
+        axis.arrive(duration, *wish.target, *wish.arrival);
     } else if (wish.target) {
         axis.follow(duration, *wish.target, wish.rate);
     } else {
@@ -229,6 +231,11 @@ AxisPosition GuardedAxes::place() const
 bool GuardedAxes::atRest() const
 {
     return m_azimuth.atRest() && m_elevation.atRest();
+}
+
+Seconds GuardedAxes::restTime(const AxisPosition& target) const
+{
+    return std::max(m_azimuth.restTime(target.azimuth), m_elevation.restTime(target.elevation));
 }
 
 QString GuardedAxes::obstacle() const

@@ -24,12 +24,14 @@ namespace boresight {
 inline constexpr Angle kAtEdge = Angle::fromDegrees(0.05);
 
 // What one axis is asked: to go to a target that moves at `rate`, or without a target to run at `rate`. Zero: brake,
-// with `braking` where the limits of the axis are not enough.
+// with `braking` where the limits of the axis are not enough. With `arrival` it goes to a target that stands, and
+// arrives no sooner than after this time.
 struct AxisWish
 {
     std::optional<Angle> target{};
     AngularRate rate{};
     std::optional<AngularAcceleration> braking{};
+    std::optional<Seconds> arrival{};
 };
 
 class GuardedAxes
@@ -54,6 +56,8 @@ public:
     [[nodiscard]] const tracking::Setpoint& setpoint(Axis axis) const;
     [[nodiscard]] AxisPosition place() const;
     [[nodiscard]] bool atRest() const;
+    // How long it takes at least until both axes rest there, if nothing is in the way.
+    [[nodiscard]] Seconds restTime(const AxisPosition& target) const;
     // The axis was asked to go on, but stands at, or brakes for, an edge of what is permitted.
     [[nodiscard]] bool held(Axis axis) const { return m_held[axis == Axis::Azimuth ? 0 : 1] != 0; }
     // What holds it: `the keep-out "mast"`. Empty if nothing does.

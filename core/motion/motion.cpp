@@ -36,7 +36,7 @@ bool same(const AxisPosition& a, const AxisPosition& b)
 }  // namespace
 
 Motion::Motion(const profile::Profile& profile, const Capabilities& capabilities)
-    : m_capabilities(capabilities), m_axes(profile, capabilities)
+    : m_capabilities(capabilities), m_axes(profile, capabilities), m_arrival(profile.control.arrival)
 {
     for (const Axis axis : kAxes) {
         setLimits(axis, profile.axis(axis).limits);
@@ -87,6 +87,15 @@ void Motion::settleStream()
     }
 }
 
+void Motion::keepOn(SteadyTime now)
+{
+    if (std::holds_alternative<tracking::TargetStream>(m_wanted)) {
+        if (const auto target = movingTarget(now)) {
+            m_wanted = Straight{.target = *target, .since = now};
+        }
+    }
+}
+
 void Motion::run(const AxisRates& rates)
 {
     m_wanted = rates;
@@ -125,6 +134,13 @@ std::optional<tracking::MovingTarget> Motion::movingTarget(SteadyTime now) const
 {
     if (const auto* const place = std::get_if<AxisPosition>(&m_wanted)) {
         return tracking::MovingTarget{.position = *place, .rates = {}, .streaming = false};
+    }
+    if (const auto* const straight = std::get_if<Straight>(&m_wanted)) {
+        tracking::MovingTarget target = straight->target;
+        const Seconds time = now - straight->since;
+        target.position = {target.position.azimuth + target.rates.azimuth * time,
+                           target.position.elevation + target.rates.elevation * time};
+        return target;
     }
     if (const auto* const stream = std::get_if<tracking::TargetStream>(&m_wanted)) {
         auto target = stream->target(now);
@@ -178,8 +194,7 @@ void Motion::driveTo(const tracking::MovingTarget& target, SteadyTime now, Secon
     }
     if (!m_axes.enforced() || region().permits(AxisBox::between(place(), goal->position))) {
         m_way = {};
-        m_axes.step(step, {goal->position.azimuth, goal->rates.azimuth},
-                    {goal->position.elevation, goal->rates.elevation});
+        stepTo(*goal, step);
         return;
     }
     planTo(goal->position, now);
@@ -191,6 +206,14 @@ void Motion::driveTo(const tracking::MovingTarget& target, SteadyTime now, Secon
         m_way.legs.erase(m_way.legs.begin());
     }
     m_axes.step(step, {.target = m_way.legs.front().azimuth}, {.target = m_way.legs.front().elevation});
+}
+
+void Motion::stepTo(const tracking::MovingTarget& goal, Seconds step)
+{
+    const bool together = m_arrival == profile::Arrival::Together && !goal.streaming && goal.rates == AxisRates{};
+    const auto arrival = together ? std::optional(m_axes.restTime(goal.position)) : std::nullopt;
+    m_axes.step(step, {.target = goal.position.azimuth, .rate = goal.rates.azimuth, .arrival = arrival},
+                {.target = goal.position.elevation, .rate = goal.rates.elevation, .arrival = arrival});
 }
 
 // The old way holds as long as its end does and its next leg is free; in between, what guards the axes has the last

@@ -37,6 +37,7 @@ public:
     void follow(const AxisPosition& point, SteadyTime now);  // one point of a stream
     void confirmStream(SteadyTime now);                      // its client has read the position
     void settleStream();                                     // no more points: stop at the last one
+    void keepOn(SteadyTime now);                             // a stream goes on straight, without more points
     void run(const AxisRates& rates);
     void setTrim(const AxisPosition& trim);  // is added to the points of streams
     [[nodiscard]] const AxisPosition& trim() const { return m_trim; }
@@ -46,6 +47,8 @@ public:
     void setLimits(Axis axis, const tracking::MotionLimits& limits);
     // Those of the profile, as far as the rotator can go along.
     [[nodiscard]] const tracking::MotionLimits& limits(Axis axis) const { return m_limits[index(axis)]; }
+    // On the way to a place that stands, from where no keep-out is in between: both axes arrive at the same time.
+    void setArrival(profile::Arrival arrival) { m_arrival = arrival; }
     // While nobody knows on which turn an axis stands, nobody knows what is forbidden: only the travel counts.
     void enforceRegion(bool enforced) { m_axes.enforce(enforced); }
 
@@ -86,7 +89,12 @@ public:
 private:
     struct Resting
     {};
-    using Wanted = std::variant<Resting, AxisPosition, tracking::TargetStream, AxisRates>;
+    struct Straight
+    {
+        tracking::MovingTarget target;
+        SteadyTime since;
+    };
+    using Wanted = std::variant<Resting, AxisPosition, tracking::TargetStream, Straight, AxisRates>;
 
     // How the target is reached, as planned last.
     struct Way
@@ -100,6 +108,7 @@ private:
     [[nodiscard]] std::optional<tracking::MovingTarget> movingTarget(SteadyTime now) const;
     [[nodiscard]] std::optional<tracking::MovingTarget> permitted(const tracking::MovingTarget& target);
     void driveTo(const tracking::MovingTarget& target, SteadyTime now, Seconds step);
+    void stepTo(const tracking::MovingTarget& goal, Seconds step);
     void planTo(const AxisPosition& end, SteadyTime now);
     void forgetWay();
 
@@ -110,6 +119,7 @@ private:
     std::array<tracking::MotionLimits, 2> m_limits;
     std::array<AngularAcceleration, 2> m_hardest;
     bool m_hardBraking = false;
+    profile::Arrival m_arrival;
     Way m_way;
     struct Limited
     {

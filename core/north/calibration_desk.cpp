@@ -93,6 +93,9 @@ void CalibrationDesk::useWhatEnded()
 void CalibrationDesk::fill(StationStatus& status) const
 {
     status.calibration = m_report.status();
+    for (const BodyNow& one : status.calibration->bodies) {
+        status.bodies.push_back({.body = one.body, .direction = one.direction});
+    }
     const bool inMotion = status.state == StationState::Hold || status.state == StationState::Slew ||
                           status.state == StationState::Jog || status.state == StationState::Track;
     if (moves() && inMotion) {

@@ -68,8 +68,8 @@ QString past(const QString& sentence, Angle angle, Angle limit)
 
 QString azimuthReason(Angle angle, const TravelRange& travel)
 {
-    return angle < travel.min ? past(Text::tr("azimuth %1 below limit %2"), angle, travel.min)
-                              : past(Text::tr("azimuth %1 above limit %2"), angle, travel.max);
+    return angle < travel.min ? past(Text::tr("azimuth axis %1 below limit %2"), angle, travel.min)
+                              : past(Text::tr("azimuth axis %1 above limit %2"), angle, travel.max);
 }
 
 QString elevationReason(Angle angle, const TravelRange& travel)
@@ -184,9 +184,10 @@ Resolved MountModel::resolve(const SkyPointing& direction, const AxisPosition& n
         resolved.position = {*azimuth, m_elevations.clamped(wanted.elevation)};
     } else {
         resolved.position = nearestAcrossGap(wanted, now);
-        const QString sentence = m_azimuths == m_azimuth.travel ? Text::tr("azimuth %1 outside travel %2…%3")
-                                                                : Text::tr("azimuth %1 outside limits %2…%3");
-        addReason(resolved, sentence.arg(degrees(wanted.azimuth), degrees(m_azimuths.min), degrees(m_azimuths.max)));
+        const QString sentence = m_azimuths == m_azimuth.travel ? Text::tr("azimuth %1 outside travel (axis %2…%3)")
+                                                                : Text::tr("azimuth %1 outside limits (axis %2…%3)");
+        addReason(resolved,
+                  sentence.arg(degrees(wanted.azimuth.wrapped360()), degrees(m_azimuths.min), degrees(m_azimuths.max)));
     }
     if (!reaches(m_elevations, wanted.elevation)) {
         addReason(resolved, elevationReason(wanted.elevation, m_elevations));

@@ -212,7 +212,7 @@ QString PermittedRegion::reason(const AxisPosition& place) const
         return {};
     }
     if (!within(AxisBox::at(place).azimuth, m_ranges.azimuth)) {
-        return outside(Text::tr("azimuth %1 outside limits %2…%3"), place.azimuth, m_ranges.azimuth);
+        return outside(Text::tr("azimuth axis %1 outside limits %2…%3"), place.azimuth, m_ranges.azimuth);
     }
     if (!within(AxisBox::at(place).elevation, m_ranges.elevation)) {
         return outside(Text::tr("elevation %1 outside limits %2…%3"), place.elevation, m_ranges.elevation);
@@ -220,17 +220,17 @@ QString PermittedRegion::reason(const AxisPosition& place) const
     return trueReason(place);
 }
 
-// In the words of who drew it: true directions.
+// In the words of who drew it: true directions, with azimuths from 0° to 360°.
 QString PermittedRegion::trueReason(const AxisPosition& place) const
 {
-    if (const KeepOut* const keepOut = keepOutAt(place)) {
-        const SkyPointing beam = beamAt(place);
-        return Text::tr("azimuth %1 elevation %2 is in the keep-out \"%3\"")
-            .arg(degreesText(beam.azimuth), degreesText(beam.elevation), toQString(keepOut->name));
-    }
     const SkyPointing beam = upright(beamAt(place));
+    const Angle azimuth = beam.azimuth.wrapped360();
+    if (const KeepOut* const keepOut = keepOutAt(place)) {
+        return Text::tr("azimuth %1 elevation %2 is in the keep-out \"%3\"")
+            .arg(degreesText(azimuth), degreesText(beam.elevation), toQString(keepOut->name));
+    }
     return Text::tr("elevation %1 below the horizon %2 at azimuth %3")
-        .arg(degreesText(beam.elevation), degreesText(m_horizon.at(beam.azimuth)), degreesText(beam.azimuth));
+        .arg(degreesText(beam.elevation), degreesText(m_horizon.at(beam.azimuth)), degreesText(azimuth));
 }
 
 QString PermittedRegion::obstacle(const AxisPosition& place) const
@@ -239,7 +239,7 @@ QString PermittedRegion::obstacle(const AxisPosition& place) const
         return {};
     }
     if (!within(AxisBox::at(place).azimuth, m_ranges.azimuth)) {
-        return Text::tr("the azimuth limit %1").arg(degreesText(m_ranges.azimuth.clamped(place.azimuth)));
+        return Text::tr("the azimuth axis limit %1").arg(degreesText(m_ranges.azimuth.clamped(place.azimuth)));
     }
     if (!within(AxisBox::at(place).elevation, m_ranges.elevation)) {
         return Text::tr("the elevation limit %1").arg(degreesText(m_ranges.elevation.clamped(place.elevation)));

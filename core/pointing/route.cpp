@@ -4,10 +4,10 @@
 // corners are the places worth turning at. Among them the quickest way is searched (A*).
 #include "core/pointing/route.h"
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/pointing/nearest_permitted.h"
 #include "core/pointing/ranges.h"
+#include "core/units/degrees_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -281,7 +281,8 @@ QString obstacleBetween(const PermittedRegion& region, const AxisPosition& from,
 
 QString degrees(const SkyPointing& beam)
 {
-    return toQString(formatFixed(beam.azimuth.degrees(), 1) + "° " + formatFixed(beam.elevation.degrees(), 1) + "°");
+    const SkyPointing direction = upright(beam);
+    return degreesText(direction.azimuth.wrapped360()) + u' ' + degreesText(direction.elevation);
 }
 
 Error noWay(const PermittedRegion& region, const AxisPosition& from, const AxisPosition& to, bool spent)

@@ -106,10 +106,18 @@ enum class AfterStall
     Wait     // for a re-arm
 };
 
+// When the two axes arrive at the end of a slew.
+enum class Arrival
+{
+    Separate,  // each as soon as it can
+    Together   // the faster one is slowed
+};
+
 struct ControlSettings
 {
     int tickHz = 50;
     Seconds watchdog{0.1};
+    Arrival arrival = Arrival::Separate;
     AfterStall afterStall = AfterStall::Resume;
     OnExit onExit = OnExit::Hold;
     Angle driveLimitMargin = Angle::fromDegrees(3.0);  // of the drives' own position bounds beyond the travel

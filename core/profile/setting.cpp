@@ -136,6 +136,12 @@ void addControl(std::vector<Setting>& list)
         QT_TRANSLATE_NOOP("Text", "The drives stop by themselves after this time without a command."),
         [](auto& p) -> auto& { return p.control.watchdog; }));
     list.push_back(choice(
+        "control.arrival", {"separate", "together"}, Applies::Now,
+        QT_TRANSLATE_NOOP("Text",
+                          "How the axes arrive at the end of a slew: \"separate\" lets each axis arrive as soon as it "
+                          "can, \"together\" slows the faster axis so that both arrive at the same time."),
+        [](auto& p) -> auto& { return p.control.arrival; }));
+    list.push_back(choice(
         "control.after_stall", {"resume", "wait"}, Applies::Now,
         QT_TRANSLATE_NOOP("Text",
                           "After this computer stalled for up to 2 s and the drives stopped by their watchdogs: resume "

@@ -3,19 +3,23 @@
 
 #include "core/control/motion_source.h"
 
-// The operator sends the mount to a direction or to angles of the axes. Station thread only.
+// The operator sends the mount to a direction, to angles of the axes, or one axis alone. Station thread only.
 namespace boresight::sources {
 
-class GoTo : public SourceOf<GoTo, request::PointSky, request::PointAxes>
+class GoTo : public SourceOf<GoTo, request::PointSky, request::PointAxes, request::PointAxis>
 {
 public:
     using SourceOf::SourceOf;
 
     Result<> ask(const request::PointSky& wanted, const Source& by);
     Result<> ask(const request::PointAxes& wanted, const Source& by);
+    Result<> ask(const request::PointAxis& wanted, const Source& by);
 
 protected:
     [[nodiscard]] bool serves(const Source& by) const override { return by.kind != SourceKind::Client; }
+
+private:
+    [[nodiscard]] Result<> isElevation(Angle elevation) const;
 };
 
 }  // namespace boresight::sources

@@ -7,6 +7,23 @@
 #include <algorithm>
 
 namespace boresight::sources {
+namespace {
+
+// Under `from`, where that is permitted. Else anywhere at this azimuth; nowhere: as it was asked.
+Angle lowest(const pointing::PermittedRegion& region, const AxisPosition& wanted, Angle from)
+{
+    constexpr Angle kStep = Angle::fromDegrees(0.5);
+    const auto at = [&](Angle elevation) {
+        return pointing::AxisBox::at({.azimuth = wanted.azimuth, .elevation = elevation});
+    };
+    Angle above = region.permits(at(from)) && !region.permits(wanted) ? from : wanted.elevation;
+    while (!region.permits(at(above)) && above < region.ranges().elevation.max) {
+        above = above + kStep;
+    }
+    return region.permits(at(above)) ? std::max(0_deg, region.elevationsAround(at(above)).min) : wanted.elevation;
+}
+
+}  // namespace
 
 Result<> KnownPlaces::ask(const request::Home&, const Source& by)
 {
@@ -15,15 +32,23 @@ Result<> KnownPlaces::ask(const request::Home&, const Source& by)
 }
 
 // Down to 0°, or as far as it goes.
-Result<> KnownPlaces::ask(const request::Horizon&, const Source& by)
+Result<> KnownPlaces::ask(const request::Horizon& wanted, const Source& by)
 {
     const pointing::PermittedRegion& region = helm().view().motion.region();
-    const AxisPosition here = helm().standing();
-    AxisPosition low{.azimuth = here.azimuth, .elevation = 0_deg};
-    if (!region.permits(low)) {
-        low.elevation = std::max(0_deg, region.elevationsAround(pointing::AxisBox::at(here)).min);
+    AxisPosition low{.azimuth = helm().view().stoppingPlace().azimuth,
+                     .elevation = std::max(0_deg, region.ranges().elevation.min)};
+    if (wanted.azimuth) {
+        const auto there =
+            helm().mayPoint(by).and_then([&] { return helm().placeAlong(Axis::Azimuth, *wanted.azimuth, low); });
+        if (!there) {
+            return tl::make_unexpected(there.error());
+        }
+        low = *there;
     }
-    return helm().goTo(low, Activity::Pointing, by, Text::tr("horizon at %1").arg(helm().directionText(low)));
+    low.elevation = lowest(region, low, helm().standing().elevation);
+    const QString what = Text::tr("horizon at %1").arg(helm().directionText(low));
+    return wanted.azimuth ? helm().goToAnyTurn(low, Activity::Pointing, by, what)
+                          : helm().goTo(low, Activity::Pointing, by, what);
 }
 
 Result<> KnownPlaces::ask(const request::Unwind&, const Source& by)
@@ -31,7 +56,7 @@ Result<> KnownPlaces::ask(const request::Unwind&, const Source& by)
     const auto unwound = helm().mayPoint(by).and_then([this] { return Gates(helm().view()).unwound(); });
     return unwound.and_then([&](const AxisPosition& place) {
         return helm().goTo(place, Activity::Pointing, by,
-                           Text::tr("unwind the cable, azimuth to %1").arg(degreesText(place.azimuth, 1)));
+                           Text::tr("unwrap the cable, azimuth axis to %1").arg(degreesText(place.azimuth, 1)));
     });
 }
 

@@ -63,7 +63,23 @@ Setpoint AxisProfile::follow(Seconds dt, Angle target, AngularRate targetRate)
     if (!m_travel.contains(lead)) {
         rate = 0.0;
     }
-    const MotionState goal{.position = end - rate * duration, .rate = rate};
+    return approachTo({.position = end - rate * duration, .rate = rate}, speed, duration);
+}
+
+Setpoint AxisProfile::arrive(Seconds dt, Angle target, Seconds time)
+{
+    const double duration = dt.count();
+    if (duration <= 0.0) {
+        return m_setpoint;
+    }
+    const double end = m_travel.clamped(target).radians();
+    const MotionBounds bounds{.speed = m_limits.speed.radians(), .acceleration = acceleration()};
+    const double left = time.count() - m_motion.length();
+    return approachTo({.position = end, .rate = 0.0}, speedForRestTime(m_motion.latest(), end, bounds, left), duration);
+}
+
+Setpoint AxisProfile::approachTo(const MotionState& goal, double speed, double duration)
+{
     const auto path = approach(m_motion.latest(), goal, {.speed = speed, .acceleration = acceleration()}, duration);
     const auto obstacle = endInTheWay(path);
     return advance(obstacle ? stopAt(*obstacle, speed, duration) : path);
@@ -146,6 +162,13 @@ TravelRange AxisProfile::untilRest() const
 bool AxisProfile::atRest() const
 {
     return m_motion.atRest();
+}
+
+Seconds AxisProfile::restTime(Angle target) const
+{
+    const MotionBounds bounds{.speed = m_limits.speed.radians(), .acceleration = acceleration()};
+    return Seconds(tracking::restTime(m_motion.latest(), m_travel.clamped(target).radians(), bounds) +
+                   m_motion.length());
 }
 
 Seconds AxisProfile::filterLength() const

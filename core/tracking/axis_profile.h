@@ -53,6 +53,9 @@ public:
     // Goes to a target that at the end of the tick is at `target` and moves at `targetRate`. Targets beyond the travel
     // mean its end. Reached, a moving target is followed without lag.
     Setpoint follow(Seconds dt, Angle target, AngularRate targetRate = {});
+    // Goes to a target that stands, and rests there no sooner than after `time`, which restTime() gives for the axis
+    // that is later.
+    Setpoint arrive(Seconds dt, Angle target, Seconds time);
     // Runs at a rate until told otherwise; comes to rest at the end of the travel.
     Setpoint run(Seconds dt, AngularRate rate);
     // Comes to rest as fast as the limits allow, and stays there.
@@ -65,6 +68,8 @@ public:
     [[nodiscard]] TravelRange untilRest() const;
     // The set-point rests (exactly: rate and acceleration are zero and stay so until the goal changes).
     [[nodiscard]] bool atRest() const;
+    // How long it takes at least until the axis rests at a target that stands.
+    [[nodiscard]] Seconds restTime(Angle target) const;
     // How long the averaging takes, hence how much later than the time-optimal profile the axis arrives.
     [[nodiscard]] Seconds filterLength() const;
 
@@ -72,6 +77,7 @@ private:
     [[nodiscard]] double acceleration() const;
     [[nodiscard]] std::optional<double> endInTheWay(const std::vector<Segment>& path) const;
     [[nodiscard]] std::vector<Segment> stopAt(double end, double speed, double duration) const;
+    Setpoint approachTo(const MotionState& goal, double speed, double duration);
     Setpoint advance(const std::vector<Segment>& path);
 
     MotionLimits m_limits;

@@ -38,6 +38,28 @@ private:
     double m_left;
 };
 
+// A target as seen from the motion, mirrored so that the way leads upwards: `ahead` is the distance still to go,
+// `closing` how fast it shrinks. Where a stop now would end beyond the target the way leads back.
+struct Ahead
+{
+    double way = 1.0;  // or -1
+    double ahead = 0.0;
+    double closing = 0.0;
+
+    // Of a way without a cruise.
+    [[nodiscard]] double peak(double acceleration) const
+    {
+        return std::sqrt(std::max(0.0, 0.5 * closing * closing + acceleration * ahead));
+    }
+};
+
+Ahead lookAhead(const MotionState& relative, double acceleration)
+{
+    const double passed = stopPosition(relative, acceleration);
+    const double way = passed < 0.0 || (passed == 0.0 && relative.rate > 0.0) ? 1.0 : -1.0;
+    return {.way = way, .ahead = -way * relative.position, .closing = way * relative.rate};
+}
+
 }  // namespace
 
 MotionState Segment::at(double time) const
@@ -54,30 +76,59 @@ double stopPosition(const MotionState& state, double acceleration)
 std::vector<Segment> approach(const MotionState& now, const MotionState& target, const MotionBounds& bounds,
                               double duration)
 {
-    // As seen from the target, and mirrored so that the way leads upwards: `ahead` is the distance still to go,
-    // `closing` how fast it shrinks. A stop now would end `passed` beyond the target if that is positive.
     const double a = bounds.acceleration;
-    const MotionState relative{now.position - target.position, now.rate - target.rate};
-    const double passed = stopPosition(relative, a);
-    const double way = passed < 0.0 || (passed == 0.0 && relative.rate > 0.0) ? 1.0 : -1.0;
-    const double ahead = -way * relative.position;
-    const double closing = way * relative.rate;
-
-    const double cap = bounds.speed - way * target.rate;
-    const double peak = std::sqrt(std::max(0.0, 0.5 * closing * closing + a * ahead));
+    const Ahead to = lookAhead({now.position - target.position, now.rate - target.rate}, a);
+    const double cap = bounds.speed - to.way * target.rate;
+    const double peak = to.peak(a);
     const double cruise = std::max(0.0, std::min(peak, cap));
-    const double accelerating = std::abs(cruise - closing) / a;
-    const double covered = 0.5 * (closing + cruise) * accelerating;
-    const double rest = std::max(0.0, ahead - covered - 0.5 * cruise * cruise / a);
+    const double accelerating = std::abs(cruise - to.closing) / a;
+    const double covered = 0.5 * (to.closing + cruise) * accelerating;
+    const double rest = std::max(0.0, to.ahead - covered - 0.5 * cruise * cruise / a);
     const double cruising = peak <= cap ? 0.0 : cruise > 0.0 ? rest / cruise : kForever;
 
     Path path(now, duration);
-    path.add(accelerating, cruise >= closing ? way * a : -way * a);
+    path.add(accelerating, cruise >= to.closing ? to.way * a : -to.way * a);
     path.add(cruising, 0.0);
-    path.add(cruise / a, -way * a);
+    path.add(cruise / a, -to.way * a);
     path.continueFrom({.position = target.position + target.rate * (duration - path.left()), .rate = target.rate});
     path.add(path.left(), 0.0);
     return path.take();
+}
+
+double restTime(const MotionState& now, double position, const MotionBounds& bounds)
+{
+    const double a = bounds.acceleration;
+    const Ahead to = lookAhead({now.position - position, now.rate}, a);
+    const double peak = to.peak(a);
+    const double cruise = std::min(peak, bounds.speed);
+    if (cruise <= 0.0) {
+        return 0.0;
+    }
+    const double accelerating = std::abs(cruise - to.closing) / a;
+    const double rest = to.ahead - 0.5 * (to.closing + cruise) * accelerating - 0.5 * cruise * cruise / a;
+    return accelerating + std::max(0.0, rest) / cruise + cruise / a;
+}
+
+// The time of a way falls with its cruise v, from closing speed c over the distance d: it takes
+// (v - c) / a + (d - (2 v² - c²) / 2a) / v + v / a, or c / a + (d - c² / 2a) / v where it slows down to v first. Solved
+// for v.
+double speedForRestTime(const MotionState& now, double position, const MotionBounds& bounds, double time)
+{
+    const double a = bounds.acceleration;
+    const Ahead to = lookAhead({now.position - position, now.rate}, a);
+    const double stopping = 0.5 * to.closing * to.closing / a;
+    const double sum = time + to.closing / a;
+    const double root = sum * sum - 4.0 * (to.ahead + stopping) / a;
+    if (root <= 0.0) {
+        return bounds.speed;  // it can not be there so soon
+    }
+    double speed = 0.5 * a * (sum - std::sqrt(root));
+    if (speed < to.closing) {
+        const double left = time - to.closing / a;
+        speed = left > 0.0 ? (to.ahead - stopping) / left : bounds.speed;
+    }
+    constexpr double kLeast = 1e-6;
+    return std::clamp(speed, kLeast * bounds.speed, bounds.speed);
 }
 
 std::vector<Segment> changeRate(const MotionState& now, double rate, double acceleration, double duration)

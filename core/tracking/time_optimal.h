@@ -41,6 +41,13 @@ struct MotionBounds
 [[nodiscard]] std::vector<Segment> changeRate(const MotionState& now, double rate, double acceleration,
                                               double duration);
 
+// How long the quickest way takes to rest at `position`.
+[[nodiscard]] double restTime(const MotionState& now, double position, const MotionBounds& bounds);
+
+// The speed bound with which the way to rest at `position` takes `time`, at most that of `bounds`. Never so small that
+// it never ends.
+[[nodiscard]] double speedForRestTime(const MotionState& now, double position, const MotionBounds& bounds, double time);
+
 // Where the quickest stop would come to rest.
 [[nodiscard]] double stopPosition(const MotionState& state, double acceleration);
 

@@ -254,7 +254,7 @@ TEST_F(FaultTest, EveryStartOfAMotionIsExplained)
 {
     // Of a resolution of 0.0055°.
     EXPECT_TRUE(rig.logSays(QStringLiteral("moves the mount from 0.00° 10.00°: P 200.00° 60.00°")) ||
-                rig.logSays(QStringLiteral("moves the mount from -0.01° 10.00°: P 200.00° 60.00°")));
+                rig.logSays(QStringLiteral("moves the mount from 359.99° 10.00°: P 200.00° 60.00°")));
 }
 
 // What the operator reads first must be the cause, in each order of things, also after an acknowledgement.

@@ -36,6 +36,13 @@ QString fixed(Angle angle)
     return QString::fromStdString(formatFixed(angle.degrees(), 2));
 }
 
+// Empty: nothing is typed, or no number.
+std::optional<Angle> typed(const QLineEdit& field)
+{
+    const auto number = parseFinite(field.text().trimmed().toStdString());
+    return number ? std::optional(Angle::fromDegrees(*number)) : std::nullopt;
+}
+
 // A file that was edited by hand may hold anything.
 QStringList readable(const QStringList& lines)
 {
@@ -110,23 +117,47 @@ void GoToBar::go()
         m_notice.setValue(m_go->toolTip(), Tone::Warning, Symbol::Warning);
         return;
     }
-    const auto azimuth = parseFinite(m_azimuth->text().trimmed().toStdString());
-    if (!azimuth) {
-        complain(*m_azimuth, tr("Go: the azimuth is not a number (decimal point, e.g. 113.5)"));
+    if (!isNumber(*m_azimuth, tr("Go: the azimuth is not a number (decimal point, e.g. 113.5)")) ||
+        !isNumber(*m_elevation, tr("Go: the elevation is not a number (decimal point, e.g. 10.5)"))) {
         return;
     }
-    const auto elevation = parseFinite(m_elevation->text().trimmed().toStdString());
-    if (!elevation) {
-        complain(*m_elevation, tr("Go: the elevation is not a number (decimal point, e.g. 10.5)"));
+    const auto azimuth = typed(*m_azimuth);
+    const auto elevation = typed(*m_elevation);
+    if (!azimuth && !elevation) {
+        complain(*m_azimuth, tr("Go: enter an azimuth, an elevation or both"));
         return;
     }
-    m_asked = {Angle::fromDegrees(*azimuth), Angle::fromDegrees(*elevation)};
-    m_go->ask(request::PointSky{m_asked});
+    m_asked.reset();
+    if (azimuth && elevation) {
+        m_asked = {*azimuth, *elevation};
+        m_go->ask(request::PointSky{*m_asked});
+    } else {
+        m_go->ask(azimuth ? request::PointAxis{Axis::Azimuth, *azimuth}
+                          : request::PointAxis{Axis::Elevation, *elevation});
+    }
+}
+
+std::optional<Angle> GoToBar::azimuth() const
+{
+    return typed(*m_azimuth);
+}
+
+// An empty field is not wrong: its axis stays where it is.
+bool GoToBar::isNumber(QLineEdit& field, const QString& otherwise)
+{
+    if (field.text().trimmed().isEmpty() || typed(field)) {
+        return true;
+    }
+    complain(field, otherwise);
+    return false;
 }
 
 void GoToBar::remember()
 {
-    const QString line = fixed(m_asked.azimuth) + QLatin1Char(' ') + fixed(m_asked.elevation);
+    if (!m_asked) {
+        return;  // one axis alone is no direction
+    }
+    const QString line = fixed(m_asked->azimuth) + QLatin1Char(' ') + fixed(m_asked->elevation);
     m_recent.removeAll(line);
     m_recent.prepend(line);
     m_recent = m_recent.mid(0, kRecent);

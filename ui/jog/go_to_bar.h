@@ -6,10 +6,13 @@
 #include <QStringList>
 #include <QWidget>
 
+#include <optional>
+
 class QLineEdit;
 
-// Go to a typed direction. Typing and selecting move nothing; a refusal is shown in the notice, and the typed value
-// stays for correction. The last directions that the station accepted are kept for choosing them again.
+// Go to a typed direction. An axis whose field is empty stays where it is. Typing and selecting move nothing; a refusal
+// is shown in the notice, and the typed value stays for correction. The last directions that the station accepted are
+// kept for choosing them again.
 namespace boresight::ui {
 
 class CommandButton;
@@ -26,6 +29,7 @@ public:
 
     void setBlocked(const QString& reason);  // empty: can act
     void focusFields();
+    [[nodiscard]] std::optional<Angle> azimuth() const;  // as typed; empty: none is
 
 Q_SIGNALS:
     void recentChanged(const QStringList& recent);  // to be kept for the next start, the newest first
@@ -33,6 +37,7 @@ Q_SIGNALS:
 private:
     void build();
     void go();
+    bool isNumber(QLineEdit& field, const QString& otherwise);
     void complain(QLineEdit& field, const QString& text);
     void remember();
     void showRecent();
@@ -44,7 +49,7 @@ private:
     CommandButton* m_go;
     TouchCombo* m_recentBox;
     QStringList m_recent;  // "113.50 10.00"
-    SkyPointing m_asked;
+    std::optional<SkyPointing> m_asked;
 };
 
 }  // namespace boresight::ui

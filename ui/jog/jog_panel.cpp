@@ -20,8 +20,10 @@ JogPanel::JogPanel(const Clock& clock, ProfileDraft& draft, RequestDesk& desk, c
       m_choices(new JogChoices(*m_pad, this)),
       m_goTo(new GoToBar(desk, *m_notice, recentGoTos, this)),
       m_presets(new PresetBar(draft, desk, *m_notice, this)),
-      m_horizon(new CommandButton(tr("Horizon"), tr("Elevation 0°, or the lowest permitted, at this azimuth"), desk,
-                                  *m_notice, this)),
+      m_horizon(new CommandButton(tr("Horizon"),
+                                  tr("Elevation 0°, or the lowest permitted, at the azimuth that is "
+                                     "entered. Without one the azimuth stays"),
+                                  desk, *m_notice, this)),
       m_home(new CommandButton(tr("Home"), tr("Go to azimuth 0° and the lowest elevation"), desk, *m_notice, this)),
       m_park(new CommandButton(tr("Park"), {}, desk, *m_notice, this)),
       m_clearTrim(new CommandButton(tr("Clear trim"), {}, desk, *m_notice, this)),
@@ -31,7 +33,7 @@ JogPanel::JogPanel(const Clock& clock, ProfileDraft& draft, RequestDesk& desk, c
 {
     build();
     connect(m_goTo, &GoToBar::recentChanged, this, &JogPanel::recentGoTosChanged);
-    connect(m_horizon, &QPushButton::clicked, this, [this] { m_horizon->ask(request::Horizon{}); });
+    connect(m_horizon, &QPushButton::clicked, this, [this] { m_horizon->ask(request::Horizon{m_goTo->azimuth()}); });
     connect(m_home, &QPushButton::clicked, this, [this] { m_home->ask(request::Home{}); });
     connect(m_unwind, &QPushButton::clicked, this, [this] { m_unwind->ask(request::Unwind{}); });
     connect(m_park, &QPushButton::clicked, this, &JogPanel::parkOrUnpark);

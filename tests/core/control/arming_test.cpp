@@ -133,7 +133,7 @@ TEST(Arming, AfterStopTheClientsWaitForTheOperator)
     rig.arming.latchStop();
     ASSERT_TRUE(rig.arming.resetStop());
     EXPECT_FALSE(rig.arming.admits(kClient));
-    rig.arming.setAuthority(Authority::Clients);
+    rig.arming.giveAuthority();
     EXPECT_TRUE(rig.arming.admits(kClient));
 }
 
@@ -204,9 +204,9 @@ TEST(Arming, RearmingIsTheOperatorsWhileTheOperatorHasTakenOver)
     rig.makeReady();
     rig.fail(rig.azimuth, 35);
     rig.run(Seconds(0.1));
-    rig.arming.setAuthority(Authority::Operator);
+    rig.arming.takeAuthority(Taking::Explicitly);
     EXPECT_FALSE(rig.arming.rearm(kClient));
-    rig.arming.setAuthority(Authority::Clients);
+    rig.arming.giveAuthority();
     EXPECT_TRUE(rig.arming.rearm(kClient));
 }
 

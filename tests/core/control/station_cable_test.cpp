@@ -68,7 +68,7 @@ protected:
 };
 
 constexpr const char* kTurnsBack =
-    "turns back by 360° because the cable ends at 450.0°, and the target is lost for about 37 s";
+    "turns back by 360° because the cable ends at axis 450.0°, and the target is lost for about 37 s";
 constexpr const char* kDetail = "cable end, turns back 360°";
 
 // Story: at the end of the cable the mount set off for a whole turn, and neither the log nor the screen said why.
@@ -115,8 +115,8 @@ TEST_F(StationCable, TheOtherEndTurnsItBackTheOtherWay)
     standAt(-80_deg);
     stream(280.0, -1.0, 15);
     ASSERT_EQ(turnBacks().size(), 1U);
-    EXPECT_TRUE(
-        turnBacks().front().text.startsWith(QStringLiteral("turns back by 360° because the cable ends at -90.0°")));
+    EXPECT_TRUE(turnBacks().front().text.startsWith(
+        QStringLiteral("turns back by 360° because the cable ends at axis -90.0°")));
     EXPECT_EQ(reason(), kDetail);
     rig.run(Seconds(60.0));
     EXPECT_NE(reason(), kDetail);
@@ -157,7 +157,7 @@ TEST_F(StationCable, AGoToTheOtherWayRoundSaysWhy)
     ASSERT_TRUE(rig.point(120.0, 30.0, kOperator));
     ASSERT_EQ(turnBacks().size(), 1U);
     EXPECT_EQ(turnBacks().front().source, kOperator.name);
-    EXPECT_EQ(turnBacks().front().text.toStdString(), "turns back by 300° because the cable ends at 450.0°");
+    EXPECT_EQ(turnBacks().front().text.toStdString(), "turns back by 300° because the cable ends at axis 450.0°");
     EXPECT_EQ(reason(), "cable end, turns back 300°");
     rig.settle();
     EXPECT_NEAR(rig.azimuthDegrees(), 120.0, 0.1);
@@ -170,7 +170,7 @@ TEST_F(StationCable, UnwindingIsNoTurnBackByTheCable)
     ASSERT_TRUE(rig.ask(request::Unwind{}));
     rig.run(Seconds(2.0));
     EXPECT_TRUE(turnBacks().empty());
-    EXPECT_TRUE(reason().starts_with("unwind the cable"));
+    EXPECT_TRUE(reason().starts_with("unwrap the cable"));
 }
 
 // Story: "ends in 38 s" stood there until the end, and as over after it.

@@ -230,6 +230,143 @@ TEST_F(StationClients, WhoGoesOnAskingInVainIsShown)
     EXPECT_FALSE(status(kOtherClient, rig.clock.now()).wanting) << "all are refused, and are told why";
 }
 
+// REQ-CONTROL-403 (StationTakenControl.*): STOP, Re-arm, the answer about the wrap, Go and whatever else takes control
+// from the clients without being asked for does so never silently: the log says it, and the status while a client that
+// is connected wants to move the mount. It ends when control is given back or taken explicitly.
+class StationTakenControl : public StationClients
+{
+protected:
+    bool tookControl() { return rig.control.status().tookControl; }
+    // A client that goes on asking and reading for so long.
+    void insist(const Source& client, int seconds)
+    {
+        for (int second = 0; second < seconds; ++second) {
+            (void)rig.point(80.0 + second, 30.0, client);
+            rig.control.positionRead(client.clientId);
+            rig.run(Seconds(1.0));
+        }
+    }
+};
+
+TEST_F(StationTakenControl, ByAMotionOfTheOperator)
+{
+    EXPECT_FALSE(tookControl());
+    insist(kClient, 3);
+    EXPECT_FALSE(tookControl());
+    ASSERT_TRUE(rig.point(20, 30, kOperator));
+    EXPECT_TRUE(tookControl());
+    const auto lines = rig.log.since(0, EventLog::kCapacity);
+    EXPECT_TRUE(std::ranges::any_of(lines, [](const LogEntry& line) {
+        return line.source == kOperator.name &&
+               line.text == QStringLiteral(
+                                "takes control from rotctld 1, and Boresight refuses motion commands of "
+                                "clients");
+    }));
+    insist(kClient, 20);
+    EXPECT_TRUE(tookControl()) << "it still asks";
+    ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
+    EXPECT_FALSE(tookControl());
+}
+
+TEST_F(StationTakenControl, ByStopWhichIsLoggedToo)
+{
+    insist(kClient, 3);
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    EXPECT_TRUE(tookControl());
+    const auto lines = rig.log.since(0, EventLog::kCapacity);
+    EXPECT_TRUE(lines.at(lines.size() - 2).text.startsWith(QStringLiteral("STOP is latched")));
+    EXPECT_TRUE(lines.back().text.startsWith(QStringLiteral("takes control from rotctld 1")));
+    rig.run(Seconds(5.0));
+    ASSERT_TRUE(rig.ask(request::ResetStop{}));
+    EXPECT_TRUE(tookControl()) << "the reset gives nothing back";
+    ASSERT_TRUE(rig.ask(request::GiveLead{.clientId = 2}));
+    EXPECT_FALSE(tookControl());
+}
+
+TEST_F(StationTakenControl, ByARearm)
+{
+    insist(kClient, 3);
+    rig.azimuth.fault = 35;
+    rig.azimuth.mode = moteus::Mode::Fault;
+    rig.run(Seconds(0.5));
+    ASSERT_EQ(rig.state(), StationState::Fault);
+    EXPECT_FALSE(tookControl());
+    ASSERT_TRUE(rig.ask(request::Rearm{}));
+    EXPECT_TRUE(tookControl());
+    const auto lines = rig.log.since(0, EventLog::kCapacity);
+    EXPECT_TRUE(std::ranges::any_of(lines, [](const LogEntry& line) {
+        return line.text.startsWith(QStringLiteral("takes control from rotctld 1"));
+    }));
+}
+
+TEST_F(StationTakenControl, TakenExplicitlyItIsNoSurprise)
+{
+    insist(kClient, 3);
+    ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
+    EXPECT_FALSE(tookControl());
+    ASSERT_TRUE(rig.point(20, 30, kOperator));
+    insist(kClient, 3);
+    EXPECT_FALSE(tookControl()) << "it was taken before";
+    ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
+    insist(kClient, 3);
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    EXPECT_TRUE(tookControl());
+    ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
+    EXPECT_FALSE(tookControl()) << "now it is wanted so";
+}
+
+// A client that is satisfied sends nothing but reads the position.
+TEST_F(StationTakenControl, WhoHadControlWantsItForAsLongAsItReads)
+{
+    insist(kClient, 3);
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    for (int second = 0; second < 30; ++second) {
+        rig.control.positionRead(kClient.clientId);
+        rig.control.positionRead(kOtherClient.clientId);
+        rig.run(Seconds(1.0));
+    }
+    EXPECT_TRUE(tookControl());
+    rig.run(Seconds(10.1));
+    EXPECT_FALSE(tookControl()) << "no client wants any more";
+    rig.control.positionRead(kOtherClient.clientId);
+    EXPECT_FALSE(tookControl()) << "this one only looks";
+    EXPECT_FALSE(rig.point(20, 30, kOtherClient));
+    EXPECT_TRUE(tookControl()) << "a client waits for control again";
+}
+
+TEST_F(StationTakenControl, OnlyWhoIsThereAndMayMoveTheMountWaits)
+{
+    insist(kClient, 3);
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    EXPECT_TRUE(tookControl());
+    ASSERT_TRUE(rig.ask(request::SetReadOnly{.clientId = kClient.clientId}));
+    EXPECT_FALSE(tookControl());
+    ASSERT_TRUE(rig.ask(request::SetReadOnly{.clientId = kClient.clientId, .readOnly = false}));
+    EXPECT_TRUE(tookControl());
+    rig.control.sourceGone(kClient);
+    EXPECT_FALSE(tookControl());
+}
+
+// A shell script connects for each command.
+TEST_F(StationTakenControl, AProgramThatConnectsForEachCommandWaitsWhenItAsksAgain)
+{
+    rig.control.sourceGone(kOtherClient);
+    (void)rig.point(80, 30);
+    rig.control.sourceGone(kClient);
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    EXPECT_FALSE(tookControl()) << "nobody is there";
+    rig.run(Seconds(1.0));
+    const Source again{.kind = SourceKind::Client, .clientId = 7, .name = QStringLiteral("rotctld 7")};
+    rig.control.clientCame(again, "10.0.0.7");
+    EXPECT_FALSE(rig.point(80, 30, again));
+    rig.control.sourceGone(again);
+    rig.run(Seconds(1.0));
+    EXPECT_TRUE(tookControl());
+    rig.run(Seconds(10.0));
+    EXPECT_FALSE(tookControl());
+}
+
 // A fault in mid-motion, while the clients go on sending for some seconds.
 void failInMidMotion(StationRig& rig, const Source& streaming, int seconds)
 {

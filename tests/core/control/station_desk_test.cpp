@@ -77,7 +77,8 @@ TEST(StationDesk, UnwindTurnsBackToTheSameDirection)
     ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 425_deg, .elevation = 30_deg}}));
     rig.settle();
     ASSERT_TRUE(rig.ask(request::Unwind{}));
-    EXPECT_EQ(rig.lastLog(), "moves the mount from 425.00° 30.00°: unwind the cable, azimuth to 65.0°");
+    EXPECT_EQ(rig.lastLog(),
+              "moves the mount from 65.00° 30.00°: unwrap the cable, azimuth axis to 65.0°, there in 37 s");
     rig.settle();
     EXPECT_NEAR(rig.azimuthDegrees(), 65.0, 0.05);
     EXPECT_NEAR(rig.elevationDegrees(), 30.0, 0.05);
@@ -107,6 +108,100 @@ TEST(StationDesk, HorizonKeepsTheAzimuth)
     rig.settle();
     EXPECT_NEAR(rig.azimuthDegrees(), 50.0, 0.05);
     EXPECT_NEAR(rig.elevationDegrees(), 0.0, 0.05);
+}
+
+// REQ-CONTROL-404 (StationOneAxis.*): A go-to to an azimuth or an elevation alone leaves the other axis where it is, or
+// where it stops. The horizon may be asked for at an azimuth.
+TEST(StationOneAxis, TheOtherAxisStaysWhereItIs)
+{
+    StationRig rig;
+    ASSERT_TRUE(rig.setsOff(50.0, 30.0, Seconds(30.0)));
+    ASSERT_TRUE(rig.ask(request::PointAxis{.axis = Axis::Azimuth, .angle = 80_deg}));
+    EXPECT_EQ(rig.lastLog(), "moves the mount from 50.00° 30.00°: go to azimuth 80.00°, there in 4 s");
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 80.0, 0.01);
+    EXPECT_NEAR(rig.elevationDegrees(), 30.0, 0.01);
+    ASSERT_TRUE(rig.ask(request::PointAxis{.axis = Axis::Elevation, .angle = 12_deg}));
+    EXPECT_EQ(rig.control.status().targetText, QStringLiteral("go to elevation 12.00°"));
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 80.0, 0.01);
+    EXPECT_NEAR(rig.elevationDegrees(), 12.0, 0.01);
+}
+
+TEST(StationOneAxis, TheAzimuthKeepsItsTurnAndTakesTheNearestOne)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 405_deg, .elevation = 30_deg}}));
+    rig.settle();
+    ASSERT_TRUE(rig.ask(request::PointAxis{.axis = Axis::Elevation, .angle = 50_deg}));
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 405.0, 0.01);
+    ASSERT_TRUE(rig.ask(request::PointAxis{.axis = Axis::Azimuth, .angle = 60_deg}));
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 420.0, 0.01);
+}
+
+// It neither goes on to where it was going, nor comes back to where it was.
+TEST(StationOneAxis, AnAxisThatMovesStops)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(170, 30, kOperator));
+    rig.run(Seconds(5.0));
+    const double before = rig.azimuthDegrees();
+    ASSERT_TRUE(rig.ask(request::PointAxis{.axis = Axis::Elevation, .angle = 60_deg}));
+    double farthest = before;
+    for (int i = 0; i < 500; ++i) {
+        rig.tick();
+        farthest = std::max(farthest, rig.azimuthDegrees());
+    }
+    EXPECT_NEAR(rig.azimuthDegrees(), farthest, 0.01);
+    EXPECT_LT(farthest, before + 8.0);
+    EXPECT_NEAR(rig.elevationDegrees(), 60.0, 0.01);
+}
+
+TEST(StationOneAxis, OverTheTopTheAzimuthIsThatOfTheBeam)
+{
+    profile::Profile profile;
+    profile.elevation.geometry.travel = {0_deg, 180_deg};
+    StationRig rig(profile);
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 100_deg, .elevation = 120_deg}}));
+    rig.settle();
+    ASSERT_TRUE(rig.ask(request::PointAxis{.axis = Axis::Azimuth, .angle = 300_deg}));
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 120.0, 0.01);
+    EXPECT_NEAR(rig.elevationDegrees(), 120.0, 0.01);
+}
+
+TEST(StationOneAxis, WhatIsOutsideIsRefused)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    const auto text = [&](const request::PointAxis& wanted) {
+        const auto answer = rig.ask(wanted);
+        return answer ? std::string() : textOf(answer.error());
+    };
+    EXPECT_EQ(text({.axis = Axis::Elevation, .angle = 95_deg}), "elevation 95.00° above limit 90.00°");
+    EXPECT_EQ(text({.axis = Axis::Elevation, .angle = -3_deg}), "elevation -3.0° below limit 0.0°");
+    EXPECT_EQ(rig.commands(), 0U);
+}
+
+TEST(StationOneAxis, TheHorizonAtAnAzimuth)
+{
+    profile::Profile profile;
+    profile.limits.horizon = {{210_deg, 25_deg}, {214_deg, 0_deg}, {262_deg, 0_deg}, {266_deg, 25_deg}};
+    StationRig rig(profile);
+    ASSERT_TRUE(rig.setsOff(50.0, 60.0, Seconds(30.0)));
+    ASSERT_TRUE(rig.ask(request::Horizon{.azimuth = 240_deg}));
+    rig.settle();
+    EXPECT_NEAR(std::remainder(rig.azimuthDegrees() - 240.0, 360.0), 0.0, 0.01);
+    EXPECT_NEAR(rig.elevationDegrees(), 0.0, 0.01);
+    ASSERT_TRUE(rig.ask(request::Horizon{.azimuth = 120_deg}));
+    rig.settle();
+    EXPECT_NEAR(std::remainder(rig.azimuthDegrees() - 120.0, 360.0), 0.0, 0.01);
+    EXPECT_NEAR(rig.elevationDegrees(), 25.0, 0.01);
 }
 
 TEST(StationDesk, AProfileThatMakesNoSenseIsRefusedWithItsKey)

@@ -65,6 +65,8 @@ struct RegionRig : StationRig
 };
 
 // REQ-AXES-25 (StationRegion.*)
+// REQ-CONTROL-405 (StationRegion.*): Azimuths in refusals are directions from 0° to 360°, as they are typed. Counts of
+// the axis are called so.
 // REQ-AXES-26 (StationRegion.*): A forbidden target is refused with the reason and the nearest permitted place, or the
 // mount goes there and shows LIMITED. A free target behind something forbidden is reached around it, on another wrap
 // if need be, or refused with the obstacle.
@@ -75,9 +77,27 @@ TEST(StationRegion, TheOperatorIsRefusedAForbiddenPlaceAndToldTheNearest)
     ASSERT_FALSE(answer);
     EXPECT_EQ(answer.error().code, ErrorCode::OutOfRange);
     EXPECT_EQ(textOf(answer.error()),
-              "azimuth -45.0° elevation 35.0° is in the keep-out \"stationMast\". The nearest permitted position "
-              "is -45.00° 40.00°.");
+              "azimuth 315.0° elevation 35.0° is in the keep-out \"stationMast\". The nearest permitted position "
+              "is 315.00° 40.00°.");
     EXPECT_EQ(rig.commands(), 0U);
+}
+
+// Story: 315° was typed, and -45° was refused.
+TEST(StationRegion, ARefusalNamesTheAzimuthAsItIsTyped)
+{
+    RegionRig rig({.keepOuts = {stationMast(90_deg)}});
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = -20_deg, .elevation = 5_deg}}));
+    EXPECT_TRUE(rig.lastLog().starts_with("moves the mount from 0.00° 0.00°: go to axes -20.00° 5.00°"));
+    rig.settlePermitted();
+    const auto wall = rig.ask(request::PointAxes{{.azimuth = -80_deg, .elevation = 5_deg}});
+    ASSERT_FALSE(wall);
+    EXPECT_EQ(textOf(wall.error()),
+              "there is no way from 340.0° 5.0° to 280.0° 5.0°: the keep-out \"stationMast\" is in between");
+    const auto beyond = rig.ask(request::PointAxes{{.azimuth = 451_deg, .elevation = 5_deg}});
+    ASSERT_FALSE(beyond);
+    EXPECT_EQ(textOf(beyond.error()), "azimuth axis 451.0° above limit 450.0°");
+    ASSERT_TRUE(rig.ask(request::Step{.azimuth = 1_deg}));
+    EXPECT_TRUE(rig.lastLog().starts_with("moves the mount from 340.00° 5.00°: step to 341.00° 5.00°"));
 }
 
 TEST(StationRegion, ParkingInAKeepOutIsRefused)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole way: the simulated mount with its own sensor, and the station that calibrates it.
+#include "core/ephemeris/almanac.h"
 #include "core/moteus_mount/moteus_connection.h"
 #include "core/sim_sensor/simulated_source.h"
 #include "core/station/station.h"
@@ -103,6 +104,26 @@ private:
     int m_ticks = 0;
     std::optional<Error> m_error;
 };
+
+// REQ-CONTROL-406: Where Sun and Moon are is in the status once the site is set, also of a body below the horizon.
+TEST(BodiesInTheStatus, AreThereOnceTheSiteIsSet)
+{
+    CalibratedStation rig;
+    EXPECT_TRUE(rig.station->status().bodies.empty());
+    profile::Profile profile = withSensor();
+    profile.site = {.known = true, .latitude = 48.2_deg, .longitude = 16.37_deg, .heightMetres = 200.0};
+    ASSERT_TRUE(rig.ask(request::ApplyProfile{profile}));
+    rig.run(Seconds(1.0));
+    const StationStatus status = rig.station->status();
+    ASSERT_EQ(status.bodies.size(), 2U);
+    ephemeris::Almanac almanac({.latitude = 48.2_deg, .longitude = 16.37_deg, .heightMetres = 200.0});
+    for (const BodyPlace& body : status.bodies) {
+        const SkyPointing truth = almanac.place(body.body, status.utc).direction;
+        EXPECT_NEAR((body.direction.azimuth - truth.azimuth).wrapped180().degrees(), 0.0, 0.05);
+        EXPECT_NEAR(body.direction.elevation.degrees(), truth.elevation.degrees(), 0.7) << "bent by the air";
+    }
+    EXPECT_NE(status.bodies[0].body, status.bodies[1].body);
+}
 
 class SwingAtEveryRate : public ::testing::TestWithParam<double>
 {};

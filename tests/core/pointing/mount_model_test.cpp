@@ -71,7 +71,8 @@ TEST(Resolve, TakesATurnInsideTheLimitsOfOperation)
     EXPECT_NEAR(low.position.elevation.degrees(), 5, 1e-9);
     EXPECT_EQ(low.reason.toStdString(), "elevation 2.0° below limit 5.0°");
     model.limitTo({0_deg, 180_deg}, {0_deg, 90_deg});
-    EXPECT_EQ(resolveDegrees(model, 200, 30, 100).reason.toStdString(), "azimuth 200.0° outside limits 0.0°…180.0°");
+    EXPECT_EQ(resolveDegrees(model, 200, 30, 100).reason.toStdString(),
+              "azimuth 200.0° outside limits (axis 0.0°…180.0°)");
 }
 
 // REQ-POINTING-04
@@ -219,12 +220,12 @@ TEST(Resolve, InAGapTheNearerEndIsTaken)
     const MountModel model = mount({-90_deg, 90_deg});
     const Resolved right = resolveDegrees(model, 100, 20, 0);
     EXPECT_TRUE(right.limited);
-    EXPECT_EQ(right.reason.toStdString(), "azimuth 100.0° outside travel -90.0°…90.0°");
+    EXPECT_EQ(right.reason.toStdString(), "azimuth 100.0° outside travel (axis -90.0°…90.0°)");
     EXPECT_NEAR(right.position.azimuth.degrees(), 90, 1e-9);
     EXPECT_NEAR(resolveDegrees(model, 260, 20, 80).position.azimuth.degrees(), -90, 1e-9);
     const Resolved both = resolveDegrees(model, 180, -5, 80);
     EXPECT_EQ(both.reason.toStdString(),
-              "azimuth 180.0° outside travel -90.0°…90.0°, elevation -5.0° below limit 0.0°");
+              "azimuth 180.0° outside travel (axis -90.0°…90.0°), elevation -5.0° below limit 0.0°");
 }
 
 // REQ-POINTING-06
@@ -281,7 +282,8 @@ TEST(Resolve, MechanicalAnglesAreTakenAsTheyAre)
     const Resolved resolved = model.resolve(AxisPosition{-190_deg, 95_deg});
     EXPECT_TRUE(resolved.limited);
     EXPECT_EQ(resolved.position, (AxisPosition{-180_deg, 90_deg}));
-    EXPECT_EQ(resolved.reason.toStdString(), "azimuth -190.0° below limit -180.0°, elevation 95.0° above limit 90.0°");
+    EXPECT_EQ(resolved.reason.toStdString(),
+              "azimuth axis -190.0° below limit -180.0°, elevation 95.0° above limit 90.0°");
 }
 
 TEST(ToSky, FoldsTurnsAndOverTheTop)

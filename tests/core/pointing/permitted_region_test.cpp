@@ -68,9 +68,9 @@ TEST(PermittedRegion, LimitsAndTravelHoldTogether)
     EXPECT_FALSE(region.permits(at(-90.001, 5)));
     EXPECT_FALSE(region.permits(at(460.001, 5)));
     EXPECT_FALSE(region.permits(at(0, 4.999)));
-    EXPECT_EQ(region.reason(at(-100, 10)).toStdString(), "azimuth -100.0° outside limits -90.0°…460.0°");
+    EXPECT_EQ(region.reason(at(-100, 10)).toStdString(), "azimuth axis -100.0° outside limits -90.0°…460.0°");
     EXPECT_EQ(region.reason(at(0, 85)).toStdString(), "elevation 85.0° outside limits 5.0°…80.0°");
-    EXPECT_EQ(region.obstacle(at(-100, 10)).toStdString(), "the azimuth limit -90.0°");
+    EXPECT_EQ(region.obstacle(at(-100, 10)).toStdString(), "the azimuth axis limit -90.0°");
     EXPECT_EQ(region.reason(at(0, 10)).toStdString(), "");
 }
 

@@ -37,6 +37,11 @@ Request sampleOf<request::PointAxes>()
     return request::PointAxes{{.azimuth = kUp.azimuth, .elevation = kUp.elevation}};
 }
 template <>
+Request sampleOf<request::PointAxis>()
+{
+    return request::PointAxis{.axis = Axis::Azimuth, .angle = kUp.azimuth};
+}
+template <>
 Request sampleOf<request::Follow>()
 {
     return request::Follow{.direction = kUp, .what = QStringLiteral("Sun")};

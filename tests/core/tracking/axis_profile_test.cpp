@@ -313,6 +313,33 @@ TEST(AxisProfile, KeepsEveryLimitWhateverIsAsked)
     }
 }
 
+// REQ-TRACKING-400: How long an axis takes to a place is known from any moment on. Asked to arrive no sooner than after
+// a longer time it goes slower, within every limit, and arrives then.
+TEST(AxisProfile, ArrivesWhenItIsTold)
+{
+    std::mt19937 random(17);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    for (int k = 0; k < 200; ++k) {
+        const MotionLimits bound = limits(1 + 15 * unit(random), 2 + 20 * unit(random), 40 + 300 * unit(random));
+        AxisProfile profile(bound, kTravel, Angle::fromDegrees(200 * unit(random)));
+        Watch watch(profile);
+        const Angle before = Angle::fromDegrees(200 * unit(random));
+        for (int i = 0; i < 500 * unit(random); ++i) {
+            watch.add(kTick, profile.follow(kTick, before));
+        }
+        const Angle target = Angle::fromDegrees(200 * unit(random));
+        const Seconds wanted = profile.restTime(target) * (k % 4 == 0 ? 1.0 : 1.0 + 3.0 * unit(random));
+        Seconds time{0.0};
+        for (; time == Seconds(0.0) || !profile.atRest(); time += kTick) {
+            ASSERT_LT(time, wanted + Seconds(1.0)) << k;
+            watch.add(kTick, profile.arrive(kTick, target, wanted - time));
+        }
+        EXPECT_EQ(profile.setpoint().position, target);
+        EXPECT_NEAR(time.count(), wanted.count(), 2.5 * kTick.count()) << k;
+        expectWithin(watch, bound);
+    }
+}
+
 // REQ-TRACKING-03
 TEST(AxisProfile, NeverOvershootsAConstantTarget)
 {

@@ -190,6 +190,46 @@ TEST_F(JogDeskTest, TheLastTenDirectionsThatWereAcceptedCanBeChosenAgain)
     EXPECT_NEAR(asked<request::PointSky>().front().direction.azimuth.degrees(), 130.0, 1e-9);
 }
 
+// REQ-UI-400: A go-to with one empty field moves the other axis alone. The horizon is asked for at the azimuth that is
+// entered.
+TEST_F(JogDeskTest, AnEmptyFieldKeepsItsAxis)
+{
+    auto* const azimuth = named<QLineEdit>("Azimuth");
+    auto* const elevation = named<QLineEdit>("Elevation");
+    azimuth->clear();
+    elevation->setText(QStringLiteral("12.5"));
+    click("Go");
+    ASSERT_EQ(asked<request::PointAxis>().size(), 1u);
+    EXPECT_EQ(asked<request::PointAxis>().back().axis, Axis::Elevation);
+    EXPECT_NEAR(asked<request::PointAxis>().back().angle.degrees(), 12.5, 1e-9);
+    give(samples::acceptance(holding(), requests.back().id));
+    EXPECT_EQ(named<TouchCombo>("Recent directions")->count(), 0) << "it is no direction";
+    azimuth->setText(QStringLiteral(" 315 "));
+    elevation->clear();
+    click("Go");
+    ASSERT_EQ(asked<request::PointAxis>().size(), 2u);
+    EXPECT_EQ(asked<request::PointAxis>().back().axis, Axis::Azimuth);
+    EXPECT_NEAR(asked<request::PointAxis>().back().angle.degrees(), 315.0, 1e-9);
+    give(samples::acceptance(holding(), requests.back().id));
+    click("Horizon");
+    ASSERT_TRUE(asked<request::Horizon>().back().azimuth.has_value());
+    EXPECT_NEAR(asked<request::Horizon>().back().azimuth->degrees(), 315.0, 1e-9);
+    give(samples::acceptance(holding(), requests.back().id));
+    azimuth->clear();
+    click("Horizon");
+    EXPECT_FALSE(asked<request::Horizon>().back().azimuth.has_value());
+    give(samples::acceptance(holding(), requests.back().id));
+
+    requests.clear();
+    click("Go");
+    EXPECT_TRUE(requests.empty()) << "both are empty";
+    EXPECT_TRUE(text("Refused").contains(QStringLiteral("enter an azimuth, an elevation or both")));
+    elevation->setText(QStringLiteral("1o"));
+    click("Go");
+    EXPECT_TRUE(requests.empty());
+    EXPECT_TRUE(text("Refused").contains(QStringLiteral("the elevation is not a number")));
+}
+
 // REQ-UI-02c
 TEST_F(JogDeskTest, ARefusedDirectionIsNotRemembered)
 {

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is shown of a slew: how long it still takes, and the way that the beam will go. And its end on both axes.
+#include "tests/core/control/station_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace boresight {
+namespace {
+
+class StationSlew : public ::testing::Test
+{
+protected:
+    static profile::Profile settings(const pointing::Region& limits = {})
+    {
+        profile::Profile profile;
+        profile.limits = limits;
+        profile.park = {.azimuth = 200_deg, .elevation = 80_deg};
+        return profile;
+    }
+
+    static void standAt(StationRig& rig, Angle azimuth, Angle elevation)
+    {
+        rig.run(Seconds(0.1));
+        ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = azimuth, .elevation = elevation}}));
+        rig.settle(Seconds(200.0));
+        ASSERT_FALSE(rig.control.status().slew);
+    }
+
+    // On the way there what was shown at each moment was right, within 10 % or 0.5 s, until it is not shown any more.
+    static void expectTrueToTheEnd(StationRig& rig)
+    {
+        struct Shown
+        {
+            SteadyTime when;
+            SlewProgress slew;
+        };
+        std::vector<Shown> shown;
+        for (int i = 0; i < 20'000 && (i < 25 || rig.state() == StationState::Slew); ++i) {
+            rig.tick();
+            const StationStatus status = rig.control.status();
+            if (status.slew) {
+                EXPECT_EQ(status.state, StationState::Slew);
+                EXPECT_FALSE(status.route.empty() && status.slew->remaining > Seconds(0.3));
+                shown.push_back({rig.clock.now(), *status.slew});
+            }
+        }
+        ASSERT_GT(shown.size(), 20U);
+        EXPECT_NE(rig.state(), StationState::Slew);
+        EXPECT_TRUE(rig.control.status().route.empty());
+        const SteadyTime end = rig.clock.now();
+        double done = 0.0;
+        for (const Shown& one : shown) {
+            const double left = Seconds(end - one.when).count();
+            EXPECT_NEAR(one.slew.remaining.count(), left, std::max(0.5, 0.1 * left));
+            EXPECT_GE(one.slew.done, done - 0.02);
+            EXPECT_LE(one.slew.done, 1.0);
+            done = one.slew.done;
+        }
+        EXPECT_LT(shown.front().slew.done, 0.1);
+        EXPECT_GT(done, 0.9);
+    }
+
+    // How far the beam will turn, all the way.
+    static double turning(const std::vector<SkyPointing>& route)
+    {
+        double sum = 0.0;
+        for (std::size_t i = 1; i < route.size(); ++i) {
+            sum += (route[i].azimuth - route[i - 1].azimuth).wrapped180().degrees();
+        }
+        return sum;
+    }
+};
+
+// REQ-CONTROL-400 (StationSlew.*): While the mount slews, the status shows how long that still takes and which part of
+// it is done, right within 10 % or 0.5 s, and the way that the beam will go, fine enough to be drawn.
+TEST_F(StationSlew, AGoTo)
+{
+    StationRig rig(settings());
+    rig.run(Seconds(0.1));
+    EXPECT_FALSE(rig.control.status().slew);
+    ASSERT_TRUE(rig.point(113, 10, kOperator));
+    expectTrueToTheEnd(rig);
+}
+
+TEST_F(StationSlew, AroundAKeepOut)
+{
+    StationRig rig(settings({.keepOuts = {{.name = "mast",
+                                           .azimuthFrom = 300_deg,
+                                           .azimuthTo = 330_deg,
+                                           .elevationMin = 0_deg,
+                                           .elevationMax = 40_deg}}}));
+    standAt(rig, 290_deg, 5_deg);
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 340_deg, .elevation = 5_deg}}));
+    expectTrueToTheEnd(rig);
+}
+
+TEST_F(StationSlew, ParkHomeAndAStep)
+{
+    StationRig rig(settings());
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.ask(request::Park{}));
+    expectTrueToTheEnd(rig);
+    ASSERT_TRUE(rig.ask(request::Home{}));
+    expectTrueToTheEnd(rig);
+    ASSERT_TRUE(rig.ask(request::Step{.azimuth = 5_deg, .elevation = 5_deg}));
+    expectTrueToTheEnd(rig);
+}
+
+TEST_F(StationSlew, AClientsTarget)
+{
+    StationRig rig(settings());
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(200, 70));
+    expectTrueToTheEnd(rig);
+}
+
+TEST_F(StationSlew, BothAxesTogether)
+{
+    profile::Profile profile = settings();
+    profile.control.arrival = profile::Arrival::Together;
+    StationRig rig(profile);
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(150, 20, kOperator));
+    rig.run(Seconds(8.0));
+    const StationStatus half = rig.control.status();
+    EXPECT_NEAR(half.elevation.actual->degrees() / 20.0, half.azimuth.actual->degrees() / 150.0, 0.1);
+    const SteadyTime then = rig.clock.now();
+    rig.settle();
+    EXPECT_NEAR(Seconds(rig.clock.now() - then).count(), half.slew->remaining.count(), 0.8);
+}
+
+// The setting applies at once.
+TEST_F(StationSlew, TogetherIsChosenOnTheWay)
+{
+    StationRig rig(settings());
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(150, 40, kOperator));
+    rig.run(Seconds(1.0));
+    profile::Profile changed = rig.profile;
+    changed.control.arrival = profile::Arrival::Together;
+    rig.setProfile(changed);
+    rig.run(Seconds(9.0));
+    EXPECT_LT(rig.elevationDegrees(), 39.0);
+    EXPECT_GT(rig.elevationDegrees(), 10.0);
+}
+
+// Faster or slower limits in the middle of it: the rest is right again.
+TEST_F(StationSlew, OtherLimitsOnTheWay)
+{
+    StationRig rig(settings());
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(170, 10, kOperator));
+    rig.run(Seconds(5.0));
+    profile::Profile changed = rig.profile;
+    changed.azimuth.limits.speed = 4_deg_s;
+    rig.setProfile(changed);
+    rig.run(Seconds(0.5));
+    const Seconds remaining = rig.control.status().slew->remaining;
+    const SteadyTime then = rig.clock.now();
+    rig.settle();
+    EXPECT_NEAR(Seconds(rig.clock.now() - then).count(), remaining.count(), 0.1 * remaining.count());
+}
+
+TEST_F(StationSlew, WhatEndsItEndsWhatIsShown)
+{
+    StationRig rig(settings());
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(170, 10, kOperator));
+    rig.run(Seconds(2.0));
+    ASSERT_TRUE(rig.control.status().slew);
+    ASSERT_FALSE(rig.control.status().route.empty());
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    rig.tick();
+    EXPECT_FALSE(rig.control.status().slew);
+    EXPECT_TRUE(rig.control.status().route.empty());
+}
+
+// REQ-CONTROL-401: The way that is shown is the long one where the cable ends, and a whole turn when the cable is
+// unwrapped.
+TEST_F(StationSlew, TheLongWayIsShownAsItWillBeGone)
+{
+    StationRig rig(settings());  // -90…450°
+    standAt(rig, 440_deg, 30_deg);
+    ASSERT_TRUE(rig.point(100, 30, kOperator));
+    rig.run(Seconds(0.2));
+    const StationStatus status = rig.control.status();
+    EXPECT_NEAR(turning(status.route), -340.0, 2.0) << "not the 20° that end beyond the cable";
+    EXPECT_GT(status.route.size(), 150U);
+    for (std::size_t i = 1; i < status.route.size(); ++i) {
+        EXPECT_LE(abs((status.route[i].azimuth - status.route[i - 1].azimuth).wrapped180()), 2.01_deg);
+    }
+    EXPECT_EQ(status.route.front(), *status.commanded);
+    EXPECT_NEAR(status.route.back().azimuth.degrees(), 100.0, 1e-6);
+    expectTrueToTheEnd(rig);
+}
+
+// REQ-CONTROL-401
+TEST_F(StationSlew, UnwrappingIsAWholeTurn)
+{
+    StationRig rig(settings());
+    standAt(rig, 425_deg, 30_deg);
+    ASSERT_TRUE(rig.ask(request::Unwind{}));
+    rig.run(Seconds(0.2));
+    EXPECT_NEAR(turning(rig.control.status().route), -360.0, 2.0);
+    expectTrueToTheEnd(rig);
+}
+
+// REQ-CONTROL-401: This holds in the middle of a stream, too.
+TEST_F(StationSlew, AStreamThatTurnsBackShowsItsWayAndItsTime)
+{
+    StationRig rig(settings());
+    standAt(rig, 440_deg, 30_deg);
+    ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
+    double azimuth = 440.0;
+    const auto point = [&] {
+        EXPECT_TRUE(rig.point(std::fmod(azimuth += 0.5, 360.0), 30.0));
+        rig.run(Seconds(1.0));
+    };
+    while (azimuth < 451.0) {
+        point();
+    }
+    ASSERT_EQ(rig.state(), StationState::Slew);
+    const StationStatus status = rig.control.status();
+    ASSERT_TRUE(status.slew);
+    EXPECT_LT(turning(status.route), -300.0);
+    const SteadyTime then = rig.clock.now();
+    while (rig.state() == StationState::Slew && azimuth < 520.0) {
+        point();
+    }
+    EXPECT_NEAR(Seconds(rig.clock.now() - then).count(), status.slew->remaining.count(), 2.0) << "a point a second";
+    EXPECT_EQ(rig.state(), StationState::Track);
+    EXPECT_FALSE(rig.control.status().slew);
+    EXPECT_TRUE(rig.control.status().route.empty());
+}
+
+// REQ-CONTROL-402: The line of the log that begins a motion to a place says how long it takes.
+TEST_F(StationSlew, TheLogNamesItsTime)
+{
+    StationRig rig(settings());
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(113, 10, kOperator));
+    EXPECT_EQ(rig.lastLog(), "moves the mount from 0.00° 0.00°: go to 113.00° 10.00°, there in 13 s");
+    const SteadyTime then = rig.clock.now();
+    rig.settle();
+    EXPECT_NEAR(Seconds(rig.clock.now() - then).count(), 13.0, 1.3);
+    profile::Profile slow = rig.profile;
+    slow.azimuth.limits.speed = 0.5_deg_s;
+    rig.setProfile(slow);
+    ASSERT_TRUE(rig.ask(request::Home{}));
+    EXPECT_EQ(rig.lastLog(), "moves the mount from 113.00° 10.00°: home to 0.00° 0.00°, there in 3 min 47 s");
+}
+
+}  // namespace
+}  // namespace boresight
