@@ -8,8 +8,8 @@
 
 class QLineEdit;
 
-// Go to a typed direction. Typing and selecting move nothing; a refusal is shown in the notice, and the typed value
-// stays for correction. The last directions that the station accepted are kept for choosing them again.
+// Go to a typed direction. Typing and selecting move nothing. A refusal is shown in the notice, and the typed value
+// stays for correction. The last directions that the station accepted can be chosen again.
 namespace boresight::ui {
 
 class CommandButton;
