@@ -17,8 +17,11 @@
 #include "ui/link/forbidden.h"
 #include "ui/link/motion_state.h"
 #include "ui/log/log_panel.h"
+#include "ui/look/desk_style.h"
 #include "ui/north/calibration_panel.h"
+#include "ui/profile/profile_page.h"
 #include "ui/sky/polar_plot.h"
+#include "ui/window/about_page.h"
 #include "ui/window/alarm_line.h"
 #include "ui/window/axis_readout.h"
 #include "ui/window/cable_bar.h"
@@ -26,6 +29,7 @@
 #include "ui/window/diagnostics_saver.h"
 #include "ui/window/header_bar.h"
 #include "ui/window/help_page.h"
+#include "ui/window/main_menu.h"
 #include "ui/window/panel_tabs.h"
 #include "ui/window/sensor_readout.h"
 #include "ui/window/stop_keys.h"
@@ -47,11 +51,19 @@ namespace {
 constexpr std::chrono::milliseconds kBeat{100};
 constexpr int kBeatsPerSecond = 10;
 
+// Before the first widget is made: its size depends on the style, and what a screen reader is told of it is settled
+// with it.
+void prepare(const WindowSettings& settings)
+{
+    describeOwnWidgets();
+    DeskStyle::install();
+    applyTheme(settings.theme, settings.brightness);
+}
+
 }  // namespace
 
-// Before the first of its widgets is made: what a screen reader is told of a widget is settled with it.
 MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidget* parent)
-    : QMainWindow((describeOwnWidgets(), parent)),
+    : QMainWindow((prepare(settings), parent)),
       m_clock(clock),
       m_draft(m_desk),
       m_last(clock),
@@ -71,7 +83,9 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_closeBar(new ClosePrompt(this)),
       m_goHere(new CommandButton(tr("Go here"), tr("Go to this direction by the nearest turn"), m_desk,
                                  m_pickBar->notice(), m_pickBar)),
-      m_help(new HelpPage(settings.language, this)),
+      m_help(new HelpPage(this)),
+      m_about(new AboutPage(this)),
+      m_menu(new MainMenu(settings.language, *this)),
       m_stopKeys(new StopKeys(*this)),
       m_diagnostics(new DiagnosticsSaver(this)),
       m_stateDir(settings.stateDir)
@@ -81,11 +95,11 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
         m_header->setOnlySimulated();
     }
     new FocusFrame(this);
-    applyTheme(settings.theme);
     setWindowTitle(tr("Boresight"));
     setWindowIcon(QIcon(QStringLiteral(":/boresight/icons/boresight.svg")));
     build();
     addKeys();
+    connectMenu();
     connect(&m_desk, &RequestDesk::requested, this, &MainWindow::requested);
     connect(m_header, &HeaderBar::stopPressed, this, &MainWindow::stop);
     connect(m_stopKeys, &StopKeys::stopPressed, this, &MainWindow::stop);
@@ -93,7 +107,6 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(&m_panels->charts().charts(), &StripCharts::largeWanted, this, &MainWindow::placeCharts);
     connect(&m_panels->log(), &LogPanel::beepWanted, this, &QApplication::beep);
     connect(&m_panels->log(), &LogPanel::soundChanged, this, &MainWindow::alarmSoundChanged);
-    connect(m_help, &HelpPage::languageChosen, this, &MainWindow::languageChanged);
     connect(&m_panels->jog(), &JogPanel::stopPressed, this, &MainWindow::stop);
     connect(&m_panels->jog(), &JogPanel::recentGoTosChanged, this, &MainWindow::recentGoTosChanged);
     connect(m_plot, &PolarPlot::editingChanged, this, &MainWindow::showEditing);
@@ -107,7 +120,6 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     m_stopKeys->setFirstUse([this] { return m_plot->editor().cancelDrag(); });
     connect(&m_beat, &QTimer::timeout, this, &MainWindow::beat);
     connect(m_panels, &PanelTabs::broughtUp, this, &MainWindow::closeGuide);
-    connect(m_panels, &PanelTabs::guideWanted, this, &MainWindow::openGuide);
     m_beat.start(kBeat);
     showStatus(m_last.received());
     resize(1280, 800);
@@ -130,7 +142,8 @@ void MainWindow::build()
     auto* const ground = new QWidget(this);
     auto* const grid = new QGridLayout(ground);
     grid->setContentsMargins(8, 8, 8, 6);
-    grid->setSpacing(8);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(5);
     auto* const side = new QWidget(ground);  // as wide as it must be, in a wide window a third of it
     auto* const right = new QVBoxLayout(side);
     grid->addWidget(m_header, 0, 0, 1, 2);
@@ -182,9 +195,24 @@ void MainWindow::addKeys()
     addKey(Qt::CTRL | Qt::Key_Minus, &MainWindow::zoomOut);
     addKey(Qt::CTRL | Qt::Key_B, &MainWindow::saveDiagnostics);
     addKey(Qt::Key_F8, &MainWindow::acknowledge);
+    addKey(Qt::Key_F10, &MainWindow::openMenu);
     addKey(Qt::Key_F11, &MainWindow::toggleFullScreen);
     addKey(Qt::Key_F1, &MainWindow::showHelp);
     addKey(Qt::Key_F3, &MainWindow::toggleGuide);
+}
+
+void MainWindow::connectMenu()
+{
+    connect(m_header, &HeaderBar::menuWanted, this, &MainWindow::openMenu);
+    connect(m_menu, &MainMenu::openWanted, this, &MainWindow::openMenu);
+    connect(m_menu, &MainMenu::themeChosen, this, &MainWindow::chooseTheme);
+    connect(m_menu, &MainMenu::languageChosen, this, &MainWindow::languageChanged);
+    connect(m_menu, &MainMenu::fullScreenWanted, this, &MainWindow::toggleFullScreen);
+    connect(m_menu, &MainMenu::keysWanted, this, &MainWindow::showHelp);
+    connect(m_menu, &MainMenu::guideWanted, this, &MainWindow::openGuide);
+    connect(m_menu, &MainMenu::profileWanted, this, [this] { m_panels->bringUp(m_panels->profile()); });
+    connect(m_menu, &MainMenu::diagnosticsWanted, this, &MainWindow::saveDiagnostics);
+    connect(m_menu, &MainMenu::aboutWanted, this, [this] { showBelowReadout(*m_about); });
 }
 
 void MainWindow::addKey(const QKeySequence& key, void (MainWindow::*act)())
@@ -337,13 +365,19 @@ void MainWindow::closeNow()
 {
     m_mayClose = true;
     m_help->close();
+    m_about->close();
     close();
 }
 
 void MainWindow::nextTheme()
 {
-    applyTheme(next(currentTheme().kind));
-    Q_EMIT themeChanged(currentTheme().kind);
+    chooseTheme(next(currentTheme().kind), currentBrightness());
+}
+
+void MainWindow::chooseTheme(ThemeKind theme, Brightness brightness)
+{
+    applyTheme(theme, brightness);
+    Q_EMIT themeChanged(theme, brightness);
 }
 
 void MainWindow::showEditing(bool on)
@@ -379,13 +413,23 @@ void MainWindow::toggleFullScreen()
     setWindowState(windowState() ^ Qt::WindowFullScreen);
 }
 
+void MainWindow::openMenu()
+{
+    m_menu->openBelow(m_header->menuButton());
+}
+
 void MainWindow::showHelp()
 {
-    // Never over STOP, the state, the alarm or the numbers.
-    m_help->move(mapToGlobal(QPoint(0, m_readout->mapTo(this, m_readout->rect().bottomLeft()).y())));
-    m_help->show();
-    m_help->raise();
-    m_help->activateWindow();
+    showBelowReadout(*m_help);
+}
+
+// Never over STOP, the state, the alarm or the numbers.
+void MainWindow::showBelowReadout(QWidget& page)
+{
+    page.move(mapToGlobal(QPoint(0, m_readout->mapTo(this, m_readout->rect().bottomLeft()).y())));
+    page.show();
+    page.raise();
+    page.activateWindow();
 }
 
 void MainWindow::saveDiagnostics()

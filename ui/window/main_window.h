@@ -23,6 +23,7 @@ class QStackedWidget;
 // More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
+class AboutPage;
 class AlarmLine;
 class AxisReadout;
 class CableBar;
@@ -34,6 +35,7 @@ class GuidePage;
 class HeaderBar;
 class HelpPage;
 class LeadPrompt;
+class MainMenu;
 class PanelTabs;
 class PolarPlot;
 class PromptBar;
@@ -70,7 +72,7 @@ Q_SIGNALS:
     void updateShown();  // the station may send the next update
     // The operator closes the window (and, asked because the mount was moving, said yes): stop, then closeNow().
     void closeRequested();
-    void themeChanged(boresight::ui::ThemeKind theme);
+    void themeChanged(boresight::ui::ThemeKind theme, boresight::ui::Brightness brightness);
     void alarmSoundChanged(bool on);
     void languageChanged(const QString& language);  // for the next start
     void recentGoTosChanged(const QStringList& recent);
@@ -84,6 +86,7 @@ private:
     void addPrompts();
     void placeCharts(bool inPlaceOfTheSky);
     void addKeys();
+    void connectMenu();
     void addKey(const QKeySequence& key, void (MainWindow::*act)());
     void stop();
     void showStatus(const StationStatus& status);
@@ -93,13 +96,16 @@ private:
     void blockGoHere(const StationStatus& status);
     void goToPicked();
     void nextTheme();
+    void chooseTheme(ThemeKind theme, Brightness brightness);
     void showEditing(bool on);  // of the limits on the plot
     void toggleEditing();
     void toggleZoom();
     void zoomIn();
     void zoomOut();
     void toggleFullScreen();
+    void openMenu();
     void showHelp();
+    void showBelowReadout(QWidget& page);
     void saveDiagnostics();
     void openGuide();
     void closeGuide();
@@ -131,6 +137,8 @@ private:
     ClosePrompt* m_closeBar;
     CommandButton* m_goHere;
     HelpPage* m_help;
+    AboutPage* m_about;
+    MainMenu* m_menu;
     StopKeys* m_stopKeys;
     DiagnosticsSaver* m_diagnostics;
     QString m_stateDir;
