@@ -172,7 +172,7 @@ void SettingPicture::draw(QPainter& painter, const QRectF& box) const
 
 QIcon SettingPicture::icon() const
 {
-    return m_kind == Kind::None ? QIcon() : QIcon(new PictureIcon(*this));
+    return QIcon(new PictureIcon(*this));
 }
 
 // One turn and a half, wound outward: the cable, with the end that the setting moves.

@@ -38,7 +38,7 @@ public:
 
     [[nodiscard]] Kind kind() const { return m_kind; }
     void draw(QPainter& painter, const QRectF& box) const;
-    [[nodiscard]] QIcon icon() const;  // null without a picture
+    [[nodiscard]] QIcon icon() const;  // without a picture an empty one, so that names stand in one column
 
 private:
     void drawTravel(QPainter& painter) const;
