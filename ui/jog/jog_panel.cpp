@@ -94,7 +94,11 @@ QWidget* JogPanel::makePlaces()
     row->addWidget(m_more);
     setEmphasis(*m_more, Emphasis::Quiet);
     m_more->setCheckable(true);
-    connect(m_more, &QPushButton::toggled, m_rare, &QWidget::setVisible);
+    connect(m_more, &QPushButton::toggled, this, [this](bool on) {
+        m_trim->setVisible(!on);  // their room, at 1024×700
+        m_clearTrim->setVisible(!on);
+        m_rare->setVisible(on);
+    });
     return box;
 }
 

@@ -129,6 +129,7 @@ TEST_F(JogDeskTest, EachStepSizeIsWhatOnePressMoves)
 // REQ-UI-02b: A step during a pass trims the client's target, is shown in every panel and taken away by one button.
 TEST_F(JogDeskTest, ATrimIsShownByTheReadoutsInEveryPanelAndCleared)
 {
+    QTest::mouseClick(named<QPushButton>("Presets, home, horizon, unwrap"), Qt::LeftButton);
     StationStatus status = samples::tracking(200);
     give(samples::update(status));
     EXPECT_FALSE(named<CommandButton>("Clear trim")->isEnabled());
@@ -285,6 +286,17 @@ TEST_F(JogDeskTest, HorizonAndHomeAskAndAForbiddenHomeIsNotOffered)
     give(samples::acceptance(status, requests.back().id));
     EXPECT_FALSE(named<CommandButton>("Home")->isEnabled());
     EXPECT_TRUE(named<CommandButton>("Home")->toolTip().contains(QStringLiteral("below the horizon 6.0°")));
+}
+
+// REQ-UI-908: What is rarely needed on the panel Jog opens behind one button and has room at 1024×700.
+TEST_F(JogDeskTest, TheRareControlsHaveRoomAndGoAway)
+{
+    settle();
+    EXPECT_TRUE(named<CommandButton>("Home")->isVisible());
+    EXPECT_EQ(window.size(), QSize(1024, 700));
+    QTest::mouseClick(named<QPushButton>("Presets, home, horizon, unwrap"), Qt::LeftButton);
+    EXPECT_FALSE(named<CommandButton>("Home")->isVisible());
+    EXPECT_TRUE(named<CommandButton>("Park")->isVisible());
 }
 
 TEST_F(JogDeskTest, ParkBecomesUnparkThatMovesNothing)
