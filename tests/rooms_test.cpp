@@ -102,7 +102,7 @@ Rooms joined(Rooms one, const Rooms& other)
 const Rooms kSeenByTheWindow{"core/base",    "core/units",  "core/pointing",
                              "core/profile", "core/alarms", "core/messages"};
 const Rooms kAboveTheDriver{"core/control", "core/sources", "core/motion", "core/mount", "core/north", "core/witness"};
-const Rooms kBelowPanels{"ui/kit", "ui/link", "ui/hold", "ui/sky"};
+const Rooms kBelowPanels{"ui/kit", "ui/look", "ui/link", "ui/hold", "ui/sky"};
 
 TEST(Rooms, NoTwoKnowEachOther)
 {
@@ -142,8 +142,8 @@ TEST(Rooms, TheCoreKnowsNoWindow)
 TEST(Rooms, NoPanelKnowsAnother)
 {
     EXPECT_THAT(wrong({"ui/kit"}, kSeenByTheWindow), IsEmpty());
-    EXPECT_THAT(wrong({"ui/link"}, joined(kSeenByTheWindow, {"ui/kit"})), IsEmpty());
-    EXPECT_THAT(wrong({"ui/hold", "ui/sky"}, joined(kSeenByTheWindow, {"ui/kit", "ui/link"})), IsEmpty());
+    EXPECT_THAT(wrong({"ui/look", "ui/link"}, joined(kSeenByTheWindow, {"ui/kit"})), IsEmpty());
+    EXPECT_THAT(wrong({"ui/hold", "ui/sky"}, joined(kSeenByTheWindow, {"ui/kit", "ui/look", "ui/link"})), IsEmpty());
     Rooms panels = roomsOf("ui");
     for (const std::string& room : joined(kBelowPanels, {"ui/guide", "ui/window"})) {
         panels.erase(room);

@@ -19,6 +19,7 @@
 #include <QScreen>
 #include <QSettings>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace {
@@ -26,6 +27,7 @@ namespace {
 using namespace boresight;
 
 const QString kThemeKey = QStringLiteral("theme");
+const QString kBrightnessKey = QStringLiteral("brightness");
 const QString kSoundKey = QStringLiteral("alarm_sound");
 const QString kLanguageKey = QStringLiteral("language");
 const QString kRecentKey = QStringLiteral("recent_go_tos");
@@ -78,6 +80,7 @@ ui::GuideProgress guideProgress(const app::Options& options, const QSettings& la
 ui::WindowSettings windowSettings(const app::Options& options, const QSettings& layout)
 {
     return {.theme = static_cast<ui::ThemeKind>(layout.value(kThemeKey, 0).toInt()),
+            .brightness = static_cast<ui::Brightness>(std::clamp(layout.value(kBrightnessKey, 0).toInt(), 0, 2)),
             .language = layout.value(kLanguageKey).toString(),
             .guide = guideProgress(options, layout),
             .alarmSound = layout.value(kSoundKey, true).toBool(),
@@ -126,7 +129,10 @@ void connectWindow(ui::MainWindow& window, app::StationThread& station, QSetting
         window.closeNow();
     });
     QObject::connect(&window, &ui::MainWindow::themeChanged, &window,
-                     [&layout](ui::ThemeKind theme) { layout.setValue(kThemeKey, static_cast<int>(theme)); });
+                     [&layout](ui::ThemeKind theme, ui::Brightness brightness) {
+                         layout.setValue(kThemeKey, static_cast<int>(theme));
+                         layout.setValue(kBrightnessKey, static_cast<int>(brightness));
+                     });
     QObject::connect(&window, &ui::MainWindow::alarmSoundChanged, &window,
                      [&layout](bool on) { layout.setValue(kSoundKey, on); });
     QObject::connect(&window, &ui::MainWindow::guideProgressed, &window, [&layout](const ui::GuideProgress& progress) {

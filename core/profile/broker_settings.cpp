@@ -30,11 +30,11 @@ Result<> checkPrefix(const std::string& text)
     return checkLine(text);
 }
 
-Setting line(const std::string& key, const std::string& text, std::string BrokerSettings::*field,
+Setting line(const std::string& key, const Words& words, std::string BrokerSettings::*field,
              Result<> (*check)(const std::string&) = checkLine)
 {
     return textual(
-        key, Applies::Now, text, [field](const Profile& p) { return p.mqtt.*field; },
+        key, Applies::Now, words, [field](const Profile& p) { return p.mqtt.*field; },
         [field, check](Profile& p, const std::string& wanted) {
             return check(wanted).map([&] { p.mqtt.*field = wanted; });
         });
@@ -42,34 +42,43 @@ Setting line(const std::string& key, const std::string& text, std::string Broker
 
 void addConnection(std::vector<Setting>& list)
 {
-    list.push_back(line(
-        "mqtt.host", QT_TRANSLATE_NOOP("Text", "Name or address of the MQTT broker, for the sensor and for publish."),
-        &BrokerSettings::host, checkHost));
+    list.push_back(
+        line("mqtt.host",
+             {QT_TRANSLATE_NOOP("Text", "Broker"),
+              QT_TRANSLATE_NOOP("Text", "Name or address of the MQTT broker, for the sensor and for publishing.")},
+             &BrokerSettings::host, checkHost));
     list.push_back(integer(
         "mqtt.port", "", {1, 65535}, Applies::Now,
-        QT_TRANSLATE_NOOP("Text", "Port of the broker: mostly 1883, with TLS 8883."),
+        {QT_TRANSLATE_NOOP("Text", "Port"),
+         QT_TRANSLATE_NOOP("Text", "Port of the broker: usually 1883, with TLS 8883.")},
         [](auto& p) -> auto& { return p.mqtt.port; }));
-    list.push_back(line("mqtt.user", QT_TRANSLATE_NOOP("Text", "User name at the broker; empty: without."),
-                        &BrokerSettings::user));
+    list.push_back(
+        line("mqtt.user",
+             {QT_TRANSLATE_NOOP("Text", "User"), QT_TRANSLATE_NOOP("Text", "User name at the broker. Empty: none.")},
+             &BrokerSettings::user));
     list.push_back(line("mqtt.password",
-                        QT_TRANSLATE_NOOP("Text",
-                                          "Password at the broker. It stands in this file as it is, which only its "
-                                          "owner may then read, and in no log."),
+                        {QT_TRANSLATE_NOOP("Text", "Password"),
+                         QT_TRANSLATE_NOOP("Text",
+                                           "Password at the broker. This file contains it as plain text, so only its "
+                                           "owner may read the file. No log contains it.")},
                         &BrokerSettings::password));
     list.back().secret = true;
     list.push_back(choice(
         "mqtt.tls", {"off", "on"}, Applies::Now,
-        QT_TRANSLATE_NOOP("Text", "Encrypted, and only with a broker whose certificate is right."),
+        {QT_TRANSLATE_NOOP("Text", "TLS"),
+         QT_TRANSLATE_NOOP("Text", "Encrypt the connection, and accept only a broker with a valid certificate.")},
         [](auto& p) -> auto& { return p.mqtt.tls; }));
     list.push_back(line("mqtt.ca_file",
-                        QT_TRANSLATE_NOOP("Text",
-                                          "With TLS: PEM file of the authority that signed the broker's certificate; "
-                                          "empty: those that this computer knows."),
+                        {QT_TRANSLATE_NOOP("Text", "Certificate authority"),
+                         QT_TRANSLATE_NOOP("Text",
+                                           "With TLS: PEM file of the authority that signed the broker's certificate. "
+                                           "Empty: the authorities that this computer trusts.")},
                         &BrokerSettings::caFile));
     list.push_back(line("mqtt.client_id",
-                        QT_TRANSLATE_NOOP("Text",
-                                          "Name of this program at the broker, which throws out the first of two of "
-                                          "one name; empty: another one at every start."),
+                        {QT_TRANSLATE_NOOP("Text", "Client id"),
+                         QT_TRANSLATE_NOOP("Text",
+                                           "Name of this program at the broker. A broker disconnects the first of two "
+                                           "clients with one name. Empty: a new name at every start.")},
                         &BrokerSettings::clientId));
 }
 
@@ -89,12 +98,15 @@ void addBroker(std::vector<Setting>& list)
     addConnection(list);
     list.push_back(choice(
         "mqtt.publish", {"off", "on"}, Applies::Now,
-        QT_TRANSLATE_NOOP("Text",
-                          "Whether Boresight tells the broker each second where the mount is and what it does."),
+        {QT_TRANSLATE_NOOP("Text", "Publish"),
+         QT_TRANSLATE_NOOP(
+             "Text", "Whether Boresight sends the position and the state of the mount to the broker each second.")},
         [](auto& p) -> auto& { return p.mqtt.publish; }));
-    list.push_back(line("mqtt.prefix",
-                        QT_TRANSLATE_NOOP("Text", "Beginning of the topics state and availability that it publishes."),
-                        &BrokerSettings::prefix, checkPrefix));
+    list.push_back(line(
+        "mqtt.prefix",
+        {QT_TRANSLATE_NOOP("Text", "Topic prefix"),
+         QT_TRANSLATE_NOOP("Text", "Beginning of the topics \"state\" and \"availability\" that Boresight publishes.")},
+        &BrokerSettings::prefix, checkPrefix));
 }
 
 }  // namespace boresight::profile

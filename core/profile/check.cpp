@@ -99,7 +99,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     checkAxis(problems, "azimuth", profile.azimuth, profile.park.azimuth);
     checkAxis(problems, "elevation", profile.elevation, profile.park.elevation);
     if (areBoth(AxisDriver::Moteus, profile) && profile.azimuth.id == profile.elevation.id) {
-        problems.push_back({"elevation.id", Text::tr("is the same as azimuth.id; each controller needs its own")});
+        problems.push_back({"elevation.id", Text::tr("is the same as azimuth.id. Each controller needs its own id.")});
     }
     // Two lost frames in a row must not stop the mount; the tiny slack forgives rounding (0.05 s at 60 Hz).
     if (3.0 * profile.control.tickPeriod() > profile.control.watchdog + Seconds(1e-9)) {

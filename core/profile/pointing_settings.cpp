@@ -14,9 +14,9 @@ namespace {
 constexpr Range kSmall{-10.0, 10.0};
 
 template <class Access>
-Setting term(const std::string& name, Range range, const std::string& text, Access access)
+Setting term(const std::string& name, Range range, const Words& words, Access access)
 {
-    return number("pointing." + name + "_deg", "°", range, Applies::Now, text, access);
+    return number("pointing." + name + "_deg", "°", range, Applies::Now, words, access);
 }
 
 }  // namespace
@@ -25,35 +25,43 @@ void addPointing(std::vector<Setting>& list)
 {
     list.push_back(term(
         "azimuth_offset", {-360.0, 360.0},
-        QT_TRANSLATE_NOOP("Text",
-                          "True azimuth of the beam where the azimuth axis shows 0°: how the mount finds north."),
+        {QT_TRANSLATE_NOOP("Text", "North offset"),
+         QT_TRANSLATE_NOOP("Text",
+                           "True azimuth of the beam when the azimuth axis shows 0°. The North panel finds it.")},
         [](auto& p) -> auto& { return p.pointing.azimuthOffset; }));
     list.push_back(term(
         "elevation_offset", kSmall,
-        QT_TRANSLATE_NOOP("Text", "True elevation of the beam where the elevation axis shows 0°."),
+        {QT_TRANSLATE_NOOP("Text", "Elevation offset"),
+         QT_TRANSLATE_NOOP("Text", "True elevation of the beam when the elevation axis shows 0°.")},
         [](auto& p) -> auto& { return p.pointing.elevationOffset; }));
     list.push_back(term(
         "tilt_north", kSmall,
-        QT_TRANSLATE_NOOP("Text", "How far the azimuth axis leans to the north; negative to the south."),
+        {QT_TRANSLATE_NOOP("Text", "Tilt to the north"),
+         QT_TRANSLATE_NOOP("Text",
+                           "How far the azimuth axis leans to the north. A negative value leans to the south.")},
         [](auto& p) -> auto& { return p.pointing.tiltNorth; }));
     list.push_back(term(
         "tilt_east", kSmall,
-        QT_TRANSLATE_NOOP("Text", "How far the azimuth axis leans to the east; negative to the west."),
+        {QT_TRANSLATE_NOOP("Text", "Tilt to the east"),
+         QT_TRANSLATE_NOOP("Text", "How far the azimuth axis leans to the east. A negative value leans to the west.")},
         [](auto& p) -> auto& { return p.pointing.tiltEast; }));
     list.push_back(term(
         "collimation", kSmall,
-        QT_TRANSLATE_NOOP(
-            "Text", "How far the beam looks clockwise of the right angle to the elevation axis, at any elevation."),
+        {QT_TRANSLATE_NOOP("Text", "Collimation"),
+         QT_TRANSLATE_NOOP(
+             "Text", "Angle of the beam from the right angle to the elevation axis, clockwise, at any elevation.")},
         [](auto& p) -> auto& { return p.pointing.collimation; }));
     list.push_back(term(
         "non_perpendicularity", kSmall,
-        QT_TRANSLATE_NOOP("Text",
-                          "How far the elevation axis is off the right angle to the azimuth axis: a raised beam then "
-                          "looks clockwise."),
+        {QT_TRANSLATE_NOOP("Text", "Axes not at a right angle"),
+         QT_TRANSLATE_NOOP("Text",
+                           "How far the elevation axis is off the right angle to the azimuth axis. A raised beam then "
+                           "points clockwise.")},
         [](auto& p) -> auto& { return p.pointing.nonPerpendicularity; }));
     list.push_back(term(
         "elevation_sag", kSmall,
-        QT_TRANSLATE_NOOP("Text", "How much lower the beam hangs at the horizon than at the zenith."),
+        {QT_TRANSLATE_NOOP("Text", "Sag"),
+         QT_TRANSLATE_NOOP("Text", "How much lower the beam hangs at the horizon than at the zenith.")},
         [](auto& p) -> auto& { return p.pointing.elevationSag; }));
 }
 

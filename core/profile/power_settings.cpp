@@ -13,19 +13,22 @@ void addPower(std::vector<Setting>& list)
 {
     list.push_back(choice(
         "power.source", {"none", "udp", "tcp"}, Applies::Now,
-        QT_TRANSLATE_NOOP("Text",
-                          "Whether a receiver tells the received power, one number in dB per line, for the cross scan: "
-                          "\"udp\" listens for it, \"tcp\" connects to it."),
+        {QT_TRANSLATE_NOOP("Text", "Source"),
+         QT_TRANSLATE_NOOP("Text",
+                           "Whether a receiver reports the received power for the cross scan, one number in dB per "
+                           "line. \"udp\" listens for it, \"tcp\" connects to it.")},
         [](auto& p) -> auto& { return p.power.source; }));
     list.push_back(textual(
         "power.host", Applies::Now,
-        QT_TRANSLATE_NOOP("Text",
-                          "UDP: address of this computer at which is listened; 127.0.0.1 hears only this computer, "
-                          "0.0.0.0 everybody. TCP: name or address of the receiver's program."),
+        {QT_TRANSLATE_NOOP("Text", "Host"),
+         QT_TRANSLATE_NOOP("Text",
+                           "UDP: the address of this computer to listen on; 127.0.0.1 receives from this computer "
+                           "only, 0.0.0.0 from all. TCP: name or address of the receiver's program.")},
         [](const Profile& p) { return p.power.host; },
         [](Profile& p, const std::string& wanted) { return checkHost(wanted).map([&] { p.power.host = wanted; }); }));
     list.push_back(integer(
-        "power.port", "", {1, 65535}, Applies::Now, QT_TRANSLATE_NOOP("Text", "UDP or TCP port of the received power."),
+        "power.port", "", {1, 65535}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Port"), QT_TRANSLATE_NOOP("Text", "UDP or TCP port of the received power.")},
         [](auto& p) -> auto& { return p.power.port; }));
 }
 

@@ -279,7 +279,9 @@ private:
         for (const std::string& key : keys) {
             list << toQString(key);
         }
-        add(line, table, Text::tr("without %1; its keys are given all together").arg(list.join(QStringLiteral(", "))));
+        add(line, table,
+            Text::tr("missing: %1. The keys of this table are only valid together.")
+                .arg(list.join(QStringLiteral(", "))));
     }
 
     void add(std::size_t line, const std::string& key, const QString& reason)

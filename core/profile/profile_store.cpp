@@ -73,10 +73,9 @@ Result<std::optional<QString>> ProfileStore::findCurrent() const
     if (all.empty()) {
         return std::nullopt;
     }
-    return failure(
-        ErrorCode::InvalidInput,
-        Text::tr("which mount? %1 has the profiles of several, and %2 names none of them; choose one with --profile")
-            .arg(m_profiles, currentFile()));
+    return failure(ErrorCode::InvalidInput,
+                   Text::tr("%1 has several profiles, and %2 names none of them. Choose one with --profile.")
+                       .arg(m_profiles, currentFile()));
 }
 
 Result<> ProfileStore::setCurrent(const QString& path) const
@@ -89,7 +88,7 @@ Result<QString> ProfileStore::add(const Profile& profile) const
 {
     return checkNameIsFree(profile.mount.name, {}).and_then([&]() -> Result<QString> {
         if (!QDir().mkpath(m_profiles)) {
-            return failure(ErrorCode::Io, Text::tr("%1: the folder cannot be made").arg(m_profiles));
+            return failure(ErrorCode::Io, Text::tr("%1: The folder cannot be created.").arg(m_profiles));
         }
         const QString path = freePath(QString::fromStdString(profile.mount.name));
         return saveProfile(profile, path).map([&] { return path; });
@@ -133,8 +132,9 @@ Result<> ProfileStore::remove(const QString& path) const
     }
     for (const StoredProfile& stored : list()) {
         if (stored.isCurrent && QFileInfo(stored.path) == QFileInfo(path)) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("\"%1\" is the current mount; change to another one first").arg(stored.mountName));
+            return failure(
+                ErrorCode::Refused,
+                Text::tr("\"%1\" is the mount in use. Switch to another mount first.").arg(stored.mountName));
         }
     }
     QString kept = path + QStringLiteral(".removed");
@@ -180,7 +180,7 @@ Result<> ProfileStore::checkNameIsFree(const std::string& mountName, const QStri
         const bool isOwn = !ownPath.isEmpty() && QFileInfo(stored.path) == QFileInfo(ownPath);
         if (!isOwn && stored.problem.isEmpty() && stored.mountName.toStdString() == mountName) {
             return failure(ErrorCode::Refused,
-                           Text::tr("there is a mount \"%1\" already (%2); give this one another name")
+                           Text::tr("A mount \"%1\" already exists (%2). Give this mount another name.")
                                .arg(toQString(mountName), stored.path));
         }
     }

@@ -28,7 +28,7 @@ void checkLimits(std::vector<Problem>& problems, const std::string& axis, const 
         problems.push_back({key, Text::tr("%1 is not below limits.%2_max_deg (%3)")
                                      .arg(degreesText(limits.min, 2), toQString(axis), degreesText(limits.max, 2))});
     } else if (travel.min < travel.max && std::max(limits.min, travel.min) >= std::min(limits.max, travel.max)) {
-        problems.push_back({key, Text::tr("the limits %1…%2 leave nothing of the travel %3…%4")
+        problems.push_back({key, Text::tr("The limits %1…%2 do not overlap the travel %3…%4.")
                                      .arg(degreesText(limits.min, 2), degreesText(limits.max, 2),
                                           degreesText(travel.min, 2), degreesText(travel.max, 2))});
     }
@@ -74,11 +74,12 @@ void checkCount(std::vector<Problem>& problems, std::string_view key, std::size_
 
 void checkHorizon(std::vector<Problem>& problems, const std::vector<pointing::HorizonPoint>& horizon)
 {
-    checkCount(problems, kHorizonKey, horizon.size(), kMaxHorizonPoints, Text::tr("%1 points are more than %2"));
+    checkCount(problems, kHorizonKey, horizon.size(), kMaxHorizonPoints,
+               Text::tr("%1 points are too many. The most is %2."));
     for (std::size_t i = 1; i < horizon.size(); ++i) {
         if (horizon[i].azimuth <= horizon[i - 1].azimuth) {
             problems.push_back({rowKey(kHorizonKey, i),
-                                Text::tr("the azimuth %1 does not follow %2; points ascend, each azimuth once")
+                                Text::tr("Azimuth %1 does not follow %2. The azimuths must ascend, each once.")
                                     .arg(degreesText(horizon[i].azimuth, 2), degreesText(horizon[i - 1].azimuth, 2))});
         }
     }
@@ -91,14 +92,15 @@ void checkNames(std::vector<Problem>& problems, std::string_view list, const std
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (!names.insert(rows[i].name).second) {
             problems.push_back(
-                {rowKey(list, i) + ".name", Text::tr("\"%1\" is there already").arg(toQString(rows[i].name))});
+                {rowKey(list, i) + ".name", Text::tr("The name \"%1\" is used twice.").arg(toQString(rows[i].name))});
         }
     }
 }
 
 void checkKeepOuts(std::vector<Problem>& problems, const std::vector<pointing::KeepOut>& keepOuts)
 {
-    checkCount(problems, kKeepOutKey, keepOuts.size(), kMaxKeepOuts, Text::tr("%1 keep-outs are more than %2"));
+    checkCount(problems, kKeepOutKey, keepOuts.size(), kMaxKeepOuts,
+               Text::tr("%1 keep-outs are too many. The most is %2."));
     checkNames(problems, kKeepOutKey, keepOuts);
     for (std::size_t i = 0; i < keepOuts.size(); ++i) {
         const pointing::KeepOut& keepOut = keepOuts[i];
@@ -110,7 +112,7 @@ void checkKeepOuts(std::vector<Problem>& problems, const std::vector<pointing::K
         }
         if (keepOut.azimuthFrom == keepOut.azimuthTo) {
             problems.push_back(
-                {row + ".azimuth_to_deg", Text::tr("is the same as azimuth_from_deg; that is no width")});
+                {row + ".azimuth_to_deg", Text::tr("is the same as azimuth_from_deg, so the keep-out has no width")});
         }
     }
 }
@@ -130,7 +132,8 @@ void checkRegion(std::vector<Problem>& problems, const Profile& profile)
     checkNames(problems, kPresetKey, profile.presets);
     if (profile.sun.keepAway == KeepAway::On && !profile.site.known) {
         problems.push_back(
-            {"sun.keep_away", Text::tr("the site is not given: where the Sun stands cannot be reckoned without it")});
+            {"sun.keep_away",
+             Text::tr("The site is not set. Boresight cannot compute the position of the Sun without it.")});
     }
 }
 

@@ -34,11 +34,11 @@ Result<> checkTopic(const std::string& text)
     return {};
 }
 
-Setting line(const std::string& key, const std::string& text, std::string SensorSettings::*field,
+Setting line(const std::string& key, const Words& words, std::string SensorSettings::*field,
              Result<> (*check)(const std::string&))
 {
     return textual(
-        key, kNow, text, [field](const Profile& p) { return p.sensor.*field; },
+        key, kNow, words, [field](const Profile& p) { return p.sensor.*field; },
         [field, check](Profile& p, const std::string& wanted) {
             return check(wanted).map([&] { p.sensor.*field = wanted; });
         });
@@ -48,27 +48,33 @@ void addTransport(std::vector<Setting>& list)
 {
     list.push_back(choice(
         "sensor.source", {"none", "serial", "mqtt", "simulated"}, kNow,
-        QT_TRANSLATE_NOOP(
-            "Text",
-            "Whether there is an orientation sensor on the antenna, and how it is heard; \"simulated\" is "
-            "that of the simulated mount."),
+        {QT_TRANSLATE_NOOP("Text", "Source"),
+         QT_TRANSLATE_NOOP("Text",
+                           "Whether an independent orientation sensor is on the antenna, and how Boresight reads it. "
+                           "\"simulated\" is the sensor of the simulated mount.")},
         [](auto& p) -> auto& { return p.sensor.source; }));
-    list.push_back(line("sensor.port",
-                        QT_TRANSLATE_NOOP("Text",
-                                          "Device of the sensor's serial port; a name in /dev/serial/by-id stays the "
-                                          "same in every socket."),
-                        &SensorSettings::port, checkPath));
+    list.push_back(line(
+        "sensor.port",
+        {QT_TRANSLATE_NOOP("Text", "Serial port"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "Device of the serial port of the sensor. A name in /dev/serial/by-id stays the same in every socket.")},
+        &SensorSettings::port, checkPath));
     list.push_back(integer(
-        "sensor.baud", "Bd", {300, 4000000}, kNow, QT_TRANSLATE_NOOP("Text", "Speed of the sensor's serial port."),
+        "sensor.baud", "Bd", {300, 4000000}, kNow,
+        {QT_TRANSLATE_NOOP("Text", "Baud rate"), QT_TRANSLATE_NOOP("Text", "Speed of the serial port of the sensor.")},
         [](auto& p) -> auto& { return p.sensor.baud; }));
     list.push_back(line("sensor.orientation_topic",
-                        QT_TRANSLATE_NOOP("Text", "MQTT topic of the sensor's azimuth and elevation."),
+                        {QT_TRANSLATE_NOOP("Text", "Topic of the orientation"),
+                         QT_TRANSLATE_NOOP("Text", "MQTT topic of the azimuth and the elevation of the sensor.")},
                         &SensorSettings::orientationTopic, checkTopic));
     list.push_back(line("sensor.status_topic",
-                        QT_TRANSLATE_NOOP("Text", "MQTT topic of the sensor's temperature and firmware."),
+                        {QT_TRANSLATE_NOOP("Text", "Topic of the status"),
+                         QT_TRANSLATE_NOOP("Text", "MQTT topic of the temperature and the firmware of the sensor.")},
                         &SensorSettings::statusTopic, checkTopic));
     list.push_back(line("sensor.calibration_topic",
-                        QT_TRANSLATE_NOOP("Text", "MQTT topic of the sensor's own calibration."),
+                        {QT_TRANSLATE_NOOP("Text", "Topic of the calibration"),
+                         QT_TRANSLATE_NOOP("Text", "MQTT topic of the sensor's own calibration.")},
                         &SensorSettings::calibrationTopic, checkTopic));
 }
 
@@ -76,25 +82,28 @@ void addMounting(std::vector<Setting>& list)
 {
     list.push_back(choice(
         "sensor.azimuth_sense", {"clockwise", "counterclockwise"}, kNow,
-        QT_TRANSLATE_NOOP("Text",
-                          "Which way the sensor's azimuth grows, seen from above; it depends on how it is mounted. "
-                          "Turn the mount and look."),
+        {QT_TRANSLATE_NOOP("Text", "Azimuth direction"),
+         QT_TRANSLATE_NOOP("Text",
+                           "The direction in which the sensor's azimuth grows, seen from above. It depends on the "
+                           "mounting. Turn the mount and watch the value.")},
         [](auto& p) -> auto& { return p.sensor.mounting.sense; }));
     list.push_back(number(
         "sensor.azimuth_offset_deg", "°", {-360.0, 360.0}, kNow,
-        QT_TRANSLATE_NOOP("Text", "True azimuth of the beam where the sensor looks north."),
+        {QT_TRANSLATE_NOOP("Text", "Azimuth offset"),
+         QT_TRANSLATE_NOOP("Text", "True azimuth of the beam when the sensor points north.")},
         [](auto& p) -> auto& { return p.sensor.mounting.azimuthOffset; }));
     list.push_back(number(
         "sensor.elevation_offset_deg", "°", {-180.0, 180.0}, kNow,
-        QT_TRANSLATE_NOOP("Text", "Elevation of the beam where the sensor says 0°."),
+        {QT_TRANSLATE_NOOP("Text", "Elevation offset"),
+         QT_TRANSLATE_NOOP("Text", "Elevation of the beam when the sensor reports 0°.")},
         [](auto& p) -> auto& { return p.sensor.mounting.elevationOffset; }));
 }
 
 template <class Access>
-Setting harmonic(const std::string& key, const std::string& text, Access access)
+Setting harmonic(const std::string& key, const Words& words, Access access)
 {
     constexpr Range kDeviation{-60.0, 60.0};
-    return number("sensor." + key, "°", kDeviation, kNow, text, access);
+    return number("sensor." + key, "°", kDeviation, kNow, words, access);
 }
 
 // How far that curve is to be believed.
@@ -102,18 +111,21 @@ void addTrust(std::vector<Setting>& list)
 {
     list.push_back(number(
         "sensor.deviation_sigma_deg", "°", {0.0, 90.0}, kNow,
-        QT_TRANSLATE_NOOP("Text",
-                          "How well the north that came with the deviation is known, 1 sigma; 0: it is not known."),
+        {QT_TRANSLATE_NOOP("Text", "Uncertainty of north"),
+         QT_TRANSLATE_NOOP("Text", "1 sigma of the north that was found with the compass error. 0: unknown.")},
         [](auto& p) -> auto& { return p.sensor.deviation.sigma; }));
     list.push_back(number(
         "sensor.deviation_elevation_deg", "°", {-90.0, 180.0}, kNow,
-        QT_TRANSLATE_NOOP("Text", "Elevation of the boom while the compass was swung: there the deviation holds best."),
+        {QT_TRANSLATE_NOOP("Text", "Elevation of the swing"),
+         QT_TRANSLATE_NOOP("Text",
+                           "Elevation of the boom during the compass swing. The measured error holds best there.")},
         [](auto& p) -> auto& { return p.sensor.deviation.elevation; }));
     list.push_back(textual(
         "sensor.deviation_unreliable", kNow,
-        QT_TRANSLATE_NOOP("Text",
-                          "True headings at which steel steers the compass and its azimuth is no evidence, clockwise, "
-                          "like \"40-80, 350-20\"; empty: nowhere."),
+        {QT_TRANSLATE_NOOP("Text", "Unreliable headings"),
+         QT_TRANSLATE_NOOP("Text",
+                           "True headings at which steel disturbs the compass, clockwise, for example \"40-80, "
+                           "350-20\". Its azimuth is no evidence there. Empty: none.")},
         [](const Profile& p) { return toText(p.sensor.deviation.unreliable); },
         [](Profile& p, const std::string& text) {
             return parseArcs(text).map(
@@ -125,20 +137,25 @@ void addDeviation(std::vector<Setting>& list)
 {
     list.push_back(harmonic(
         "deviation_a1_deg",
-        QT_TRANSLATE_NOOP("Text",
-                          "Deviation of the sensor's compass, as a swing finds it: the part that goes with the sine of "
-                          "the true heading."),
+        {QT_TRANSLATE_NOOP("Text", "Compass error: sine"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "Error of the compass, as a swing measures it: the part that follows the sine of the true heading.")},
         [](auto& p) -> auto& { return p.sensor.deviation.a1; }));
     list.push_back(harmonic(
-        "deviation_b1_deg", QT_TRANSLATE_NOOP("Text", "The same: the part that goes with the cosine of the heading."),
+        "deviation_b1_deg",
+        {QT_TRANSLATE_NOOP("Text", "Compass error: cosine"),
+         QT_TRANSLATE_NOOP("Text", "The part that follows the cosine of the true heading.")},
         [](auto& p) -> auto& { return p.sensor.deviation.b1; }));
     list.push_back(harmonic(
         "deviation_a2_deg",
-        QT_TRANSLATE_NOOP("Text", "The same: the part that goes with the sine of twice the heading."),
+        {QT_TRANSLATE_NOOP("Text", "Compass error: sine of twice"),
+         QT_TRANSLATE_NOOP("Text", "The part that follows the sine of twice the true heading.")},
         [](auto& p) -> auto& { return p.sensor.deviation.a2; }));
     list.push_back(harmonic(
         "deviation_b2_deg",
-        QT_TRANSLATE_NOOP("Text", "The same: the part that goes with the cosine of twice the heading."),
+        {QT_TRANSLATE_NOOP("Text", "Compass error: cosine of twice"),
+         QT_TRANSLATE_NOOP("Text", "The part that follows the cosine of twice the true heading.")},
         [](auto& p) -> auto& { return p.sensor.deviation.b2; }));
     addTrust(list);
 }
@@ -148,23 +165,28 @@ void addDeclination(std::vector<Setting>& list)
     constexpr Range kDeclination{-180.0, 180.0};
     list.push_back(choice(
         "sensor.declination_by", {"sensor", "boresight", "none"}, kNow,
-        QT_TRANSLATE_NOOP(
-            "Text",
-            "Who applies the magnetic declination: the sensor alone, Boresight alone (that of the site in "
-            "place of the sensor's), or nobody."),
+        {QT_TRANSLATE_NOOP("Text", "Declination applied by"),
+         QT_TRANSLATE_NOOP("Text",
+                           "Where the magnetic declination is applied: in the sensor alone, in Boresight alone (for "
+                           "the site, in place of the sensor's value), or nowhere.")},
         [](auto& p) -> auto& { return p.sensor.declinationBy; }));
     list.push_back(number(
         "sensor.firmware_declination_deg", "°", kDeclination, kNow,
-        QT_TRANSLATE_NOOP("Text", "What the sensor's firmware adds to its azimuth: 5.07° as delivered, for Berlin."),
+        {QT_TRANSLATE_NOOP("Text", "Declination in the firmware"),
+         QT_TRANSLATE_NOOP("Text",
+                           "The sensor's firmware adds this angle to its azimuth: 5.07° as delivered, for Berlin.")},
         [](auto& p) -> auto& { return p.sensor.declinationInSensor; }));
     list.push_back(number(
         "sensor.declination_deg", "°", kDeclination, kNow,
-        QT_TRANSLATE_NOOP("Text", "Magnetic declination of the site, east positive, while declination_file is empty."),
+        {QT_TRANSLATE_NOOP("Text", "Declination of the site"),
+         QT_TRANSLATE_NOOP(
+             "Text", "Magnetic declination of the site, east positive. It is used while the file below is empty.")},
         [](auto& p) -> auto& { return p.sensor.declination; }));
     list.push_back(line("sensor.declination_file",
-                        QT_TRANSLATE_NOOP("Text",
-                                          "Coefficients of the World Magnetic Model (.COF), to reckon the declination "
-                                          "of the site from."),
+                        {QT_TRANSLATE_NOOP("Text", "Magnetic model"),
+                         QT_TRANSLATE_NOOP("Text",
+                                           "Coefficients of the World Magnetic Model (.COF). Boresight computes the "
+                                           "declination of the site from them.")},
                         &SensorSettings::declinationFile, checkPath));
 }
 
@@ -173,36 +195,44 @@ void addJudgement(std::vector<Setting>& list)
     constexpr Range kCurrent{0.1, 100.0};
     list.push_back(number(
         "sensor.lost_s", "s", {2.0, 60.0}, kNow,
-        QT_TRANSLATE_NOOP("Text", "The sensor is lost, and nothing is made of its last values, after so long without."),
+        {QT_TRANSLATE_NOOP("Text", "Lost after"),
+         QT_TRANSLATE_NOOP(
+             "Text", "The sensor counts as lost after this time without a value. Its last values are then not used.")},
         [](auto& p) -> auto& { return p.sensor.lost; }));
     list.push_back(number(
         "sensor.latency_s", "s", {0.0, 10.0}, kNow,
-        QT_TRANSLATE_NOOP("Text",
-                          "Age of the sensor's azimuth when it arrives: of the middle of what its firmware averages."),
+        {QT_TRANSLATE_NOOP("Text", "Latency"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "Age of the sensor's azimuth on arrival. It counts from the middle of the averaging in the firmware.")},
         [](auto& p) -> auto& { return p.sensor.latency; }));
     list.push_back(number(
         "sensor.averaging_s", "s", {0.0, 10.0}, kNow,
-        QT_TRANSLATE_NOOP("Text", "How long the firmware averages the azimuth."),
+        {QT_TRANSLATE_NOOP("Text", "Averaging time"),
+         QT_TRANSLATE_NOOP("Text", "How long the firmware averages the azimuth.")},
         [](auto& p) -> auto& { return p.sensor.averaging; }));
     list.push_back(number(
         "sensor.disagreement_deg", "°", {1.0, 90.0}, kNow,
-        QT_TRANSLATE_NOOP("Text", "A hint when sensor and axes differ by so much for disagreement_s."),
+        {QT_TRANSLATE_NOOP("Text", "Disagreement: warn"),
+         QT_TRANSLATE_NOOP("Text", "Warn when sensor and axes differ by this angle for the time below.")},
         [](auto& p) -> auto& { return p.sensor.disagreement; }));
     list.push_back(number(
         "sensor.disagreement_s", "s", {0.5, 60.0}, kNow,
-        QT_TRANSLATE_NOOP("Text", "How long sensor and axes may differ."),
+        {QT_TRANSLATE_NOOP("Text", "Disagreement: time"),
+         QT_TRANSLATE_NOOP("Text", "How long sensor and axes may differ.")},
         [](auto& p) -> auto& { return p.sensor.disagreementTime; }));
     list.push_back(number(
         "sensor.still_current_a", "A", kCurrent, kNow,
-        QT_TRANSLATE_NOOP("Text",
-                          "North is not averaged from the still sensor while a motor draws more: its field turns the "
-                          "needle."),
+        {QT_TRANSLATE_NOOP("Text", "Current limit, standing"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "North is not averaged while a motor current is higher. The field of the motor disturbs the compass.")},
         [](auto& p) -> auto& { return p.sensor.stillCurrent; }));
     list.push_back(number(
         "sensor.swing_current_a", "A", kCurrent, kNow,
-        QT_TRANSLATE_NOOP("Text",
-                          "A swing of the compass leaves out readings at which a motor draws more; turning needs some "
-                          "current."),
+        {QT_TRANSLATE_NOOP("Text", "Current limit, swinging"),
+         QT_TRANSLATE_NOOP(
+             "Text", "A compass swing ignores readings taken at a higher motor current. Turning needs some current.")},
         [](auto& p) -> auto& { return p.sensor.swingCurrent; }));
 }
 

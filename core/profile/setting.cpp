@@ -20,26 +20,31 @@ void addMount(std::vector<Setting>& list)
 {
     list.push_back(name(
         "mount.name", Applies::OnReconnect,
-        QT_TRANSLATE_NOOP("Text",
-                          "What clients and the window call this mount; what it remembers is kept under this name."),
+        {QT_TRANSLATE_NOOP("Text", "Name of the mount"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "The name of this mount for clients and in the window. Its position journal is kept under this name.")},
         [](auto& p) -> auto& { return p.mount.name; }));
     list.push_back(number(
         "mount.beam_width_deg", "°", {0.01, 180.0}, Applies::Now,
-        QT_TRANSLATE_NOOP("Text", "Half-power beam width of the antenna, drawn in the polar plot."),
+        {QT_TRANSLATE_NOOP("Text", "Beam width"),
+         QT_TRANSLATE_NOOP("Text", "Half-power beam width of the antenna. The sky shows it as a circle.")},
         [](auto& p) -> auto& { return p.mount.beamWidth; }));
     list.push_back(choice(
         "mount.directions", {"confirmed", "unconfirmed"}, Applies::Now,
-        QT_TRANSLATE_NOOP("Text",
-                          "Whether a person has seen that each axis turns the way this file says; before, moves are "
-                          "short and slow. Without this key a real mount is unconfirmed."),
+        {QT_TRANSLATE_NOOP("Text", "Directions confirmed"),
+         QT_TRANSLATE_NOOP("Text",
+                           "Whether a person has seen each axis turn the way this file says. Until then every motion "
+                           "is short and slow. Without this key a real mount is unconfirmed.")},
         [](auto& p) -> auto& { return p.mount.directions; }));
     list.back().assume = [](Profile& p) {
         p.mount.directions = namesNoBus(p) ? Directions::Confirmed : Directions::Unconfirmed;
     };
     list.push_back(textual(
         "bus.name", Applies::OnReconnect,
-        QT_TRANSLATE_NOOP("Text",
-                          "How the drives are reached: \"fdcanusb:PATH\", \"socketcan:INTERFACE\" or \"simulated\"."),
+        {QT_TRANSLATE_NOOP("Text", "Bus"),
+         QT_TRANSLATE_NOOP(
+             "Text", "How Boresight reaches the drives: \"fdcanusb:PATH\", \"socketcan:INTERFACE\" or \"simulated\".")},
         [](const Profile& p) { return p.bus; },
         [](Profile& p, const std::string& text) {
             return parseBusName(text).map([&](const BusName&) { p.bus = text; });
@@ -52,88 +57,100 @@ void addGeometry(std::vector<Setting>& list, const std::string& table, AxisSetti
     constexpr Range kTravel{-3600.0, 3600.0};
     list.push_back(choice(
         table + ".driver", {"moteus", "simple", "none"}, kOnReconnect,
-        QT_TRANSLATE_NOOP("Text",
-                          "What turns the axis; the other axis may have another driver. \"simple\" is simulated only: "
-                          "a rotator of whole degrees without a watchdog. With \"none\" the mount has no such axis."),
+        {QT_TRANSLATE_NOOP("Text", "Driver"),
+         QT_TRANSLATE_NOOP("Text",
+                           "What turns the axis. Each axis may have its own driver. \"simple\" is simulated only: a "
+                           "rotator of whole degrees without a watchdog. With \"none\" the mount has no such axis.")},
         [axis](auto& p) -> auto& { return (p.*axis).driver; }));
     list.push_back(integer(
         table + ".id", "", {1, 126}, kOnReconnect,
-        QT_TRANSLATE_NOOP("Text", "CAN id of the axis's moteus controller."), [axis](auto& p) -> auto& {
-            return (p.*axis).id;
-        }));
+        {QT_TRANSLATE_NOOP("Text", "CAN id"),
+         QT_TRANSLATE_NOOP("Text", "CAN id of the moteus controller of this axis.")},
+        [axis](auto& p) -> auto& { return (p.*axis).id; }));
     list.push_back(integer(
         table + ".sign", "", {-1, 1}, kOnReconnect,
-        QT_TRANSLATE_NOOP("Text", "1, or -1 when the motor counts down while the axis angle grows; 0 is refused."),
+        {QT_TRANSLATE_NOOP("Text", "Motor direction"),
+         QT_TRANSLATE_NOOP("Text", "1, or -1 if the motor counts down while the axis angle grows. 0 is refused.")},
         [axis](auto& p) -> auto& { return (p.*axis).geometry.sign; }));
     list.push_back(number(
         table + ".offset_deg", "°", {-3600.0, 3600.0}, kOnReconnect,
-        QT_TRANSLATE_NOOP("Text", "motor turns = sign × (angle + offset) / 360 × gear ratio."),
+        {QT_TRANSLATE_NOOP("Text", "Axis zero offset"),
+         QT_TRANSLATE_NOOP("Text", "motor turns = sign × (angle + offset) / 360 × gear ratio.")},
         [axis](auto& p) -> auto& { return (p.*axis).geometry.offset; }));
     list.push_back(number(
         table + ".gear_ratio", "", {0.001, 10000.0}, kOnReconnect,
-        QT_TRANSLATE_NOOP("Text", "Turns of the motor per turn of the axis."), [axis](auto& p) -> auto& {
-            return (p.*axis).geometry.gearRatio;
-        }));
+        {QT_TRANSLATE_NOOP("Text", "Gear ratio"),
+         QT_TRANSLATE_NOOP("Text", "Turns of the motor for one turn of the axis.")},
+        [axis](auto& p) -> auto& { return (p.*axis).geometry.gearRatio; }));
     list.push_back(choice(
         table + ".gear_in", {"drive", "host"}, kOnReconnect,
-        QT_TRANSLATE_NOOP(
-            "Text", "Who applies the gear ratio: with \"drive\" the controller already counts turns of the axis."),
+        {QT_TRANSLATE_NOOP("Text", "Gear ratio applied in"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "Where the gear ratio is applied. With \"drive\" the controller already counts turns of the axis.")},
         [axis](auto& p) -> auto& { return (p.*axis).geometry.gearIn; }));
     list.push_back(number(
         table + ".travel_min_deg", "°", kTravel, kOnReconnect,
-        QT_TRANSLATE_NOOP("Text", "Lower end of the permitted travel, as a mechanical angle."),
+        {QT_TRANSLATE_NOOP("Text", "Travel from"),
+         QT_TRANSLATE_NOOP("Text", "Lower end of the permitted travel, as an axis angle.")},
         [axis](auto& p) -> auto& { return (p.*axis).geometry.travel.min; }));
     list.push_back(number(
         table + ".travel_max_deg", "°", kTravel, kOnReconnect,
-        QT_TRANSLATE_NOOP("Text", "Upper end of the permitted travel; 370° is not 10°."), [axis](auto& p) -> auto& {
-            return (p.*axis).geometry.travel.max;
-        }));
+        {QT_TRANSLATE_NOOP("Text", "Travel to"),
+         QT_TRANSLATE_NOOP("Text", "Upper end of the permitted travel, as an axis angle: 370° is not 10°.")},
+        [axis](auto& p) -> auto& { return (p.*axis).geometry.travel.max; }));
 }
 
 void addLimits(std::vector<Setting>& list, const std::string& table, AxisSettings Profile::*axis)
 {
     list.push_back(number(
         table + ".max_speed_deg_s", "°/s", {0.01, 360.0}, Applies::Now,
-        QT_TRANSLATE_NOOP("Text", "Fastest motion of the axis."), [axis](auto& p) -> auto& {
-            return (p.*axis).limits.speed;
-        }));
+        {QT_TRANSLATE_NOOP("Text", "Top speed"), QT_TRANSLATE_NOOP("Text", "The axis never moves faster.")},
+        [axis](auto& p) -> auto& { return (p.*axis).limits.speed; }));
     list.push_back(number(
         table + ".max_acceleration_deg_s2", "°/s²", {0.01, 3600.0}, Applies::Now,
-        QT_TRANSLATE_NOOP("Text", "Fastest change of speed, also when stopping."), [axis](auto& p) -> auto& {
-            return (p.*axis).limits.acceleration;
-        }));
+        {QT_TRANSLATE_NOOP("Text", "Acceleration"),
+         QT_TRANSLATE_NOOP("Text", "Largest change of speed, also in a stop.")},
+        [axis](auto& p) -> auto& { return (p.*axis).limits.acceleration; }));
     list.push_back(number(
         table + ".max_jerk_deg_s3", "°/s³", {0.01, 360000.0}, Applies::Now,
-        QT_TRANSLATE_NOOP("Text",
-                          "Fastest change of acceleration; 2 × acceleration / jerk seconds are lost in every stop."),
+        {QT_TRANSLATE_NOOP("Text", "Jerk"),
+         QT_TRANSLATE_NOOP("Text",
+                           "Largest change of acceleration. Every stop takes 2 × acceleration / jerk seconds longer.")},
         [axis](auto& p) -> auto& { return (p.*axis).limits.jerk; }));
     list.push_back(number(
         table + ".max_torque_nm", "Nm", {0.01, 10000.0}, Applies::Now,
-        QT_TRANSLATE_NOOP("Text", "Torque the drive may use, as the controller counts it."), [axis](auto& p) -> auto& {
-            return (p.*axis).maxTorque;
-        }));
+        {QT_TRANSLATE_NOOP("Text", "Largest torque"),
+         QT_TRANSLATE_NOOP("Text", "The drive uses no more torque, as its controller measures it.")},
+        [axis](auto& p) -> auto& { return (p.*axis).maxTorque; }));
     list.push_back(choice(
         table + ".power_up_position", {"ambiguous", "trusted"}, Applies::OnReconnect,
-        QT_TRANSLATE_NOOP("Text",
-                          "\"trusted\" if the position after power-up is always right (encoder on the axis, travel "
-                          "below one turn); else the axis is only pointed when the drive reports a referenced output."),
+        {QT_TRANSLATE_NOOP("Text", "Position after power-up"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "\"trusted\" if the position after power-up is always right: an encoder on the axis and a travel below "
+             "one turn. Otherwise the axis points only while the drive reports a referenced output.")},
         [axis](auto& p) -> auto& { return (p.*axis).powerUpPosition; }));
     list.push_back(choice(
         table + ".timeout_mode", {"hold", "brake"}, Applies::OnReconnect,
-        QT_TRANSLATE_NOOP("Text",
-                          "What the drive does by itself when its watchdog expires: \"hold\" (servo.timeout_mode 10) "
-                          "or \"brake\" (15, for self-locking gearboxes only)."),
+        {QT_TRANSLATE_NOOP("Text", "If commands stop"),
+         QT_TRANSLATE_NOOP("Text",
+                           "What the drive does by itself when its watchdog expires: \"hold\" (servo.timeout_mode 10) "
+                           "or \"brake\" (15, for self-locking gearboxes only).")},
         [axis](auto& p) -> auto& { return (p.*axis).timeoutMode; }));
 }
 
 void addControl(std::vector<Setting>& list)
 {
     list.push_back(integer(
-        "control.tick_hz", "Hz", {20, 200}, Applies::OnReconnect, QT_TRANSLATE_NOOP("Text", "Set-points per second."),
+        "control.tick_hz", "Hz", {20, 200}, Applies::OnReconnect,
+        {QT_TRANSLATE_NOOP("Text", "Set-points per second"),
+         QT_TRANSLATE_NOOP("Text", "How often each drive gets a new set-point.")},
         [](auto& p) -> auto& { return p.control.tickHz; }));
     list.push_back(number(
         "control.watchdog_s", "s", {0.05, 0.2}, Applies::OnReconnect,
-        QT_TRANSLATE_NOOP("Text", "The drives stop by themselves after this time without a command."),
+        {QT_TRANSLATE_NOOP("Text", "Drive watchdog"),
+         QT_TRANSLATE_NOOP("Text", "The drives stop by themselves after this time without a command.")},
         [](auto& p) -> auto& { return p.control.watchdog; }));
     list.push_back(choice(
         "control.arrival", {"separate", "together"}, Applies::Now,
@@ -143,29 +160,34 @@ void addControl(std::vector<Setting>& list)
         [](auto& p) -> auto& { return p.control.arrival; }));
     list.push_back(choice(
         "control.after_stall", {"resume", "wait"}, Applies::Now,
-        QT_TRANSLATE_NOOP("Text",
-                          "After this computer stalled for up to 2 s and the drives stopped by their watchdogs: resume "
-                          "the motion by itself, or wait for a re-arm."),
+        {QT_TRANSLATE_NOOP("Text", "After a stall"),
+         QT_TRANSLATE_NOOP("Text",
+                           "What follows when this computer stalled for up to 2 s and the watchdogs stopped the "
+                           "drives: resume the motion, or wait for a re-arm.")},
         [](auto& p) -> auto& { return p.control.afterStall; }));
     list.push_back(choice(
         "control.on_exit", {"hold", "brake", "off"}, Applies::Now,
-        QT_TRANSLATE_NOOP("Text",
-                          "What the drives are left doing when the program ends. hold needs servo.timeout_mode 10 in "
-                          "the drives, else they only damp."),
+        {QT_TRANSLATE_NOOP("Text", "At program end"),
+         QT_TRANSLATE_NOOP("Text",
+                           "The state of the drives after the program ends. \"hold\" needs servo.timeout_mode 10 in "
+                           "the drives. Without it they only damp.")},
         [](auto& p) -> auto& { return p.control.onExit; }));
     list.push_back(number(
         "control.drive_limit_margin_deg", "°", {0.5, 20.0}, Applies::OnReconnect,
-        QT_TRANSLATE_NOOP("Text",
-                          "How far beyond the travel the drives' own position bounds lie, a second limit that holds "
-                          "without this program."),
+        {QT_TRANSLATE_NOOP("Text", "Margin of the drives' own limits"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "The position limits in the drives lie this far beyond the travel. They hold without this program.")},
         [](auto& p) -> auto& { return p.control.driveLimitMargin; }));
     list.push_back(number(
         "park.azimuth_deg", "°", {-3600.0, 3600.0}, Applies::Now,
-        QT_TRANSLATE_NOOP("Text", "Park position, as a mechanical angle."),
+        {QT_TRANSLATE_NOOP("Text", "Park azimuth"),
+         QT_TRANSLATE_NOOP("Text", "Azimuth of the park position, as an axis angle.")},
         [](auto& p) -> auto& { return p.park.azimuth; }));
     list.push_back(number(
         "park.elevation_deg", "°", {-3600.0, 3600.0}, Applies::Now,
-        QT_TRANSLATE_NOOP("Text", "Park position, as a mechanical angle."),
+        {QT_TRANSLATE_NOOP("Text", "Park elevation"),
+         QT_TRANSLATE_NOOP("Text", "Elevation of the park position, as an axis angle.")},
         [](auto& p) -> auto& { return p.park.elevation; }));
 }
 
@@ -173,17 +195,22 @@ void addJog(std::vector<Setting>& list)
 {
     constexpr Range kJogRate{0.001, 360.0};
     list.push_back(number(
-        "jog.slow_deg_s", "°/s", kJogRate, Applies::Now, QT_TRANSLATE_NOOP("Text", "Slow jog rate."),
+        "jog.slow_deg_s", "°/s", kJogRate, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Slow jog rate"), QT_TRANSLATE_NOOP("Text", "The lowest jog rate of the slider.")},
         [](auto& p) -> auto& { return p.jog.slow; }));
     list.push_back(number(
-        "jog.normal_deg_s", "°/s", kJogRate, Applies::Now, QT_TRANSLATE_NOOP("Text", "Normal jog rate."),
+        "jog.normal_deg_s", "°/s", kJogRate, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Normal jog rate"), QT_TRANSLATE_NOOP("Text", "The jog rate at the start.")},
         [](auto& p) -> auto& { return p.jog.normal; }));
     list.push_back(number(
-        "jog.fast_deg_s", "°/s", kJogRate, Applies::Now, QT_TRANSLATE_NOOP("Text", "Fast jog rate."),
+        "jog.fast_deg_s", "°/s", kJogRate, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Fast jog rate"),
+         QT_TRANSLATE_NOOP("Text", "The highest jog rate of the slider, and the rate of Shift + arrow.")},
         [](auto& p) -> auto& { return p.jog.fast; }));
     list.push_back(number(
         "jog.unwind_deg_s", "°/s", {0.01, 5.0}, Applies::Now,
-        QT_TRANSLATE_NOOP("Text", "Fastest jog while it is not known on which turn an axis stands."),
+        {QT_TRANSLATE_NOOP("Text", "Jog rate while the wrap is unknown"),
+         QT_TRANSLATE_NOOP("Text", "The highest jog rate while the cable wrap of an axis is unknown.")},
         [](auto& p) -> auto& { return p.jog.unwind; }));
 }
 
@@ -191,51 +218,59 @@ void addClients(std::vector<Setting>& list)
 {
     list.push_back(textual(
         "rotctld.listen", Applies::OnReconnect,
-        QT_TRANSLATE_NOOP(
-            "Text", "HOST:PORT for rotctld clients; port 0 takes any free one. 127.0.0.1 keeps other machines out."),
+        {QT_TRANSLATE_NOOP("Text", "Listen on"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "HOST:PORT for rotctld clients. Port 0 takes any free port. 127.0.0.1 admits this computer only.")},
         [](const Profile& p) { return toText(p.rotctld.listen); },
         [](Profile& p, const std::string& text) {
             return parseListenAddress(text).map([&](const ListenAddress& listen) { p.rotctld.listen = listen; });
         }));
     list.push_back(textList(
         "rotctld.allow", Applies::Now,
-        QT_TRANSLATE_NOOP("Text",
-                          "Addresses and networks (\"192.168.1.7\", \"10.0.0.0/8\") that may connect; empty: whoever "
-                          "reaches the port."),
+        {QT_TRANSLATE_NOOP("Text", "Allowed addresses"),
+         QT_TRANSLATE_NOOP("Text",
+                           "Addresses and networks that may connect, for example \"192.168.1.7\" or \"10.0.0.0/8\". "
+                           "Empty: every client that reaches the port.")},
         [](auto& p) -> auto& { return p.rotctld.allow; }, checkNetwork));
     list.push_back(choice(
         "rotctld.lead", {"first", "last", "locked"}, Applies::Now,
-        QT_TRANSLATE_NOOP("Text",
-                          "Which of several clients moves the mount: the \"first\" until it has asked for no motion "
-                          "for 10 s, whoever asked \"last\" (as Hamlib), or \"locked\" to one."),
+        {QT_TRANSLATE_NOOP("Text", "Control goes to"),
+         QT_TRANSLATE_NOOP("Text",
+                           "Which client moves the mount: the \"first\" until it has sent no motion command for 10 s, "
+                           "the latest (\"last\", as Hamlib), or the one that control is \"locked\" to.")},
         [](auto& p) -> auto& { return p.rotctld.lead; }));
     list.push_back(textual(
         "rotctld.locked_to", Applies::Now,
-        QT_TRANSLATE_NOOP("Text", "Address of the one client that may move the mount while lead is \"locked\"."),
+        {QT_TRANSLATE_NOOP("Text", "Locked to"),
+         QT_TRANSLATE_NOOP("Text", "Address of the only client that may move the mount while control is \"locked\".")},
         [](const Profile& p) { return p.rotctld.lockedTo; },
         [](Profile& p, const std::string& text) {
             return (text.empty() ? Result<>{} : checkAddress(text)).map([&] { p.rotctld.lockedTo = text; });
         }));
     list.push_back(choice(
         "rotctld.outside_limits", {"nearest", "refuse"}, Applies::Now,
-        QT_TRANSLATE_NOOP(
-            "Text", "A direction where the mount may not go: drive to the nearest permitted point, or refuse it."),
+        {QT_TRANSLATE_NOOP("Text", "Target outside the limits"),
+         QT_TRANSLATE_NOOP("Text", "Go to the nearest permitted point, or refuse the command.")},
         [](auto& p) -> auto& { return p.rotctld.outsideLimits; }));
     list.push_back(choice(
         "rotctld.azimuth", {"0..360", "-180..180", "continuous"}, Applies::Now,
-        QT_TRANSLATE_NOOP(
-            "Text",
-            "How clients are told the azimuth; \"continuous\" counts the turns of the axis on: 370° is not 10°."),
+        {QT_TRANSLATE_NOOP("Text", "Azimuth for clients"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "The form of the reported azimuth. \"continuous\" counts the turns of the axis: 370° is not 10°.")},
         [](auto& p) -> auto& { return p.rotctld.azimuth; }));
     list.push_back(choice(
         "rotctld.dump_state", {"old_and_new", "as_hamlib"}, Applies::OnReconnect,
-        QT_TRANSLATE_NOOP("Text",
-                          "Form of the \\dump_state reply: readable for Hamlib clients of every age, or exactly as "
-                          "Hamlib 4.5.1 and later."),
+        {QT_TRANSLATE_NOOP("Text", "Form of the state dump"),
+         QT_TRANSLATE_NOOP("Text",
+                           "Form of the \\dump_state reply: readable for Hamlib clients of every age, or exactly as "
+                           "Hamlib 4.5.1 and later.")},
         [](auto& p) -> auto& { return p.rotctld.dumpState; }));
     list.push_back(integer(
         "rotctld.max_clients", "", {1, 5000}, Applies::Now,
-        QT_TRANSLATE_NOOP("Text", "Connections served at the same time."),
+        {QT_TRANSLATE_NOOP("Text", "Most clients"),
+         QT_TRANSLATE_NOOP("Text", "The largest number of connections at the same time.")},
         [](auto& p) -> auto& { return p.rotctld.maxClients; }));
 }
 

@@ -40,13 +40,14 @@ using SettingValue = std::variant<std::string, std::int64_t, double, TextList>; 
 template <class Owner>
 struct SettingOf
 {
-    std::string key;  // "azimuth.travel_min_deg": table and key of the file; of a row only the key
+    std::string key;    // "azimuth.travel_min_deg": table and key of the file; of a row only the key
+    std::string title;  // "Travel from": its name for people; English, to be shown by Text::of()
     SettingType type = SettingType::Text;
     std::string unit;  // "°/s"; empty without one
     double min = 0.0;  // of Integer and Number, ends included
     double max = 0.0;
     std::vector<std::string> choices;
-    std::string text;  // what it does, one sentence; English, to be shown by Text::of()
+    std::string text;  // what it does, in sentences; English, to be shown by Text::of()
     Applies applies = Applies::Now;
     std::function<SettingValue(const Owner&)> get;
     // Refuses, with the reason, what is not of the setting's type and range; the owner is then unchanged.

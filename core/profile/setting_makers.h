@@ -18,6 +18,13 @@ inline constexpr auto kNow = Applies::Now;
 
 using records::Range;
 
+// What people read of a setting. English, to be shown by Text::of().
+struct Words
+{
+    std::string title;    // two or three words, as on the page of the profile
+    std::string meaning;  // full sentences
+};
+
 [[nodiscard]] Result<> checkRange(double value, Range range);
 // To the decimals of the file: what is checked is then what will be written and read again.
 [[nodiscard]] double rounded(double value);
@@ -65,7 +72,7 @@ inline void assign(double& field, double value)
 
 template <class Owner = Profile, class Access>
 SettingOf<Owner> number(const std::string& key, const std::string& unit, Range range, Applies applies,
-                        const std::string& text, Access access)
+                        const Words& words, Access access)
 {
     auto get = [access](const Owner& owner) -> SettingValue { return toNumber(access(owner)); };
     auto set = [access, range](Owner& owner, const SettingValue& value) -> Result<> {
@@ -78,12 +85,13 @@ SettingOf<Owner> number(const std::string& key, const std::string& unit, Range r
         return checkRange(wanted, range).map([&] { assign(access(owner), wanted); });
     };
     return {.key = key,
+            .title = words.title,
             .type = SettingType::Number,
             .unit = unit,
             .min = range.min,
             .max = range.max,
             .choices = {},
-            .text = text,
+            .text = words.meaning,
             .applies = applies,
             .get = get,
             .set = set};
@@ -91,7 +99,7 @@ SettingOf<Owner> number(const std::string& key, const std::string& unit, Range r
 
 template <class Owner = Profile, class Access>
 SettingOf<Owner> integer(const std::string& key, const std::string& unit, Range range, Applies applies,
-                         const std::string& text, Access access)
+                         const Words& words, Access access)
 {
     auto get = [access](const Owner& owner) -> SettingValue { return std::int64_t{access(owner)}; };
     auto set = [access, range](Owner& owner, const SettingValue& value) -> Result<> {
@@ -102,12 +110,13 @@ SettingOf<Owner> integer(const std::string& key, const std::string& unit, Range 
         return checkRange(static_cast<double>(*whole), range).map([&] { access(owner) = static_cast<int>(*whole); });
     };
     return {.key = key,
+            .title = words.title,
             .type = SettingType::Integer,
             .unit = unit,
             .min = range.min,
             .max = range.max,
             .choices = {},
-            .text = text,
+            .text = words.meaning,
             .applies = applies,
             .get = get,
             .set = set};
@@ -116,7 +125,7 @@ SettingOf<Owner> integer(const std::string& key, const std::string& unit, Range 
 // `names` in the order of the enumerators.
 template <class Owner = Profile, class Access>
 SettingOf<Owner> choice(const std::string& key, const std::vector<std::string>& names, Applies applies,
-                        const std::string& text, Access access)
+                        const Words& words, Access access)
 {
     auto get = [access, names](const Owner& owner) -> SettingValue {
         return names.at(static_cast<std::size_t>(access(owner)));
@@ -129,17 +138,18 @@ SettingOf<Owner> choice(const std::string& key, const std::vector<std::string>& 
         const auto found = std::find(names.begin(), names.end(), *wanted);
         if (found == names.end()) {
             return failure(ErrorCode::InvalidInput,
-                           Text::tr("\"%1\" is none of %2").arg(toQString(*wanted), listed(names)));
+                           Text::tr("\"%1\" is not one of %2").arg(toQString(*wanted), listed(names)));
         }
         auto& field = access(owner);
         field = static_cast<std::remove_reference_t<decltype(field)>>(found - names.begin());
         return {};
     };
     return {.key = key,
+            .title = words.title,
             .type = SettingType::Choice,
             .unit = {},
             .choices = names,
-            .text = text,
+            .text = words.meaning,
             .applies = applies,
             .get = get,
             .set = set};
@@ -147,7 +157,7 @@ SettingOf<Owner> choice(const std::string& key, const std::vector<std::string>& 
 
 // `read` turns the owner into the text; `write` takes a text, or says what is wrong with it.
 template <class Owner = Profile, class Read, class Write>
-SettingOf<Owner> textual(const std::string& key, Applies applies, const std::string& text, Read read, Write write)
+SettingOf<Owner> textual(const std::string& key, Applies applies, const Words& words, Read read, Write write)
 {
     auto set = [write](Owner& owner, const SettingValue& value) -> Result<> {
         const auto* wanted = std::get_if<std::string>(&value);
@@ -155,10 +165,11 @@ SettingOf<Owner> textual(const std::string& key, Applies applies, const std::str
                                  : failure(ErrorCode::InvalidInput, Text::tr("a text in quotes is expected"));
     };
     return {.key = key,
+            .title = words.title,
             .type = SettingType::Text,
             .unit = {},
             .choices = {},
-            .text = text,
+            .text = words.meaning,
             .applies = applies,
             .get = [read](const Owner& owner) -> SettingValue { return read(owner); },
             .set = set};
@@ -168,10 +179,10 @@ SettingOf<Owner> textual(const std::string& key, Applies applies, const std::str
 [[nodiscard]] Result<> checkName(const std::string& name);
 
 template <class Owner = Profile, class Access>
-SettingOf<Owner> name(const std::string& key, Applies applies, const std::string& text, Access access)
+SettingOf<Owner> name(const std::string& key, Applies applies, const Words& words, Access access)
 {
     return textual<Owner>(
-        key, applies, text, [access](const Owner& owner) { return access(owner); },
+        key, applies, words, [access](const Owner& owner) { return access(owner); },
         [access](Owner& owner, const std::string& wanted) {
             return checkName(wanted).map([&] { access(owner) = wanted; });
         });
@@ -179,7 +190,7 @@ SettingOf<Owner> name(const std::string& key, Applies applies, const std::string
 
 // `check` says what is wrong with one text of the list.
 template <class Owner = Profile, class Access>
-SettingOf<Owner> textList(const std::string& key, Applies applies, const std::string& text, Access access,
+SettingOf<Owner> textList(const std::string& key, Applies applies, const Words& words, Access access,
                           Result<> (*check)(const std::string&))
 {
     auto set = [access, check](Owner& owner, const SettingValue& value) -> Result<> {
@@ -197,10 +208,11 @@ SettingOf<Owner> textList(const std::string& key, Applies applies, const std::st
         return {};
     };
     return {.key = key,
+            .title = words.title,
             .type = SettingType::TextList,
             .unit = {},
             .choices = {},
-            .text = text,
+            .text = words.meaning,
             .applies = applies,
             .get = [access](const Owner& owner) -> SettingValue { return access(owner); },
             .set = set};

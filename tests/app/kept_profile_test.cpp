@@ -89,7 +89,7 @@ TEST(KeptProfile, ANewNameMustNotBeAnotherMounts)
     profile::Profile renamed = realMount();
     renamed.mount.name = "Field";
     const QString reason = rig.save(renamed);
-    EXPECT_TRUE(reason.contains(QStringLiteral("there is a mount \"Field\" already"))) << reason.toStdString();
+    EXPECT_TRUE(reason.contains(QStringLiteral("A mount \"Field\" already exists"))) << reason.toStdString();
     EXPECT_EQ(rig.loaded().mount.name, "Roof");
 }
 

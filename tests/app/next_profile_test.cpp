@@ -301,7 +301,7 @@ TEST(NextProfile, WithTheNameOfAnotherMountTheSimulationIsNotLeft)
     wanted.bus = "socketcan:can0";
     wanted.mount.name = "Field";
     EXPECT_EQ(profiles.next(wanted), simulated);
-    EXPECT_TRUE(profiles.reason.contains(QStringLiteral("there is a mount \"Field\" already")))
+    EXPECT_TRUE(profiles.reason.contains(QStringLiteral("A mount \"Field\" already exists")))
         << profiles.reason.toStdString();
     EXPECT_EQ(rig.realFiles(), before);
 }

@@ -19,7 +19,7 @@ namespace boresight::ui {
 namespace {
 
 constexpr std::chrono::minutes kArmedFor{1};
-constexpr QSize kLargestButton{260, 180};  // of a direction: a larger target is no better, and no button any more
+constexpr QSize kLargestButton{96, 72};  // of a direction: a larger target is no better, and no button any more
 
 std::optional<JogDirection> directionOf(int key)
 {
@@ -44,16 +44,18 @@ JogPad::JogPad(const Clock& clock, RequestDesk& desk, ValueLabel& notice, QWidge
       m_clock(clock),
       m_desk(desk),
       m_notice(notice),
-      m_buttons{{JogDirection::Up, new JogButton(tr("EL +"), tr("Elevation up while held"), this)},
-                {JogDirection::Down, new JogButton(tr("EL -"), tr("Elevation down while held"), this)},
-                {JogDirection::Left, new JogButton(tr("AZ -"), tr("Azimuth counter-clockwise while held"), this)},
-                {JogDirection::Right, new JogButton(tr("AZ +"), tr("Azimuth clockwise while held"), this)}},
-      m_hold(new CommandButton(tr("Hold"), tr("Slow down and hold the position (Ctrl+H)"), desk, notice, this)),
+      m_buttons{
+          {JogDirection::Up, new JogButton(QStringLiteral("▲"), tr("Elevation up while held"), this)},
+          {JogDirection::Down, new JogButton(QStringLiteral("▼"), tr("Elevation down while held"), this)},
+          {JogDirection::Left, new JogButton(QStringLiteral("◀"), tr("Azimuth counter-clockwise while held"), this)},
+          {JogDirection::Right, new JogButton(QStringLiteral("▶"), tr("Azimuth clockwise while held"), this)}},
+      m_hold(new CommandButton(tr("Hold"), tr("Stop the motion and hold the position (Ctrl+H)"), desk, notice, this)),
       m_caption(new ValueLabel(tr("Arrow keys"), fonts::label(), {}, this))
 {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Jog pad"));
-    setAccessibleDescription(tr("Enter arms the arrow keys; then they move the mount while held"));
+    setAccessibleDescription(
+        tr("Press Enter to arm the arrow keys. An armed arrow key moves the mount while it is held."));
     build();
     for (const auto& [direction, button] : m_buttons) {
         connectButton(direction);
@@ -67,8 +69,8 @@ JogPad::JogPad(const Clock& clock, RequestDesk& desk, ValueLabel& notice, QWidge
 void JogPad::build()
 {
     auto* const grid = new QGridLayout(this);
-    grid->setContentsMargins(8, 8, 8, 6);
-    grid->setSpacing(6);
+    grid->setContentsMargins(kGrid / 2, kGrid / 2, kGrid / 2, kGrid / 2);
+    grid->setSpacing(kGrid);
     grid->addWidget(m_buttons.at(JogDirection::Up), 1, 2);
     grid->addWidget(m_buttons.at(JogDirection::Left), 2, 1);
     grid->addWidget(m_hold, 2, 2);
@@ -245,18 +247,18 @@ void JogPad::showCaption()
 {
     if (isArmed()) {
         m_caption->setValue(
-            m_stepMode ? tr("ARMED: an arrow key moves one step") : tr("ARMED: arrow keys move the mount"),
+            m_stepMode ? tr("ARMED: an arrow key moves one step") : tr("ARMED: hold an arrow key to move"),
             Tone::Accent);
     } else if (followsAClient(m_status)) {
-        m_caption->setValue(tr("Steps trim the target (Ctrl + arrow)"), Tone::Secondary);
+        m_caption->setValue(tr("A step trims the target (Ctrl + arrow)"), Tone::Secondary);
     } else if (!m_gamepad.isEmpty()) {
-        m_caption->setValue(tr("Arm by a click; gamepad: hold LB or RB"), Tone::Secondary);
+        m_caption->setValue(tr("Click to arm the arrow keys, or hold LB or RB"), Tone::Secondary);
     } else {
         m_caption->setValue(tr("Click here to arm the arrow keys"), Tone::Secondary);
     }
-    m_caption->setToolTip(m_gamepad.isEmpty()
-                              ? QString()
-                              : tr("%1: hold LB or RB and move the left stick to jog; B is STOP").arg(m_gamepad));
+    m_caption->setToolTip(
+        m_gamepad.isEmpty() ? QString()
+                            : tr("%1: hold LB or RB and move the left stick to jog. Button B is STOP.").arg(m_gamepad));
 }
 
 void JogPad::arm()
@@ -362,11 +364,11 @@ void JogPad::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const Theme& colours = currentTheme();
-    const double width = isArmed() ? 3.0 : 1.0;
-    painter.setPen(isArmed()    ? QPen(colours.accent, width)
-                   : hasFocus() ? QPen(colours.accent, width, Qt::DashLine)
-                                : QPen(colours.secondary, width));
-    painter.drawRoundedRect(QRectF(rect()).adjusted(1.5, 1.5, -1.5, -1.5), 4.0, 4.0);
+    if (!isArmed() && !hasFocus()) {
+        return;
+    }
+    painter.setPen(isArmed() ? QPen(colours.accent, 3.0) : QPen(colours.accent, 1.0, Qt::DashLine));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1.5, 1.5, -1.5, -1.5), kRounding, kRounding);
 }
 
 }  // namespace boresight::ui

@@ -7,8 +7,8 @@
 
 #include <memory>
 
-// A gamepad, by SDL where the program is built with it: the first one that is plugged in, read every 20 ms while it is
-// there; looked for once a second else. Gui thread, never blocks.
+// A gamepad, if the program is built with SDL: the first one that is plugged in. It is read every 20 ms. Without one,
+// the program looks for it once a second. Gui thread, never blocks.
 namespace boresight::ui {
 
 class Gamepad : public QObject

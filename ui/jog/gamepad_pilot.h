@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a gamepad says, and what that means for the mount. Pure: the device is read elsewhere (SdlGamepad), the jog pad
-// asks the station. The stick counts only while its dead-man, a shoulder button, is held; a dead-man that was held
-// already when the gamepad came, or while the mount might not move, must be let go first.
+// What a gamepad reports, and what that means for the mount. Pure: SdlGamepad reads the device, and the jog pad asks
+// the station. The stick counts only while its dead-man, a shoulder button, is held. A dead-man that was already held
+// when the gamepad was plugged in, or while motion was blocked, must be released first.
 namespace boresight::ui {
 
 struct GamepadSample
@@ -14,7 +14,7 @@ struct GamepadSample
     bool stop = false;
 };
 
-// How much of the jog rate each axis shall have, -1 … 1.
+// The share of the jog rate for each axis, -1 … 1.
 struct Steering
 {
     double azimuth = 0.0;
@@ -28,7 +28,7 @@ class GamepadPilot
 public:
     // Called with every sample. `permitted`: the gamepad may move the mount now.
     [[nodiscard]] Steering take(const GamepadSample& sample, bool permitted);
-    void letGo() { m_held = false; }  // something else ended the motion: a fresh press is needed
+    void letGo() { m_held = false; }  // something else ended the motion, so a new press is needed
     void gone();                      // unplugged
 
     [[nodiscard]] bool isHeld() const { return m_held; }

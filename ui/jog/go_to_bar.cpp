@@ -6,7 +6,9 @@
 #include "ui/kit/command_button.h"
 #include "ui/kit/touch_combo.h"
 #include "ui/kit/value_label.h"
+#include "ui/look/paint.h"
 
+#include <QAbstractItemView>
 #include <QHBoxLayout>
 #include <QLineEdit>
 
@@ -23,11 +25,11 @@ QLineEdit* angleField(const QString& name, QWidget* parent)
     auto* const field = new QLineEdit(parent);
     field->setFont(fonts::text());
     field->setAccessibleName(name);
-    field->setToolTip(GoToBar::tr("%1 in degrees, e.g. 113.5 (Ctrl+G; Enter = Go)").arg(name));
+    field->setToolTip(GoToBar::tr("%1 in degrees, for example 113.5 (Ctrl+G, then Enter to go)").arg(name));
     field->setAlignment(Qt::AlignRight);
     field->setMaxLength(12);
     field->setMinimumHeight(kTouchSize);
-    field->setFixedWidth(field->fontMetrics().horizontalAdvance(QStringLiteral("-000.00")) + 14);
+    field->setFixedWidth(field->fontMetrics().horizontalAdvance(QStringLiteral("-000.00")) + 2 * kGrid);
     return field;
 }
 
@@ -63,9 +65,9 @@ GoToBar::GoToBar(RequestDesk& desk, ValueLabel& notice, const QStringList& recen
       m_notice(notice),
       m_azimuth(angleField(tr("Azimuth"), this)),
       m_elevation(angleField(tr("Elevation"), this)),
-      m_go(new CommandButton(tr("Go"), tr("Go to this direction by the nearest turn (Enter)"), desk, notice, this)),
+      m_go(new CommandButton(tr("Go"), tr("Go to this direction by the shortest way (Enter)"), desk, notice, this)),
       m_recentBox(new TouchCombo(tr("Recent directions"),
-                                 tr("Put one of the last directions into the fields; Go then goes there"), this)),
+                                 tr("Copy a recent direction into the fields. Nothing moves before Go."), this)),
       m_recent(readable(recent))
 {
     build();
@@ -81,16 +83,18 @@ void GoToBar::build()
 {
     auto* const row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(4);
+    row->setSpacing(kGrid / 2);
+    row->addWidget(makeCaption(tr("Go to"), *m_azimuth));
     for (const auto& [text, field] : {std::pair(tr("Az"), m_azimuth), std::pair(tr("El"), m_elevation)}) {
-        row->addWidget(makeCaption(text, *field));
+        field->setPlaceholderText(text + QStringLiteral(" °"));
         row->addWidget(field);
-        row->addWidget(makeCaption(QStringLiteral("°"), this));
     }
     row->addWidget(m_go);
-    row->addWidget(m_recentBox, 1);
-    m_recentBox->setPlaceholderText(tr("Recent"));
-    m_recentBox->setMinimumContentsLength(6);
+    row->addWidget(m_recentBox);
+    row->addStretch(1);
+    setEmphasis(*m_go, Emphasis::Primary);
+    m_recentBox->setMinimumContentsLength(0);  // its lines are wider than itself
+    m_recentBox->setFixedWidth(kTouchSize);
 }
 
 void GoToBar::setBlocked(const QString& reason)
@@ -117,14 +121,16 @@ void GoToBar::go()
         m_notice.setValue(m_go->toolTip(), Tone::Warning, Symbol::Warning);
         return;
     }
-    if (!isNumber(*m_azimuth, tr("Go: the azimuth is not a number (decimal point, e.g. 113.5)")) ||
-        !isNumber(*m_elevation, tr("Go: the elevation is not a number (decimal point, e.g. 10.5)"))) {
+    if (!isNumber(*m_azimuth,
+                  tr("Go: The azimuth is not a number. Type it with a decimal point, for example 113.5.")) ||
+        !isNumber(*m_elevation,
+                  tr("Go: The elevation is not a number. Type it with a decimal point, for example 10.5."))) {
         return;
     }
     const auto azimuth = typed(*m_azimuth);
     const auto elevation = typed(*m_elevation);
     if (!azimuth && !elevation) {
-        complain(*m_azimuth, tr("Go: enter an azimuth, an elevation or both"));
+        complain(*m_azimuth, tr("Go: Enter an azimuth, an elevation or both."));
         return;
     }
     m_asked.reset();
@@ -173,6 +179,10 @@ void GoToBar::showRecent()
     }
     m_recentBox->setLines(lines);
     m_recentBox->setEnabled(!lines.isEmpty());
+    const QFontMetrics metrics = m_recentBox->fontMetrics();
+    m_recentBox->view()->setMinimumWidth(
+        metrics.horizontalAdvance(lines.isEmpty() ? QString() : tr("az %1°  el %2°").arg(u"-000.00", u"-000.00")) +
+        4 * kGrid);
 }
 
 void GoToBar::fillIn(int recent)
@@ -180,7 +190,7 @@ void GoToBar::fillIn(int recent)
     const QString line = m_recent.value(recent);
     m_azimuth->setText(line.section(QLatin1Char(' '), 0, 0));
     m_elevation->setText(line.section(QLatin1Char(' '), 1, 1));
-    m_recentBox->setCurrentIndex(-1);  // it says "Recent" again
+    m_recentBox->setCurrentIndex(-1);
     m_go->setFocus();
 }
 

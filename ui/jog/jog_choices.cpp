@@ -7,6 +7,7 @@
 #include "ui/kit/choice_button.h"
 #include "ui/kit/format.h"
 #include "ui/kit/value_label.h"
+#include "ui/look/segments.h"
 
 #include <QButtonGroup>
 #include <QVBoxLayout>
@@ -36,19 +37,28 @@ QString shownRate(AngularRate rate)
 JogChoices::JogChoices(JogPad& pad, QWidget* parent)
     : QWidget(parent),
       m_pad(pad),
-      m_caption(new ValueLabel(tr("Rate while held"), fonts::label(), {}, this)),
+      m_rate(new ValueLabel(tr("Rate while held"), fonts::label(), {}, this)),
       m_slider(new RateSlider(this))
 {
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(4);
-    column->addWidget(m_caption);
+    column->setSpacing(0);
+    column->addLayout(makeRate());
     column->addWidget(m_slider);
+    column->addSpacing(kGrid / 2);
     column->addWidget(makeSteps());
-    column->addStretch(1);
-    m_caption->setStretching(true);
     m_slider->setAccessibleName(tr("Jog rate"));
     connect(m_slider, &RateSlider::rateChosen, this, &JogChoices::choose);
+}
+
+QLayout* JogChoices::makeRate()
+{
+    auto* const row = new QHBoxLayout;
+    row->addWidget(makeCaption(tr("Rate"), *m_slider));
+    row->addWidget(m_rate, 1);
+    m_rate->setStretching(true);
+    m_rate->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    return row;
 }
 
 QWidget* JogChoices::makeSteps()
@@ -56,22 +66,25 @@ QWidget* JogChoices::makeSteps()
     auto* const box = new QWidget(this);
     auto* const grid = new QGridLayout(box);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(4);
-    grid->addWidget(makeCaption(tr("Step"), box), 0, 0, 1, 4);
+    grid->setSpacing(kGrid / 2);
+    auto* const mode = new ChoiceButton(tr("Step mode"), tr("Step mode: a press moves one step only"), box);
+    mode->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    connect(mode, &QToolButton::toggled, &m_pad, &JogPad::setStepMode);
+    grid->addWidget(makeCaption(tr("Step"), box), 0, 0);
+    grid->addWidget(mode, 0, 1);
+    grid->setColumnStretch(0, 1);
     auto* const sizes = new QButtonGroup(box);
-    int column = 0;
+    auto* const segments = new Segments(box);
     for (const StepSize& step : kJogChoicesSteps) {
         const QString size = angleText(step.angle, step.decimals);
-        auto* const button = new ChoiceButton(size, tr("One step is %1 (Ctrl + arrow)").arg(size), box);
+        auto* const button = new ChoiceButton(size, tr("One step is %1 (Ctrl + arrow)").arg(size), segments);
         sizes->addButton(button);
         button->setChecked(step.angle == kJogChoicesFirstStep);
-        grid->addWidget(button, 1, column++);
+        segments->add(*button);
         connect(button, &QToolButton::clicked, this, [this, step] { m_pad.setStep(step.angle); });
     }
     m_pad.setStep(kJogChoicesFirstStep);
-    auto* const mode = new ChoiceButton(tr("Step mode"), tr("Step mode: a press moves one step only"), box);
-    grid->addWidget(mode, 2, 0, 1, 4);
-    connect(mode, &QToolButton::toggled, &m_pad, &JogPad::setStepMode);
+    grid->addWidget(segments, 1, 0, 1, 2);
     return box;
 }
 
@@ -101,15 +114,14 @@ void JogChoices::showRate()
     m_slider->setRate(wanted);
     m_slider->setEnabled(m_fastest > rates().slow);
     m_pad.setRate(wanted);
-    m_caption->setValue(rate < wanted ? tr("Rate at most %1").arg(shownRate(rate))
-                                      : tr("Rate while held  %1").arg(shownRate(rate)));
+    m_rate->setValue(rate < wanted ? tr("at most %1").arg(shownRate(rate)) : shownRate(rate));
     const QString ends =
-        tr("Jog rate from %1 to %2 (arrows, Page Up, Page Down; Shift + arrow on the pad: the fastest)")
+        tr("Jog rate from %1 to %2 (arrow keys, Page Up, Page Down). Shift + arrow on the pad jogs at the fast rate.")
             .arg(shownRate(rates().slow), shownRate(rates().fast));
     m_slider->setToolTip(
-        rate < wanted
-            ? tr("At most %1 until it is known where the axes stand and which way they turn").arg(shownRate(rate))
-            : ends);
+        rate < wanted ? tr("The rate is at most %1 until the cable wraps are known and the directions are confirmed.")
+                            .arg(shownRate(rate))
+                      : ends);
     m_slider->setAccessibleDescription(shownRate(rate));
 }
 

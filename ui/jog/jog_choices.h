@@ -10,8 +10,8 @@
 #include <optional>
 
 // How the pad moves: the rate while held, between the slow and the fast one of the profile in force, and the size of a
-// step. Until it is known on which turn the axes stand, and which way they turn, the rate is capped, and the label says
-// so; the chosen one comes back.
+// step. Until the cable wraps are known and the directions are confirmed, the rate is capped, and the label says so.
+// The chosen rate comes back.
 namespace boresight::ui {
 
 class JogPad;
@@ -28,13 +28,14 @@ public:
     void showStatus(const StationStatus& status);
 
 private:
+    [[nodiscard]] QLayout* makeRate();
     [[nodiscard]] QWidget* makeSteps();
     void choose(AngularRate rate);
     [[nodiscard]] const profile::JogSettings& rates() const { return m_profile->jog; }
     void showRate();
 
     JogPad& m_pad;
-    ValueLabel* m_caption;
+    ValueLabel* m_rate;
     RateSlider* m_slider;
     std::optional<AngularRate> m_chosen;  // empty: the normal rate of the profile
     std::shared_ptr<const profile::Profile> m_profile = std::make_shared<const profile::Profile>();  // shown last

@@ -9,8 +9,11 @@
 #include <QStringList>
 #include <QWidget>
 
+class QPushButton;
+
 // The operator's own motion: the jog pad with its rate and steps, a gamepad, go to a direction or a preset, horizon,
-// home, park. Typing and selecting move nothing; a refusal is shown below the controls.
+// home, park. Typing and selecting move nothing. A refusal is shown below the pad.
+// More than 15 members: the controls that it composes.
 namespace boresight::ui {
 
 class CommandButton;
@@ -46,8 +49,9 @@ Q_SIGNALS:
 
 private:
     void build();
+    [[nodiscard]] QWidget* makeChoices();
     [[nodiscard]] QWidget* makePlaces();
-    [[nodiscard]] QWidget* makeLowest();
+    void fillRare();
     void showPark();
     void showTrim();
     void parkOrUnpark();
@@ -60,8 +64,11 @@ private:
     CommandButton* m_horizon;
     CommandButton* m_home;
     CommandButton* m_park;
+    ValueLabel* m_trim;
     CommandButton* m_clearTrim;
-    CommandButton* m_unwind;
+    CommandButton* m_unwrap;
+    QPushButton* m_more;
+    QWidget* m_rare;
     GamepadPilot m_pilot;
     StationStatus m_status;
 };

@@ -3,6 +3,7 @@
 
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
+#include "ui/kit/theme.h"
 #include "ui/kit/touch_combo.h"
 #include "ui/link/forbidden.h"
 #include "ui/link/profile_draft.h"
@@ -29,11 +30,11 @@ PresetBar::PresetBar(ProfileDraft& draft, RequestDesk& desk, ValueLabel& notice,
     : QWidget(parent),
       m_draft(draft),
       m_names(
-          new TouchCombo(tr("Preset"), tr("A named direction of this mount: choose one, or type a new name"), this)),
-      m_go(new CommandButton(tr("Go to"), tr("Go to this preset by the nearest turn (Enter)"), desk, notice, this)),
-      m_save(new CommandButton(tr("Save here"), tr("Keep where the mount points now under this name"), desk, notice,
-                               this)),
-      m_delete(new CommandButton(tr("Delete"), tr("Take this preset from the list"), desk, notice, this))
+          new TouchCombo(tr("Preset"), tr("A named direction of this mount. Choose one, or type a new name."), this)),
+      m_go(new CommandButton(tr("Go to"), tr("Go to this preset by the shortest way (Enter)"), desk, notice, this)),
+      m_save(new CommandButton(tr("Save here"), tr("Save the present direction of the mount under this name"), desk,
+                               notice, this)),
+      m_delete(new CommandButton(tr("Delete"), tr("Delete this preset from the list"), desk, notice, this))
 {
     build();
     connect(m_names, &QComboBox::editTextChanged, this, &PresetBar::lookUp);
@@ -48,7 +49,7 @@ void PresetBar::build()
 {
     auto* const row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(4);
+    row->setSpacing(kGrid / 2);
     row->addWidget(m_names, 1);
     row->addWidget(m_go);
     row->addWidget(m_save);
@@ -96,8 +97,8 @@ void PresetBar::lookUp()
     m_forbidden = preset ? whyForbidden(m_status, preset->direction) : QString();
     m_names->setAccessibleDescription(preset ? directionText(preset->direction) : QString());
     m_go->setCommand(tr("Go to"), preset
-                                      ? tr("Go to %1 by the nearest turn (Enter)").arg(directionText(preset->direction))
-                                      : tr("Go to this preset by the nearest turn (Enter)"));
+                                      ? tr("Go to %1 by the shortest way (Enter)").arg(directionText(preset->direction))
+                                      : tr("Go to this preset by the shortest way (Enter)"));
     showPermissions();
 }
 
@@ -105,23 +106,23 @@ void PresetBar::showPermissions()
 {
     m_go->setBlocked(whyNoGo());
     m_save->setBlocked(whyNoSave());
-    m_delete->setBlocked(chosen() ? QString() : tr("there is no preset of this name"));
+    m_delete->setBlocked(chosen() ? QString() : tr("There is no preset with this name."));
 }
 
 QString PresetBar::whyNoGo() const
 {
     const QString reason = m_status.permissions.reason(Action::Point);
-    return !reason.isEmpty() ? reason : chosen() ? m_forbidden : tr("there is no preset of this name");
+    return !reason.isEmpty() ? reason : chosen() ? m_forbidden : tr("There is no preset with this name.");
 }
 
 QString PresetBar::whyNoSave() const
 {
     if (typedName().isEmpty()) {
-        return tr("type a name first");
+        return tr("Type a name first.");
     }
     const bool live =
         freshness(m_status.azimuth.age) == Freshness::Live && freshness(m_status.elevation.age) == Freshness::Live;
-    return m_status.actual && live ? QString() : tr("it is not known where the mount points");
+    return m_status.actual && live ? QString() : tr("The direction of the mount is unknown.");
 }
 
 void PresetBar::go()

@@ -5,8 +5,8 @@
 
 #include <QWidget>
 
-// Named directions of the profile: go there, save where the mount points now under a name, delete one. A change of the
-// list is applied by itself; other edits of the profile stay edits. Selecting a name moves nothing.
+// Named directions of the profile: go to one, save the present direction under a name, delete one. A change of the list
+// is applied alone. Other edits of the profile stay edits. Selecting a name moves nothing.
 namespace boresight::ui {
 
 class CommandButton;

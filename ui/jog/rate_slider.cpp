@@ -3,6 +3,7 @@
 
 #include "ui/kit/command_button.h"
 #include "ui/kit/theme.h"
+#include "ui/look/paint.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -16,7 +17,7 @@ namespace {
 
 constexpr int kPositions = 40;
 constexpr int kPage = 8;
-constexpr double kHandle = 18.0;  // px, its width
+constexpr double kHandle = 24.0;  // px, across
 constexpr double kGroove = 4.0;
 
 // Two digits are what a person tells apart: 0.24, 1.7.
@@ -111,15 +112,11 @@ void RateSlider::paintEvent(QPaintEvent*)
     painter.drawRoundedRect(QRectF(pixel(0), middle - kGroove / 2, pixel(kPositions) - pixel(0), kGroove), 2, 2);
     painter.setBrush(strong);
     painter.drawRoundedRect(QRectF(pixel(0), middle - kGroove / 2, pixel(value()) - pixel(0), kGroove), 2, 2);
-    painter.setPen(QPen(isEnabled() ? colours.text : colours.secondary, 1.5));
-    painter.setBrush(palette().button());
-    const QRectF handle(pixel(value()) - kHandle / 2, middle - 14.0, kHandle, 28.0);
-    painter.drawRoundedRect(handle, 4, 4);
-    painter.drawLine(handle.center() - QPointF(0, 6), handle.center() + QPointF(0, 6));
+    painter.setPen(QPen(strong, 2.0));
+    painter.setBrush(colours.button);
+    painter.drawEllipse(QPointF(pixel(value()), middle), kHandle / 2.0 - 1.0, kHandle / 2.0 - 1.0);
     if (hasFocus()) {
-        painter.setPen(QPen(colours.accent, 1.5, Qt::DashLine));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
+        paintFocus(painter, rect());
     }
 }
 

@@ -21,7 +21,7 @@ AskingPanel::AskingPanel(RequestDesk& desk, QWidget* parent)
       m_typed(new QLineEdit(this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_act(new CommandButton({}, {}, desk, *m_notice, this)),
-      m_cancel(makePushButton({.text = tr("Cancel"), .help = tr("Back, nothing is done")}, this))
+      m_cancel(makePushButton({.text = tr("Cancel"), .help = tr("Close the question. Nothing is done.")}, this))
 {
     addWidget(m_controls);
     addWidget(makeQuestionPage());
@@ -99,7 +99,7 @@ void AskingPanel::carryOut()
     perform(typed);
 }
 
-// Once it can not be done, what the question says may be out of date: it must be asked anew.
+// Once the act is blocked, the text of the question may be out of date. The operator has to ask again.
 void AskingPanel::showWhetherPossible(const StationStatus& status)
 {
     const QString reason = isAsking() && m_question.action ? status.permissions.reason(*m_question.action) : QString();

@@ -19,4 +19,17 @@ QLabel* makeCaption(const QString& text, QWidget& field)
     return label;
 }
 
+QLabel* makeGroupCaption(const QString& text, QWidget* parent)
+{
+    QLabel* const label = makeCaption(text, parent);
+    QFont font = fonts::label();
+    font.setPointSizeF(font.pointSizeF() * 0.85);
+    font.setBold(true);
+    font.setCapitalization(QFont::AllUppercase);
+    font.setLetterSpacing(QFont::PercentageSpacing, 104);
+    label->setFont(font);
+    label->setForegroundRole(QPalette::PlaceholderText);  // the secondary colour, in every theme
+    return label;
+}
+
 }  // namespace boresight::ui

@@ -9,4 +9,7 @@ namespace boresight::ui {
 [[nodiscard]] QLabel* makeCaption(const QString& text, QWidget* parent);
 [[nodiscard]] QLabel* makeCaption(const QString& text, QWidget& field);  // its buddy, and where it is
 
+// Above what belongs together, in small capitals.
+[[nodiscard]] QLabel* makeGroupCaption(const QString& text, QWidget* parent);
+
 }  // namespace boresight::ui

@@ -9,7 +9,7 @@
 namespace boresight::ui {
 
 namespace {
-constexpr int kBar = 4;  // px
+constexpr int kBar = 3;  // px
 }
 
 ChoiceButton::ChoiceButton(const QString& text, const QString& help, QWidget* parent) : QToolButton(parent)
@@ -20,7 +20,7 @@ ChoiceButton::ChoiceButton(const QString& text, const QString& help, QWidget* pa
     setAccessibleName(help);
     setCheckable(true);
     setFocusPolicy(Qt::TabFocus);
-    setMinimumSize(kTouchSize, std::max(kTouchSize, 2 * fontMetrics().lineSpacing() + 2 * kBar + 8));
+    setMinimumSize(kTouchSize, kTouchSize);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
@@ -29,7 +29,7 @@ void ChoiceButton::paintEvent(QPaintEvent* event)
     QToolButton::paintEvent(event);
     if (isChecked()) {
         QPainter painter(this);
-        painter.fillRect(QRect(4, height() - kBar - 3, width() - 8, kBar), currentTheme().accent);
+        painter.fillRect(QRect(8, height() - kBar - 3, width() - 16, kBar), currentTheme().accent);
     }
 }
 

@@ -76,8 +76,7 @@ QSize CommandButton::sizeHint() const
 {
     const QFontMetrics metrics = fontMetrics();
     const int text = std::max(metrics.horizontalAdvance(m_text), metrics.horizontalAdvance(tr("requested")));
-    return {std::max(text + 2 * metrics.horizontalAdvance(QLatin1Char('M')), kTouchSize),
-            std::max(2 * metrics.lineSpacing() + 8, kTouchSize)};
+    return {std::max(text + 2 * kGrid, kTouchSize), std::max(2 * metrics.lineSpacing() + 8, kTouchSize)};
 }
 
 }  // namespace boresight::ui

@@ -58,7 +58,7 @@ void LinesView::buildTable()
     m_table->setWordWrap(false);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().lineSpacing() + 4);
+    m_table->verticalHeader()->setDefaultSectionSize(kRowHeight);
     QHeaderView* const header = m_table->horizontalHeader();
     header->setFont(fonts::label());
     header->setStretchLastSection(true);
@@ -85,7 +85,7 @@ void LinesView::buildReading()
     m_whole->setFont(fonts::label());
     m_whole->setTabChangesFocus(true);
     m_whole->setAccessibleName(tr("Selected line"));
-    m_whole->setPlaceholderText(tr("Select a line to read it whole"));
+    m_whole->setPlaceholderText(tr("Select a line to read all of it"));
     const int margins = m_whole->height() - m_whole->viewport()->height();
     m_whole->setFixedHeight(kReadingLines * m_whole->fontMetrics().lineSpacing() + margins +
                             2 * static_cast<int>(m_whole->document()->documentMargin()));
@@ -100,9 +100,9 @@ void LinesView::addButtons(const QString& fileName)
         m_controls->addWidget(button);
         return button;
     };
-    connect(add(tr("Copy"), tr("Copy the selected lines, or all that are shown (Ctrl+C in the list)")),
-            &QPushButton::clicked, this, &LinesView::copy);
-    connect(add(tr("File …"), tr("Save all lines that are shown to a text file")), &QPushButton::clicked, this,
+    connect(add(tr("Copy"), tr("Copy the selected lines, or all lines (Ctrl+C in the list)")), &QPushButton::clicked,
+            this, &LinesView::copy);
+    connect(add(tr("File …"), tr("Save all lines of the list to a text file")), &QPushButton::clicked, this,
             [this, fileName] { askForName(fileName); });
 }
 

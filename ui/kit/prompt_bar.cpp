@@ -24,7 +24,7 @@ PromptBar::PromptBar(const QString& accessibleName, const QStringList& texts, in
     m_notice->setLines(2);
     m_notice->setCollapsing(true);
     auto* const grid = new QGridLayout(this);
-    grid->setContentsMargins(8, 6, 6, 6);
+    grid->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
     grid->setVerticalSpacing(2);
     grid->addWidget(m_text, 0, 0);
     grid->addLayout(m_buttons, 0, 1);

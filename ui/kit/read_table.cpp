@@ -25,7 +25,7 @@ QTableView* makeReadTable(const QString& name, QAbstractItemModel& model, QWidge
     const QFontMetrics metrics = table->fontMetrics();
     table->setMinimumHeight(4 * metrics.lineSpacing());
     table->verticalHeader()->hide();
-    table->verticalHeader()->setDefaultSectionSize(metrics.lineSpacing() + 3);
+    table->verticalHeader()->setDefaultSectionSize(kRowHeight);
     table->verticalHeader()->setMinimumSectionSize(metrics.lineSpacing());
     QHeaderView* const header = table->horizontalHeader();
     header->setFont(fonts::label());

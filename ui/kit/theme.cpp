@@ -5,6 +5,7 @@
 #include <QFontDatabase>
 #include <QFontMetrics>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -16,53 +17,93 @@ namespace {
 // The table of colours of the screen's law; the day alarm is a shade darker than STOP, which would have 4.49:1.
 const Theme kDay{.kind = ThemeKind::Day,
                  .window = QColor(0xe4e6e8),
+                 .card = QColor(0xf7f8fa),
                  .plotGround = QColor(0xf4f5f6),
                  .band = QColor(0xd3d7db),
-                 .button = QColor(0xe4e6e8),
+                 .button = QColor(0xffffff),
                  .text = QColor(0x1c2126),
                  .secondary = QColor(0x5b646d),
                  .grid = QColor(0xc3c9ce),
+                 .hairline = QColor(0xb9c0c7),
                  .accent = QColor(0x1f4e79),
+                 .accentSoft = QColor(0xcfdeed),
+                 .onAccent = QColor(0xffffff),
                  .sensor = QColor(0x7a3e8e),
                  .advisory = QColor(0x00677a),
                  .warning = QColor(0x8f5200),
                  .alarm = QColor(0xc42727),
                  .stop = QColor(0xc62828),
-                 .stopText = QColor(0xffffff)};
+                 .stopText = QColor(0xffffff),
+                 .stopOutline = QColor(0x8a1c1c)};
 
 const Theme kNight{.kind = ThemeKind::Night,
                    .window = QColor(0x1e2226),
+                   .card = QColor(0x252a2f),
                    .plotGround = QColor(0x14171a),
                    .band = QColor(0x2a3036),
-                   .button = QColor(0x242a2f),
+                   .button = QColor(0x2e343a),
                    .text = QColor(0xd6dade),
                    .secondary = QColor(0x8f99a3),
                    .grid = QColor(0x343b42),
+                   .hairline = QColor(0x454d55),
                    .accent = QColor(0x9cc9f2),
+                   .accentSoft = QColor(0x263a4d),
+                   .onAccent = QColor(0x10161c),
                    .sensor = QColor(0xd7a6e8),
                    .advisory = QColor(0x5cc6d8),
                    .warning = QColor(0xffb84d),
                    .alarm = QColor(0xff5449),
                    .stop = QColor(0xc62828),
-                   .stopText = QColor(0xffffff)};
+                   .stopText = QColor(0xffffff),
+                   .stopOutline = QColor(0x7d1919)};
 
 const Theme kRed{.kind = ThemeKind::Red,
                  .window = QColor(0x0a0000),
+                 .card = QColor(0x120201),
                  .plotGround = QColor(Qt::black),
                  .band = QColor(0x260503),
-                 .button = QColor(0x180302),
+                 .button = QColor(0x1a0302),
                  .text = QColor(0xff6a5a),
-                 .secondary = QColor(0xd9513f),
+                 .secondary = QColor(0xdc5544),
                  .grid = QColor(0x4a1510),
+                 .hairline = QColor(0x6b1f17),
                  .accent = QColor(0xff6a5a),
+                 .accentSoft = QColor(0x3d0a06),
+                 .onAccent = QColor(0x0a0000),
                  .sensor = QColor(0xff6a5a),
                  .advisory = QColor(0xff6a5a),
                  .warning = QColor(0xff6a5a),
                  .alarm = QColor(0xff6a5a),
-                 .stop = QColor(0xff6a5a),
-                 .stopText = QColor(0x0a0000)};
+                 .stop = QColor(0x6e0c0a),
+                 .stopText = QColor(0xffc2b8),
+                 .stopOutline = QColor(0xff8070)};
 
 ThemeKind g_current = ThemeKind::Day;
+Brightness g_brightness = Brightness::High;
+
+constexpr std::size_t kBrightnesses = 3;
+
+QColor scaled(const QColor& colour, double factor)
+{
+    return QColor::fromRgbF(static_cast<float>(colour.redF() * factor), static_cast<float>(colour.greenF() * factor),
+                            static_cast<float>(colour.blueF() * factor));
+}
+
+// Grounds lose more than words: what is read keeps its contrast. Warnings and alarms stay as bright as they are.
+Theme dimmed(Theme theme, double grounds, double words)
+{
+    for (QColor* const ground : {&theme.window, &theme.card, &theme.plotGround, &theme.band, &theme.button, &theme.grid,
+                                 &theme.hairline, &theme.accentSoft, &theme.onAccent, &theme.stop}) {
+        *ground = scaled(*ground, grounds);
+    }
+    for (QColor* const word : {&theme.text, &theme.secondary, &theme.accent, &theme.sensor, &theme.advisory,
+                               &theme.stopText, &theme.stopOutline}) {
+        *word = scaled(*word, words);
+    }
+    return theme;
+}
+
+using Steps = std::array<Theme, kBrightnesses>;
 
 // What a line of DejaVu has above and below its base line, from its table hhea.
 constexpr double kAscent = 1901.0 / 2048.0;  // em
@@ -141,18 +182,18 @@ QPalette Theme::palette() const
 {
     QPalette palette(button, window);  // fills in Fusion's light, mid and dark shades
     palette.setColor(QPalette::WindowText, text);
-    palette.setColor(QPalette::Base, plotGround);
-    palette.setColor(QPalette::AlternateBase, window);
+    palette.setColor(QPalette::Base, kind == ThemeKind::Day ? button : plotGround);  // of fields and lists
+    palette.setColor(QPalette::AlternateBase, card);
     palette.setColor(QPalette::Text, text);
     palette.setColor(QPalette::ButtonText, text);
     palette.setColor(QPalette::BrightText, text);
     palette.setColor(QPalette::PlaceholderText, secondary);
     palette.setColor(QPalette::Highlight, accent);
-    palette.setColor(QPalette::HighlightedText, plotGround);
+    palette.setColor(QPalette::HighlightedText, onAccent);
     palette.setColor(QPalette::ToolTipBase, plotGround);
     palette.setColor(QPalette::ToolTipText, text);
     palette.setColor(QPalette::Link, accent);
-    const auto fade = [](int of, int into) { return (3 * of + 2 * into) / 5; };
+    const auto fade = [](int of, int into) { return (7 * of + 3 * into) / 10; };
     const QColor faded(fade(text.red(), window.red()), fade(text.green(), window.green()),
                        fade(text.blue(), window.blue()));
     for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
@@ -161,13 +202,15 @@ QPalette Theme::palette() const
     return palette;
 }
 
-const Theme& theme(ThemeKind kind)
+const Theme& theme(ThemeKind kind, Brightness brightness)
 {
+    static const Steps night{kNight, dimmed(kNight, 0.65, 0.9), dimmed(kNight, 0.35, 0.82)};
+    static const Steps red{kRed, dimmed(kRed, 0.75, 0.96), dimmed(kRed, 0.5, 0.93)};
     switch (kind) {
         case ThemeKind::Night:
-            return kNight;
+            return night.at(static_cast<std::size_t>(brightness));
         case ThemeKind::Red:
-            return kRed;
+            return red.at(static_cast<std::size_t>(brightness));
         case ThemeKind::Day:
             break;
     }
@@ -176,7 +219,12 @@ const Theme& theme(ThemeKind kind)
 
 const Theme& currentTheme()
 {
-    return theme(g_current);
+    return theme(g_current, g_brightness);
+}
+
+Brightness currentBrightness()
+{
+    return g_brightness;
 }
 
 ThemeKind next(ThemeKind kind)
@@ -205,10 +253,29 @@ QString name(ThemeKind kind)
     return QApplication::translate("Theme", "Day");
 }
 
-void applyTheme(ThemeKind kind)
+QString name(Brightness brightness)
+{
+    switch (brightness) {
+        case Brightness::Medium:
+            return QApplication::translate("Theme", "Medium");
+        case Brightness::Low:
+            return QApplication::translate("Theme", "Low");
+        case Brightness::High:
+            break;
+    }
+    return QApplication::translate("Theme", "High");
+}
+
+void applyTheme(ThemeKind kind, Brightness brightness)
 {
     g_current = kind;
+    g_brightness = brightness;
     QApplication::setPalette(currentTheme().palette());
+}
+
+void applyTheme(ThemeKind kind)
+{
+    applyTheme(kind, g_brightness);
 }
 
 namespace fonts {

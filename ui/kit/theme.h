@@ -18,6 +18,14 @@ enum class ThemeKind
     Red  // night vision: red on black, shape and word carry the status alone
 };
 
+// Of the night and the red theme. By day the screen has to outshine the Sun.
+enum class Brightness
+{
+    High,
+    Medium,
+    Low
+};
+
 // What a text or a symbol means; the theme turns it into a colour.
 enum class Tone
 {
@@ -33,32 +41,45 @@ enum class Tone
 struct Theme
 {
     ThemeKind kind = ThemeKind::Day;
-    QColor window;      // ground of panels and rows
+    QColor window;      // ground of the window
+    QColor card;        // ground of what belongs together, on the window
     QColor plotGround;  // sky, lists and fields
     QColor band;        // sky below the lowest elevation
     QColor button;
     QColor text;
     QColor secondary;
     QColor grid;
+    QColor hairline;  // the edge of a card, a button, a field
     QColor accent;
-    QColor sensor;  // the independent sensor
+    QColor accentSoft;  // ground of what is chosen or held
+    QColor onAccent;    // words on the accent
+    QColor sensor;      // the independent sensor
     QColor advisory;
     QColor warning;
     QColor alarm;
     QColor stop;  // the only filled red area
     QColor stopText;
+    QColor stopOutline;
 
     [[nodiscard]] QColor colour(Tone tone) const;
     [[nodiscard]] QPalette palette() const;
 };
 
-[[nodiscard]] const Theme& theme(ThemeKind kind);
+[[nodiscard]] const Theme& theme(ThemeKind kind, Brightness brightness = Brightness::High);
 [[nodiscard]] const Theme& currentTheme();
+[[nodiscard]] Brightness currentBrightness();
 [[nodiscard]] ThemeKind next(ThemeKind kind);
 [[nodiscard]] QString name(ThemeKind kind);
+[[nodiscard]] QString name(Brightness brightness);
 
-// Makes the theme current and gives its palette to the application; every widget repaints.
-void applyTheme(ThemeKind kind);
+// Makes the theme current and gives its palette to the application. Every widget repaints.
+void applyTheme(ThemeKind kind, Brightness brightness);
+void applyTheme(ThemeKind kind);  // with the brightness of now
+
+// The grid of the screen, and the least height of a row, a tab and a line of a menu: a finger finds it.
+inline constexpr int kGrid = 8;         // px
+inline constexpr int kRowHeight = 32;   // px
+inline constexpr double kRounding = 8;  // px, of a button or a card
 
 // Sizes of ui.md: readable from two metres. Numbers are fixed-width, so that digits do not dance. The window is laid
 // out for lines of DejaVu. Fonts for many scripts have taller lines (Noto: 1.36 em instead of 1.16), and 1024×700 has

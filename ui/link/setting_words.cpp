@@ -2,6 +2,7 @@
 #include "ui/link/setting_words.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -102,13 +103,14 @@ Result<SettingValue> numberOf(const Setting& setting, const QString& typed)
         if (const auto whole = parseInteger(number)) {
             return SettingValue(*whole);
         }
-        return failure(ErrorCode::InvalidInput, SettingWords::tr("\"%1\" is not a whole number").arg(typed));
+        return failure(ErrorCode::InvalidInput, SettingWords::tr("\"%1\" is not a whole number.").arg(typed));
     }
     if (const auto real = parseFinite(number)) {
         return SettingValue(*real);
     }
-    return failure(ErrorCode::InvalidInput,
-                   SettingWords::tr("\"%1\" is not a number (decimal point, e.g. 113.5)").arg(typed));
+    return failure(
+        ErrorCode::InvalidInput,
+        SettingWords::tr("\"%1\" is not a number. Type it with a decimal point, for example 113.5.").arg(typed));
 }
 
 Result<SettingValue> valueOf(const Setting& setting, const QString& typed)
@@ -143,6 +145,10 @@ QString settingName(const std::string& key)
         return SettingWords::tr(found->name);
     }
     const QString whole = QString::fromStdString(key);
+    if (const Setting* const setting = profile::findSetting(key)) {
+        return QStringLiteral("%1 (%2)").arg(Text::of(setting->title),
+                                             groupTitle(whole.section(QLatin1Char('.'), 0, 0)));
+    }
     const auto dot = whole.indexOf(QLatin1Char('.'));
     return dot < 0 ? whole : QStringLiteral("%1 (%2)").arg(whole.mid(dot + 1), groupTitle(whole.left(dot)));
 }
@@ -196,7 +202,7 @@ Result<> putTyped(const Setting& setting, const QString& typed, profile::Profile
     return valueOf(setting, typed)
         .and_then([&](const SettingValue& value) { return setting.set(profile, value); })
         .map_error([&](const Error& error) {
-            return Error{error.code, QStringLiteral("%1: %2").arg(QString::fromStdString(setting.key), error.text)};
+            return Error{error.code, QStringLiteral("%1: %2").arg(Text::of(setting.title), error.text)};
         });
 }
 

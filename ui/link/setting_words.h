@@ -12,7 +12,8 @@
 namespace boresight::ui {
 
 [[nodiscard]] QString groupTitle(const QString& table);  // of the file: "azimuth" is "Azimuth axis"
-// As it is found on the screen: "lowest azimuth" on the panel Limits, "id (Azimuth axis)" on the page of the profile.
+// As it is found on the screen: "lowest azimuth" on the panel Limits, "Gear ratio (Azimuth axis)" on the page of the
+// profile.
 [[nodiscard]] QString settingName(const std::string& key);
 [[nodiscard]] QString problemText(const profile::Problem& problem);  // "NAME: TEXT"
 

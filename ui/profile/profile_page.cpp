@@ -21,14 +21,16 @@ ProfilePage::ProfilePage(ProfileDraft& draft, RequestDesk& desk, const QString& 
       m_draft(draft),
       m_mounts(draft, configDir),
       m_choice(new QComboBox(this)),
-      m_menuButton(makePushButton({.text = tr("Mounts"),
-                                   .name = tr("Duplicate, rename, import, export the chosen mount"),
-                                   .help = tr("Duplicate, rename, remove, import, export; take back the last change")},
-                                  this)),
+      m_menuButton(
+          makePushButton({.text = tr("Mounts"),
+                          .name = tr("Duplicate, rename, import, export the chosen mount"),
+                          .help = tr("Duplicate, rename, remove, import or export a mount, or undo the last change")},
+                         this)),
       m_menu(new QMenu(m_menuButton)),
       m_settings(new SettingsView(draft, this)),
       m_notice(new ValueLabel(tr("Outcome"), fonts::label(), {}, this)),
-      m_switch(new CommandButton(tr("Switch …"), tr("Connect to the chosen mount; asks first"), desk, *m_notice, this)),
+      m_switch(
+          new CommandButton(tr("Switch …"), tr("Connect to the chosen mount (asks first)"), desk, *m_notice, this)),
       m_bar(new ProfileDraftBar(draft, desk, this))
 {
     build();
@@ -47,7 +49,8 @@ void ProfilePage::build()
     auto* const column = new QVBoxLayout(&controls());
     column->setContentsMargins(6, 6, 6, 6);
     column->setSpacing(4);
-    column->addWidget(makeMountRow());
+    m_mountRow = makeMountRow();
+    column->addWidget(m_mountRow);
     column->addWidget(m_notice);
     column->addWidget(m_settings, 1);
     column->addWidget(m_bar);
@@ -66,13 +69,13 @@ QWidget* ProfilePage::makeMountRow()
     m_choice->setMinimumHeight(kTouchSize);
     m_choice->setMinimumContentsLength(12);
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_choice->setAccessibleName(tr("Mounts that are kept"));
-    m_choice->setToolTip(tr("The mounts of this computer; choosing one does nothing yet"));
+    m_choice->setAccessibleName(tr("Stored mounts"));
+    m_choice->setToolTip(tr("The mounts of this computer. Choosing one does nothing yet."));
     m_menuButton->setMinimumSize(m_switch->minimumSizeHint());
     m_menuButton->setMenu(m_menu);
     addAction(tr("Duplicate …"), [this] { m_mounts.duplicate(chosen()); });
     addAction(tr("Rename …"), [this] { m_mounts.rename(chosen()); });
-    addAction(tr("Take back the last saved change …"), [this] { m_mounts.takeBack(chosen()); });
+    addAction(tr("Undo the last saved change …"), [this] { m_mounts.takeBack(chosen()); });
     m_menu->addSeparator();
     addAction(tr("Import …"), [this] { chooseImport(); });
     addAction(tr("Export …"), [this] { chooseExport(); });
@@ -102,7 +105,7 @@ void ProfilePage::showStatus(const StationStatus& status)
     const bool otherMount = status.profile->mount.name != m_status.profile->mount.name;
     m_status = status;
     if (otherMount) {
-        m_choice->setCurrentIndex(-1);  // it is the one to look at now
+        m_choice->setCurrentIndex(-1);  // the new mount is shown
     }
     m_mounts.showStatus(status);
     m_switch->setBlocked(whyNoSwitch());
@@ -123,7 +126,7 @@ void ProfilePage::showMounts()
     const QSignalBlocker quiet(m_choice);
     m_choice->clear();
     for (const profile::StoredProfile& mount : mounts) {
-        const QString text = m_mounts.isInForce(mount)  ? tr("%1 (in force)").arg(mount.mountName)
+        const QString text = m_mounts.isInForce(mount)  ? tr("%1 (in use)").arg(mount.mountName)
                              : !mount.problem.isEmpty() ? tr("▲ %1").arg(mount.mountName)
                                                         : mount.mountName;
         m_choice->addItem(text, mount.mountName);
@@ -139,6 +142,7 @@ void ProfilePage::showMounts()
 void ProfilePage::showChoice()
 {
     m_switch->setBlocked(whyNoSwitch());
+    m_mountRow->setVisible(!m_draft.hasEdits());  // nothing is switched over edits, and their buttons need its room
     if (const QString problem = chosen().problem; !problem.isEmpty()) {
         warn(problem);
     }
@@ -170,13 +174,13 @@ QString ProfilePage::whyNoSwitch() const
 {
     const profile::StoredProfile mount = chosen();
     if (m_mounts.isInForce(mount)) {
-        return tr("this mount is in force");
+        return tr("This mount is in use.");
     }
     if (!mount.problem.isEmpty()) {
-        return tr("its file cannot be read");
+        return tr("The file of this mount cannot be read.");
     }
     if (m_draft.hasEdits()) {
-        return tr("apply or revert the edits first");
+        return tr("Apply or revert the edits first.");
     }
     return m_status.permissions.reason(Action::Reconnect);
 }

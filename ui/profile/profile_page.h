@@ -52,6 +52,7 @@ private:
     QPushButton* m_menuButton;
     QMenu* m_menu;
     SettingsView* m_settings;
+    QWidget* m_mountRow = nullptr;
     ValueLabel* m_notice;
     CommandButton* m_switch;
     ProfileDraftBar* m_bar;

@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "ui/kit/theme.h"
 #include "ui/link/setting_words.h"
+#include "ui/profile/setting_picture.h"
 
 #include <QBrush>
 #include <QFont>
@@ -20,11 +21,6 @@ constexpr quintptr kIsGroup = 0;
 QString tableOf(const std::string& key)
 {
     return QString::fromStdString(key.substr(0, key.find('.')));
-}
-
-QString nameOf(const std::string& key)
-{
-    return QString::fromStdString(key.substr(key.find('.') + 1));
 }
 
 // Whole phrases: English is shown without a translator, which would choose between them.
@@ -172,19 +168,21 @@ QVariant SettingTree::groupData(const QModelIndex& index, int role) const
                    : state.waiting > 0 ? tr("%1 waiting").arg(state.waiting)
                                        : QVariant();
         case Qt::ForegroundRole:
-            return QBrush(!isValue           ? currentTheme().text
+            return QBrush(!isValue           ? currentTheme().secondary
                           : state.wrong > 0  ? currentTheme().warning
                           : state.edited > 0 ? currentTheme().accent
                                              : currentTheme().advisory);
         case Qt::FontRole: {
-            QFont bold = fonts::label();
-            bold.setBold(index.column() == Name);
-            return bold;
+            QFont font = fonts::label();
+            font.setBold(index.column() == Name);
+            font.setCapitalization(index.column() == Name ? QFont::AllUppercase : QFont::MixedCase);
+            font.setPointSizeF(font.pointSizeF() * 0.9);
+            return font;
         }
         case SearchRole:
             return group.title;
         case ExplanationRole:
-            return tr("%1: %2 settings. Enter or → opens the group.").arg(group.title).arg(group.lines.size());
+            return tr("%1: %2 settings. Enter opens the group.").arg(group.title).arg(group.lines.size());
         default:
             return {};
     }
@@ -204,11 +202,17 @@ QVariant SettingTree::lineData(const Line& line, int column, int role) const
                           : column != Name && state.waiting > 0 ? currentTheme().advisory
                           : column == Name || column == Value   ? currentTheme().text
                                                                 : currentTheme().secondary);
+        case Qt::DecorationRole:
+            return column == Name ? QVariant(SettingPicture(line.key).icon()) : QVariant();
         case Qt::ToolTipRole:
+            return explanation(line) + QLatin1Char('\n') + tr("In the file: %1").arg(QString::fromStdString(line.key));
         case ExplanationRole:
             return explanation(line);
+        case KeyRole:
+            return QString::fromStdString(line.key);
         case SearchRole:
-            return QStringList({QString::fromStdString(line.key), text(line, Value), explanation(line)})
+            return QStringList(
+                       {QString::fromStdString(line.key), text(line, Name), text(line, Value), explanation(line)})
                 .join(QLatin1Char(' '));
         case ChangedRole:
             return state.wrong + state.edited + state.waiting > 0;
@@ -239,7 +243,7 @@ QString SettingTree::text(const Line& line, int column) const
     const State state = stateOf(line);
     switch (column) {
         case Name:
-            return nameOf(line.key);
+            return line.setting != nullptr ? Text::of(line.setting->title) : settingName(line.key);
         case Value:
             return valueColumn(line);
         case Range:
@@ -283,13 +287,12 @@ QString SettingTree::explanation(const Line& line) const
         sentences << tr("▲ %1.").arg(problem);
     }
     if (line.setting == nullptr) {
-        sentences << (line.key == profile::kPresetKey ? tr("preset: the operator's own directions.")
-                                                      : tr("%1: changed on the panel Limits (Ctrl+3) or on the sky.")
-                                                            .arg(QString::fromStdString(line.key)));
+        sentences << (line.key == profile::kPresetKey ? tr("Your own directions. The panel Jog (Ctrl+1) changes them.")
+                                                      : tr("The panel Limits (Ctrl+3) and the sky change them."));
         return sentences.join(QLatin1Char(' '));
     }
     const profile::Setting& setting = *line.setting;
-    sentences << tr("%1: %2").arg(QString::fromStdString(setting.key), Text::of(setting.text));
+    sentences << Text::of(setting.text);
     if (const QString range = rangeText(setting); !range.isEmpty()) {
         sentences << (setting.choices.empty() ? tr("Range %1.") : tr("One of %1.")).arg(range);
     }

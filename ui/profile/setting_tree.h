@@ -7,9 +7,10 @@
 
 #include <vector>
 
-// Every setting of the draft, in the groups of the file: value with its unit, range, and when it applies. Values are
-// edited in place: a text that is no value is refused with the reason and changes nothing; what the live check finds
-// marks its line. The lists of the profile have a line each, which says where they are edited.
+// Every setting of the draft by its name, in the groups of the file: picture, value with its unit, range, and when it
+// applies. The key of the file is in the tooltip. Values are edited in place. A text that is no value is refused with
+// the reason and changes nothing. A problem that the live check finds marks its line. Each list of the profile has one
+// line, which says where the list is edited.
 namespace boresight::ui {
 
 class SettingTree : public QAbstractItemModel
@@ -33,7 +34,8 @@ public:
         ShareRole,                  // double: of the range, see shareOfRange()
         DefaultShareRole,           // the same of the default
         SecretRole,                 // not to be seen while it is typed
-        ExplanationRole             // some sentences about the line
+        ExplanationRole,            // some sentences about the line
+        KeyRole                     // QString: as the file calls it
     };
 
     SettingTree(ProfileDraft& draft, QObject* parent);

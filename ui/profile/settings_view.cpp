@@ -5,6 +5,7 @@
 #include "ui/kit/value_label.h"
 #include "ui/profile/setting_delegate.h"
 #include "ui/profile/setting_filter.h"
+#include "ui/profile/setting_picture.h"
 #include "ui/profile/setting_tree.h"
 
 #include <QComboBox>
@@ -18,7 +19,8 @@
 namespace boresight::ui {
 
 namespace {
-constexpr int kSettingsViewRowRoom = 6;  // px above and below the text of a row together
+constexpr QSize kRowPicture{42, 28};
+constexpr int kPictureFrom = 320;  // px of height: below it the rows need the room of the large picture
 }  // namespace
 
 SettingsView::SettingsView(ProfileDraft& draft, QWidget* parent)
@@ -28,6 +30,7 @@ SettingsView::SettingsView(ProfileDraft& draft, QWidget* parent)
       m_search(new QLineEdit(this)),
       m_shown(new QComboBox(this)),
       m_tree(new QTreeView(this)),
+      m_picture(new SettingPictureView(this)),
       m_explanation(new ValueLabel(tr("What the selected setting means"), fonts::label(), {}, this))
 {
     m_filter->setSourceModel(m_model);
@@ -37,9 +40,13 @@ SettingsView::SettingsView(ProfileDraft& draft, QWidget* parent)
     column->setSpacing(4);
     column->addWidget(makeSearch());
     column->addWidget(m_tree, 1);
-    column->addWidget(m_explanation);
+    auto* const meaning = new QHBoxLayout;
+    meaning->setSpacing(kGrid);
+    meaning->addWidget(m_picture);
+    meaning->addWidget(m_explanation, 1);
+    column->addLayout(meaning);
     m_explanation->setStretching(true);
-    m_explanation->setLines(2);
+    m_explanation->setLines(3);
     m_explanation->setCollapsing(true);
     connect(m_model, &SettingTree::refused, this, [this](const QString& reason) {
         m_refusal = reason;
@@ -60,8 +67,8 @@ QWidget* SettingsView::makeSearch()
     line->setContentsMargins(0, 0, 0, 0);
     line->setSpacing(4);
     m_search->setAccessibleName(tr("Search the settings"));
-    m_search->setToolTip(tr("Shows the settings that have these words in their name or meaning (Ctrl+F)"));
-    m_search->setPlaceholderText(tr("search, e.g. speed"));
+    m_search->setToolTip(tr("Show the settings with these words in their name or meaning (Ctrl+F)"));
+    m_search->setPlaceholderText(tr("Search, for example speed"));
     m_search->setClearButtonEnabled(true);
     m_shown->setAccessibleName(tr("Which settings are shown"));
     m_shown->addItems({tr("All settings"), tr("Changed or waiting")});
@@ -84,10 +91,11 @@ void SettingsView::buildTree()
     m_tree->setModel(m_filter);
     m_tree->setFont(fonts::label());
     m_tree->setAccessibleName(tr("Settings of the mount"));
-    m_tree->setToolTip(tr("Select a line to read what it means; Enter changes its value"));
+    m_tree->setToolTip(tr("Select a line to read its meaning. Press Enter to change its value."));
     m_tree->viewport()->installEventFilter(this);
-    m_tree->setItemDelegate(new SettingDelegate(m_tree->fontMetrics().lineSpacing() + kSettingsViewRowRoom, m_tree));
+    m_tree->setItemDelegate(new SettingDelegate(kRowHeight, m_tree));
     m_tree->setUniformRowHeights(true);
+    m_tree->setIconSize(kRowPicture);
     m_tree->setAllColumnsShowFocus(true);
     m_tree->setIndentation(m_tree->fontMetrics().averageCharWidth() * 2);
     m_tree->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -103,7 +111,7 @@ void SettingsView::buildTree()
     const auto room = [this](const QString& widest) { return m_tree->fontMetrics().horizontalAdvance(widest) + 14; };
     header->setSectionResizeMode(QHeaderView::Fixed);
     header->setSectionResizeMode(SettingTree::Value, QHeaderView::Stretch);
-    header->resizeSection(SettingTree::Name, room(QStringLiteral("  max_acceleration_deg_s2")));
+    header->resizeSection(SettingTree::Name, kRowPicture.width() + room(tr("Drive board: warn mm")));
     header->resizeSection(SettingTree::Range, room(QStringLiteral("-3600 ▬▬▬▬ 3600")));
     header->resizeSection(SettingTree::AppliesWhen, room(tr("reconnect")));
     spanSections();
@@ -165,13 +173,23 @@ void SettingsView::expandIfSought()
 
 void SettingsView::explain()
 {
+    const bool isRoomy = height() >= kPictureFrom;
+    m_explanation->setLines(isRoomy ? 3 : 2);
+    m_explanation->updateGeometry();
+    m_picture->setKey(!isRoomy ? std::string()
+                               : m_tree->currentIndex().data(SettingTree::KeyRole).toString().toStdString());
     if (!m_refusal.isEmpty()) {
         m_explanation->setValue(m_refusal, Tone::Warning, Symbol::Warning);
         return;
     }
     const QModelIndex current = m_tree->currentIndex();
-    const QString text = current.data(SettingTree::ExplanationRole).toString();
-    m_explanation->setValue(text);
+    m_explanation->setValue(current.data(SettingTree::ExplanationRole).toString());
+}
+
+void SettingsView::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    explain();
 }
 
 // When the lines below it come and go, what is being read or changed stays in sight.

@@ -15,6 +15,7 @@ class QTreeView;
 namespace boresight::ui {
 
 class SettingFilter;
+class SettingPictureView;
 class SettingTree;
 class ValueLabel;
 
@@ -29,6 +30,7 @@ public:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void buildTree();
@@ -45,6 +47,7 @@ private:
     QLineEdit* m_search;
     QComboBox* m_shown;
     QTreeView* m_tree;
+    SettingPictureView* m_picture;
     ValueLabel* m_explanation;
     QString m_refusal;
 };

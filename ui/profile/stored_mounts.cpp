@@ -6,6 +6,7 @@
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_history.h"
 #include "core/profile/setting.h"
+#include "ui/link/setting_words.h"
 
 #include <QFileInfo>
 
@@ -27,7 +28,7 @@ QString differences(const profile::Profile& from, const profile::Profile& to)
     for (const profile::Change& change : changes) {
         const QString line = change.applies == profile::Applies::Now ? StoredMounts::tr("%1: %2 → %3")
                                                                      : StoredMounts::tr("%1: %2 → %3, on reconnect");
-        text += QLatin1Char('\n') + line.arg(QString::fromStdString(change.key), change.before, change.after);
+        text += QLatin1Char('\n') + line.arg(settingName(change.key), change.before, change.after);
     }
     return text;
 }
@@ -130,13 +131,14 @@ void StoredMounts::switchTo(const profile::StoredProfile& mount)
     load(mount.path, [this](const profile::Profile& other) {
         const QString bus = QString::fromStdString(other.bus);
         const QString lines =
-            (m_draft.keepsSimulated() ? tr("Bus: simulated, because Boresight was started with --simulate. That of "
+            (m_draft.keepsSimulated() ? tr("Bus: simulated, because Boresight was started with --simulate. The bus of "
                                            "this mount, %1, is not used.")
                                       : tr("Bus: %1"))
                 .arg(bus) +
             QLatin1Char('\n') +
-            tr("The mount of now is left as at the end of the program, and the other one is connected as at a start. "
-               "Nothing moves; the window stays.") +
+            tr("Boresight leaves the present mount as at the end of the program. Then it connects the other mount as "
+               "at a "
+               "start. Nothing moves. The window stays open.") +
             QStringLiteral("\n\n") + differences(m_draft.applied(), other);
         Q_EMIT asked({.title = tr("Switch to the mount \"%1\"?").arg(nameOf(other)),
                       .text = lines,
@@ -151,7 +153,7 @@ void StoredMounts::duplicate(const profile::StoredProfile& mount)
     // What was found in a simulation is no mount of its own.
     const bool asApplied = isInForce(mount) && !m_simulated;
     if (mount.path.isEmpty() && !asApplied) {
-        Q_EMIT failed(tr("The simulated mount has no profile that can be duplicated"));
+        Q_EMIT failed(tr("The simulated mount has no profile to duplicate."));
         return;
     }
     const auto perform = [this, mount, asApplied, applied = m_draft.applied()](const QString& name) {
@@ -162,12 +164,12 @@ void StoredMounts::duplicate(const profile::StoredProfile& mount)
             profile::Profile copy = applied;
             return setName(copy, name).and_then([&] { return store.add(copy); }).map([](const QString&) {});
         };
-        write(work, tr("\"%1\" is kept as a mount of its own").arg(name));
+        write(work, tr("The mount \"%1\" is stored.").arg(name));
     };
     Q_EMIT asked(
         {.title = tr("Duplicate the mount \"%1\"?").arg(mount.mountName),
-         .text = tr("A new mount with the same settings. What this one remembers, such as the turns of its axes, is "
-                    "not copied."),
+         .text = tr("This makes a new mount with the same settings. The position journal with the cable wraps is not "
+                    "copied."),
          .act = tr("Duplicate"),
          .request = {},
          .perform = perform,
@@ -185,7 +187,7 @@ void StoredMounts::rename(const profile::StoredProfile& mount)
                 return;
             }
             m_draft.edit([&renamed](profile::Profile& profile) { profile = renamed; });
-            Q_EMIT done(tr("Apply keeps the new name; Reconnect puts it in force"));
+            Q_EMIT done(tr("Press Apply to store the new name. Press Reconnect to use it."));
             return;
         }
         const auto work = [mount, name, store = m_store] {
@@ -193,12 +195,12 @@ void StoredMounts::rename(const profile::StoredProfile& mount)
                 return setName(profile, name).and_then([&] { return store.save(profile, mount.path); });
             });
         };
-        write(work, tr("The mount is called \"%1\" now").arg(name));
+        write(work, tr("The mount is now called \"%1\".").arg(name));
     };
     Q_EMIT asked(
         {.title = tr("Rename the mount \"%1\"?").arg(mount.mountName),
-         .text = tr("What a mount remembers is kept under its name: under a new one the turns of the axes are asked "
-                    "for again, unless the drives can tell them."),
+         .text = tr("The position journal is kept under the name of the mount. Under a new name Boresight asks for the "
+                    "cable wraps again, unless the drives report them."),
          .act = tr("Rename"),
          .request = {},
          .perform = perform,
@@ -209,14 +211,15 @@ void StoredMounts::rename(const profile::StoredProfile& mount)
 void StoredMounts::remove(const profile::StoredProfile& mount)
 {
     if (isInForce(mount)) {
-        Q_EMIT failed(tr("This mount is in force: switch to another one first"));
+        Q_EMIT failed(tr("This mount is in use. Switch to another mount first."));
         return;
     }
     ask(tr("Remove the mount \"%1\"?").arg(mount.mountName),
-        tr("It leaves the list. Its file is kept under the name %1.removed.").arg(QFileInfo(mount.path).fileName()),
+        tr("The mount leaves the list. Its file stays under the name %1.removed.")
+            .arg(QFileInfo(mount.path).fileName()),
         tr("Remove"), [this, mount](const QString&) {
             write([mount, store = m_store] { return store.remove(mount.path); },
-                  tr("\"%1\" is removed").arg(mount.mountName));
+                  tr("The mount \"%1\" is removed.").arg(mount.mountName));
         });
 }
 
@@ -230,17 +233,17 @@ void StoredMounts::askImport(const profile::Profile& read)
     const profile::StoredProfile* const mount = stored(nameOf(read));
     if (mount == nullptr) {
         ask(tr("Import the mount \"%1\"?").arg(nameOf(read)),
-            tr("It is kept as a mount of its own; nothing else changes.\n\nBus: %1\nBeside the mount in force:\n%2")
+            tr("Boresight stores the mount. Nothing else changes.\n\nBus: %1\nCompared with the mount in use:\n%2")
                 .arg(QString::fromStdString(read.bus), differences(m_draft.applied(), read)),
             tr("Import"), [this, read](const QString&) {
                 write([read, store = m_store] { return store.add(read).map([](const QString&) {}); },
-                      tr("\"%1\" is kept").arg(nameOf(read)));
+                      tr("The mount \"%1\" is stored.").arg(nameOf(read)));
             });
     } else if (isInForce(*mount)) {
-        ask(tr("Take this file over into \"%1\"?").arg(nameOf(read)),
-            tr("This mount is in force. The values come into the page as edits; Apply puts them in force.\n\n%1")
+        ask(tr("Copy this file into \"%1\"?").arg(nameOf(read)),
+            tr("This mount is in use. The values become edits on this page. Press Apply to use them.\n\n%1")
                 .arg(differences(m_draft.applied(), read)),
-            tr("Take over"),
+            tr("Copy values"),
             [this, read](const QString&) { takeOver(read, profile::changedKeys(m_draft.applied(), read)); });
     } else {
         load(mount->path,
@@ -258,17 +261,17 @@ void StoredMounts::askOverwrite(const profile::Profile& read, const profile::Sto
         return;
     }
     ask(tr("Overwrite the mount \"%1\"?").arg(nameOf(read)),
-        tr("The version of now is kept as the one before.\n\n%1").arg(differences(kept, read)), tr("Overwrite"),
+        tr("The present version is kept as the version before.\n\n%1").arg(differences(kept, read)), tr("Overwrite"),
         [this, read, mount](const QString&) {
             write([read, mount, store = m_store] { return store.save(read, mount.path); },
-                  tr("\"%1\" is overwritten").arg(nameOf(read)));
+                  tr("The mount \"%1\" is overwritten.").arg(nameOf(read)));
         });
 }
 
 void StoredMounts::takeOver(const profile::Profile& from, const std::vector<std::string>& keys)
 {
     m_draft.takeOver(from, keys);
-    Q_EMIT done(tr("In the page, not applied: %1").arg(m_draft.editedKeys().size()));
+    Q_EMIT done(tr("Edits on this page, not applied yet: %1").arg(m_draft.editedKeys().size()));
 }
 
 // Of the mount in force as it is applied: its file may hold what the command line overrides. What was changed in a
@@ -280,17 +283,17 @@ void StoredMounts::exportTo(const QString& file, const profile::StoredProfile& m
                        asApplied = isInForce(mount)] {
         return asApplied ? profile::saveProfile(applied, file) : store.exportFile(mount.path, file);
     };
-    write(work, tr("Written: %1").arg(file));
+    write(work, tr("File written: %1").arg(file));
 }
 
 void StoredMounts::takeBack(const profile::StoredProfile& mount)
 {
     if (mount.path.isEmpty() || !mount.problem.isEmpty()) {
-        Q_EMIT failed(tr("This mount has no file with a version before"));
+        Q_EMIT failed(tr("This mount has no earlier version."));
         return;
     }
     if (isInForce(mount) && m_draft.hasEdits()) {
-        Q_EMIT failed(tr("Apply or revert the edits first"));
+        Q_EMIT failed(tr("Apply or revert the edits first."));
         return;
     }
     load(mount.path, [this, mount](const profile::Profile& now) {
@@ -302,12 +305,12 @@ void StoredMounts::takeBack(const profile::StoredProfile& mount)
 void StoredMounts::askTakeBack(const profile::StoredProfile& mount, const profile::Profile& now,
                                const profile::Profile& before)
 {
-    ask(tr("Take back the last saved change of \"%1\"?").arg(mount.mountName),
-        tr("Taking it back can be taken back too.\n\n%1").arg(differences(now, before)), tr("Take back"),
+    ask(tr("Undo the last saved change of \"%1\"?").arg(mount.mountName),
+        tr("A second undo restores the change.\n\n%1").arg(differences(now, before)), tr("Undo change"),
         [this, mount, now, before](const QString&) {
             if (!isInForce(mount)) {
                 write([mount, store = m_store] { return store.undo(mount.path).map([](const profile::Profile&) {}); },
-                      tr("The last change of \"%1\" is taken back").arg(mount.mountName));
+                      tr("The last change of \"%1\" is undone.").arg(mount.mountName));
                 return;
             }
             takeOver(before, profile::changedKeys(now, before));
@@ -315,7 +318,7 @@ void StoredMounts::askTakeBack(const profile::StoredProfile& mount, const profil
                 if (error) {
                     Q_EMIT failed(error->text);
                 } else {
-                    Q_EMIT done(tr("The last change is taken back"));
+                    Q_EMIT done(tr("The last change is undone."));
                 }
             });
         });

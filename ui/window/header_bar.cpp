@@ -5,10 +5,12 @@
 #include "ui/kit/format.h"
 #include "ui/kit/value_label.h"
 #include "ui/kit/widest.h"
+#include "ui/look/glyph.h"
 #include "ui/window/stop_button.h"
 
 #include <QGridLayout>
 #include <QStringList>
+#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +18,8 @@
 namespace boresight::ui {
 
 namespace {
+
+constexpr QSize kMenuSize{44, 44};
 
 struct Shown
 {
@@ -212,10 +216,12 @@ HeaderBar::HeaderBar(QWidget* parent)
       m_control(new ValueLabel(tr("Who may move the mount"), fonts::label(), {}, this)),
       m_utc(new ValueLabel(tr("UTC"), fonts::clock(), QStringLiteral("00:00:00Z"), this)),
       m_simulated(new ValueLabel(tr("Simulated mount"), fonts::label(), tr("SIMULATED"), this)),
+      m_menu(new QToolButton(this)),
       m_stop(new StopButton(this))
 {
     build();
     connect(m_stop, &StopButton::pressed, this, &HeaderBar::stopPressed);
+    connect(m_menu, &QToolButton::clicked, this, &HeaderBar::menuWanted);
 }
 
 void HeaderBar::build()
@@ -259,8 +265,19 @@ void HeaderBar::build()
     grid->addWidget(m_reason, 1, 0);
     grid->addWidget(m_utc, 0, 2, Qt::AlignRight | Qt::AlignVCenter);
     grid->addWidget(m_simulated, 1, 2, Qt::AlignRight | Qt::AlignVCenter);
-    grid->addWidget(m_stop, 0, 3, 2, 1, Qt::AlignCenter);
+    m_menu->setIcon(glyphIcon(Glyph::Menu));
+    m_menu->setFixedSize(kMenuSize);
+    m_menu->setFocusPolicy(Qt::TabFocus);
+    m_menu->setAccessibleName(tr("Menu"));
+    m_menu->setToolTip(tr("Menu: theme, full screen, language, guide, keys, diagnostics (F10 or Alt)"));
+    grid->addWidget(m_menu, 0, 3, 2, 1, Qt::AlignCenter);
+    grid->addWidget(m_stop, 0, 4, 2, 1, Qt::AlignCenter);
     grid->setColumnStretch(1, 1);
+}
+
+const QWidget& HeaderBar::menuButton() const
+{
+    return *m_menu;
 }
 
 void HeaderBar::showStatus(const StationStatus& status)

@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+class QToolButton;
+
 // The top row, visible in every panel: the state in a word with its reason, the target and who gave it, the links,
 // UTC, the SIMULATED tag, STOP. Shows what the status says and decides nothing.
 namespace boresight::ui {
@@ -24,8 +26,11 @@ public:
     void setStopRequested();  // until the status says STOPPED
     void setStopRefused();
 
+    [[nodiscard]] const QWidget& menuButton() const;
+
 Q_SIGNALS:
     void stopPressed();
+    void menuWanted();
 
 private:
     void build();
@@ -45,6 +50,7 @@ private:
     ValueLabel* m_control;
     ValueLabel* m_utc;
     ValueLabel* m_simulated;
+    QToolButton* m_menu;
     StopButton* m_stop;
     bool m_stopRequested = false;
 };

@@ -18,8 +18,12 @@
 #include "ui/link/forbidden.h"
 #include "ui/link/motion_state.h"
 #include "ui/log/log_panel.h"
+#include "ui/look/desk_style.h"
+#include "ui/manual/manual_window.h"
 #include "ui/north/calibration_panel.h"
+#include "ui/profile/profile_page.h"
 #include "ui/sky/polar_plot.h"
+#include "ui/window/about_page.h"
 #include "ui/window/alarm_card.h"
 #include "ui/window/authority_button.h"
 #include "ui/window/axis_readout.h"
@@ -27,6 +31,7 @@
 #include "ui/window/diagnostics_saver.h"
 #include "ui/window/header_bar.h"
 #include "ui/window/help_page.h"
+#include "ui/window/main_menu.h"
 #include "ui/window/panel_tabs.h"
 #include "ui/window/progress_line.h"
 #include "ui/window/sensor_readout.h"
@@ -51,11 +56,19 @@ constexpr std::chrono::milliseconds kBeat{100};
 constexpr int kBeatsPerSecond = 10;
 constexpr int kWidthWithCharts = 1600;
 
+// Before the first widget is made: its size depends on the style, and what a screen reader is told of it is settled
+// with it.
+void prepare(const WindowSettings& settings)
+{
+    describeOwnWidgets();
+    DeskStyle::install();
+    applyTheme(settings.theme, settings.brightness);
+}
+
 }  // namespace
 
-// Before the first of its widgets is made: what a screen reader is told of a widget is settled with it.
 MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidget* parent)
-    : QMainWindow((describeOwnWidgets(), parent)),
+    : QMainWindow((prepare(settings), parent)),
       m_clock(clock),
       m_draft(m_desk),
       m_last(clock),
@@ -78,7 +91,9 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_closeBar(new ClosePrompt(this)),
       m_goHere(new CommandButton(tr("Go here"), tr("Go to this direction by the nearest turn"), m_desk,
                                  m_pickBar->notice(), m_pickBar)),
-      m_help(new HelpPage(settings.language, this)),
+      m_help(new HelpPage(this)),
+      m_about(new AboutPage(this)),
+      m_menu(new MainMenu(settings.language, *this)),
       m_stopKeys(new StopKeys(*this)),
       m_diagnostics(new DiagnosticsSaver(this)),
       m_stateDir(settings.stateDir)
@@ -88,18 +103,17 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
         m_header->setOnlySimulated();
     }
     new FocusFrame(this);
-    applyTheme(settings.theme);
     setWindowTitle(tr("Boresight"));
     setWindowIcon(QIcon(QStringLiteral(":/boresight/icons/boresight.svg")));
     build();
     addKeys();
+    connectMenu();
     connect(&m_desk, &RequestDesk::requested, this, &MainWindow::requested);
     connect(m_header, &HeaderBar::stopPressed, this, &MainWindow::stop);
     connect(m_stopKeys, &StopKeys::stopPressed, this, &MainWindow::stop);
     connect(m_plot, &PolarPlot::clicked, this, &MainWindow::pick);
     connect(&m_panels->log(), &LogPanel::beepWanted, this, &QApplication::beep);
     connect(&m_panels->log(), &LogPanel::soundChanged, this, &MainWindow::alarmSoundChanged);
-    connect(m_help, &HelpPage::languageChosen, this, &MainWindow::languageChanged);
     connect(&m_panels->jog(), &JogPanel::stopPressed, this, &MainWindow::stop);
     connect(&m_panels->jog(), &JogPanel::recentGoTosChanged, this, &MainWindow::recentGoTosChanged);
     connect(m_plot, &PolarPlot::editingChanged, this, &MainWindow::showEditing);
@@ -122,7 +136,6 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     m_stopKeys->setFirstUse([this] { return m_plot->editor().cancelDrag(); });
     connect(&m_beat, &QTimer::timeout, this, &MainWindow::beat);
     connect(m_panels, &PanelTabs::broughtUp, this, &MainWindow::closeGuide);
-    connect(m_panels, &PanelTabs::guideWanted, this, &MainWindow::openGuide);
     m_beat.start(kBeat);
     showStatus(m_last.received());
     resize(1280, 800);
@@ -208,9 +221,26 @@ void MainWindow::addKeys()
     addKey(Qt::CTRL | Qt::Key_Minus, &MainWindow::zoomOut);
     addKey(Qt::CTRL | Qt::Key_B, &MainWindow::saveDiagnostics);
     addKey(Qt::Key_F8, &MainWindow::acknowledge);
+    addKey(Qt::Key_F10, &MainWindow::openMenu);
     addKey(Qt::Key_F11, &MainWindow::toggleFullScreen);
-    addKey(Qt::Key_F1, &MainWindow::showHelp);
+    addKey(Qt::Key_F1, &MainWindow::showManual);
+    addKey(Qt::SHIFT | Qt::Key_F1, &MainWindow::showHelp);
     addKey(Qt::Key_F3, &MainWindow::toggleGuide);
+}
+
+void MainWindow::connectMenu()
+{
+    connect(m_header, &HeaderBar::menuWanted, this, &MainWindow::openMenu);
+    connect(m_menu, &MainMenu::openWanted, this, &MainWindow::openMenu);
+    connect(m_menu, &MainMenu::themeChosen, this, &MainWindow::chooseTheme);
+    connect(m_menu, &MainMenu::languageChosen, this, &MainWindow::languageChanged);
+    connect(m_menu, &MainMenu::fullScreenWanted, this, &MainWindow::toggleFullScreen);
+    connect(m_menu, &MainMenu::manualWanted, this, &MainWindow::showManual);
+    connect(m_menu, &MainMenu::keysWanted, this, &MainWindow::showHelp);
+    connect(m_menu, &MainMenu::guideWanted, this, &MainWindow::openGuide);
+    connect(m_menu, &MainMenu::profileWanted, this, [this] { m_panels->bringUp(m_panels->profile()); });
+    connect(m_menu, &MainMenu::diagnosticsWanted, this, &MainWindow::saveDiagnostics);
+    connect(m_menu, &MainMenu::aboutWanted, this, [this] { showBelowReadout(*m_about); });
 }
 
 void MainWindow::addKey(const QKeySequence& key, void (MainWindow::*act)())
@@ -366,13 +396,22 @@ void MainWindow::closeNow()
 {
     m_mayClose = true;
     m_help->close();
+    if (m_manual != nullptr) {
+        m_manual->close();
+    }
+    m_about->close();
     close();
 }
 
 void MainWindow::nextTheme()
 {
-    applyTheme(next(currentTheme().kind));
-    Q_EMIT themeChanged(currentTheme().kind);
+    chooseTheme(next(currentTheme().kind), currentBrightness());
+}
+
+void MainWindow::chooseTheme(ThemeKind theme, Brightness brightness)
+{
+    applyTheme(theme, brightness);
+    Q_EMIT themeChanged(theme, brightness);
 }
 
 void MainWindow::showEditing(bool on)
@@ -408,13 +447,31 @@ void MainWindow::toggleFullScreen()
     setWindowState(windowState() ^ Qt::WindowFullScreen);
 }
 
+void MainWindow::openMenu()
+{
+    m_menu->openBelow(m_header->menuButton());
+}
+
+void MainWindow::showManual()
+{
+    if (m_manual == nullptr) {
+        m_manual = new ManualWindow(this);
+    }
+    showBelowReadout(*m_manual);
+}
+
 void MainWindow::showHelp()
 {
-    // Never over STOP, the state, the alarm or the numbers.
-    m_help->move(mapToGlobal(QPoint(0, m_readout->mapTo(this, m_readout->rect().bottomLeft()).y())));
-    m_help->show();
-    m_help->raise();
-    m_help->activateWindow();
+    showBelowReadout(*m_help);
+}
+
+// Never over STOP, the state, the alarm or the numbers.
+void MainWindow::showBelowReadout(QWidget& page)
+{
+    page.move(mapToGlobal(QPoint(0, m_readout->mapTo(this, m_readout->rect().bottomLeft()).y())));
+    page.show();
+    page.raise();
+    page.activateWindow();
 }
 
 void MainWindow::saveDiagnostics()

@@ -23,6 +23,7 @@ class QStackedWidget;
 // More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
+class AboutPage;
 class AlarmCard;
 class AuthorityButton;
 class AxisReadout;
@@ -35,6 +36,8 @@ class HeaderBar;
 class HandBackPrompt;
 class HelpPage;
 class LeadPrompt;
+class MainMenu;
+class ManualWindow;
 class PanelTabs;
 class PolarPlot;
 class ProgressLine;
@@ -72,7 +75,7 @@ Q_SIGNALS:
     void updateShown();  // the station may send the next update
     // The operator closes the window (and, asked because the mount was moving, said yes): stop, then closeNow().
     void closeRequested();
-    void themeChanged(boresight::ui::ThemeKind theme);
+    void themeChanged(boresight::ui::ThemeKind theme, boresight::ui::Brightness brightness);
     void alarmSoundChanged(bool on);
     void languageChanged(const QString& language);  // for the next start
     void recentGoTosChanged(const QStringList& recent);
@@ -87,6 +90,7 @@ private:
     void addPrompts();
     [[nodiscard]] QWidget* makeSide(QWidget& ground);
     void addKeys();
+    void connectMenu();
     void addKey(const QKeySequence& key, void (MainWindow::*act)());
     void stop();
     void showStatus(const StationStatus& status);
@@ -96,13 +100,17 @@ private:
     void blockGoHere(const StationStatus& status);
     void goToPicked();
     void nextTheme();
+    void chooseTheme(ThemeKind theme, Brightness brightness);
     void showEditing(bool on);  // of the limits on the plot
     void toggleEditing();
     void toggleZoom();
     void zoomIn();
     void zoomOut();
     void toggleFullScreen();
+    void openMenu();
+    void showManual();
     void showHelp();
+    void showBelowReadout(QWidget& page);
     void saveDiagnostics();
     void openGuide();
     void closeGuide();
@@ -137,6 +145,9 @@ private:
     ClosePrompt* m_closeBar;
     CommandButton* m_goHere;
     HelpPage* m_help;
+    ManualWindow* m_manual = nullptr;  // made when it is first opened
+    AboutPage* m_about;
+    MainMenu* m_menu;
     StopKeys* m_stopKeys;
     DiagnosticsSaver* m_diagnostics;
     QString m_stateDir;

@@ -11,13 +11,13 @@
 #include "ui/kit/axes.h"
 #include "ui/limits/limits_panel.h"
 #include "ui/log/log_panel.h"
+#include "ui/look/glyph.h"
 #include "ui/north/calibration_panel.h"
 #include "ui/profile/profile_page.h"
 
 #include <QEvent>
 #include <QShortcut>
 #include <QTabBar>
-#include <QToolButton>
 
 #include <algorithm>
 
@@ -50,11 +50,21 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
     addTab(m_mountTabs, tr("Mount"));
     addPanel(*this, *m_north, tr("North"), tr("Finding north: sensor, swing, Sun and Moon (Ctrl+9)"), Qt::Key_9);
     addTurnPage();
-    addGuideButton();
+    addIcons();
     connect(m_north, &CalibrationPanel::settingsWanted, this, [this](const QString& words) {
         bringUp(*m_profile);
         m_profile->seek(words);
     });
+}
+
+void PanelTabs::addIcons()
+{
+    const std::pair<QWidget*, Glyph> icons[] = {
+        {m_jog, Glyph::Jog}, {m_charts, Glyph::Charts},   {m_limits, Glyph::Limits}, {m_clients, Glyph::Clients},
+        {m_log, Glyph::Log}, {m_mountTabs, Glyph::Mount}, {m_north, Glyph::North}};
+    for (const auto& [panel, glyph] : icons) {
+        setTabIcon(indexOf(panel), glyphIcon(glyph));
+    }
 }
 
 void PanelTabs::addTurnPage()
@@ -63,19 +73,6 @@ void PanelTabs::addTurnPage()
     setTabToolTip(tab, tr("Which turn is the axis on? (Ctrl+9)"));
     setTabVisible(tab, false);
     tabBar()->setTabTextColor(tab, currentTheme().warning);
-}
-
-void PanelTabs::addGuideButton()
-{
-    auto* const button = new QToolButton(this);
-    button->setText(tr("Guide"));
-    button->setFont(fonts::label());
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::TabFocus);
-    button->setAccessibleName(tr("Commissioning guide"));
-    button->setToolTip(tr("Commissioning guide: from a new mount to the first pass, step by step (F3)"));
-    connect(button, &QToolButton::clicked, this, &PanelTabs::guideWanted);
-    setCornerWidget(button);
 }
 
 QTabWidget* PanelTabs::makeMountTabs()
@@ -235,7 +232,6 @@ void PanelTabs::showQuestion(const StationStatus& status)
         return;
     }
     m_asking = asking;
-    cornerWidget()->setVisible(!asking);  // the tabs need its room; F3 remains
     if (asking) {
         setTabVisible(indexOf(m_north), false);
         setTabVisible(indexOf(m_turn), true);

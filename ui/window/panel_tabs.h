@@ -49,19 +49,19 @@ public:
     [[nodiscard]] ChartsPanel& charts() { return *m_charts; }
     [[nodiscard]] LimitsPanel& limits() { return *m_limits; }
     [[nodiscard]] LogPanel& log() { return *m_log; }
+    [[nodiscard]] ProfilePage& profile() { return *m_profile; }
 
 Q_SIGNALS:
     void broughtUp();  // a panel is wanted, whatever stands in the panels' place
-    void guideWanted();
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    void addIcons();
     void addPanel(QTabWidget& tabs, QWidget& panel, const QString& text, const QString& help, Qt::Key key);
     void bringUpByKey(QWidget& panel);
     [[nodiscard]] QTabWidget* makeMountTabs();
-    void addGuideButton();
     void addTurnPage();
     void showMountTabs(const StationStatus& status);
     void showQuestion(const StationStatus& status);

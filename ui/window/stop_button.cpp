@@ -68,7 +68,7 @@ void StopButton::paintEvent(QPaintEvent*)
     painter.setRenderHint(QPainter::Antialiasing);
     const Theme& colours = currentTheme();
     const QRectF box = QRectF(rect()).adjusted(1.5, 1.5, -1.5, -1.5);
-    painter.setPen(QPen(isDown() ? colours.stopText : colours.stop.darker(150), 2.0));
+    painter.setPen(QPen(isDown() ? colours.stopText : colours.stopOutline, 2.0));
     painter.setBrush(isDown() ? colours.stop.darker(125) : colours.stop);
     painter.drawPolygon(octagon(box));
     painter.setPen(colours.stopText);

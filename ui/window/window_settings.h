@@ -28,6 +28,7 @@ namespace boresight::ui {
 struct WindowSettings
 {
     ThemeKind theme = ThemeKind::Day;
+    Brightness brightness = Brightness::High;
     QString language;  // what was chosen (ui/language.h); the texts have it already
     GuideProgress guide;
     bool alarmSound = true;   // at a new alarm, once; silence is the operator's choice

@@ -50,7 +50,7 @@ TEST(ProfileFile, TheDefaultFileReadsBackAsTheDefault)
     const auto profile = parseProfile(text, "m.toml");
     ASSERT_TRUE(profile) << textOf(profile.error());
     EXPECT_EQ(*profile, Profile{});
-    EXPECT_NE(text.find("# Upper end of the permitted travel; 370° is not 10°.\n"
+    EXPECT_NE(text.find("# Upper end of the permitted travel, as an axis angle: 370° is not 10°.\n"
                         "# -3600.0…3600.0 °; default 450.0; applies on reconnect\n"
                         "travel_max_deg = 450.0\n"),
               std::string::npos)
@@ -158,9 +158,9 @@ TEST(ProfileFile, TellsAllErrorsAtOnceInTheOrderOfTheirLines)
               "m.toml:5: azimuth.travel_min_deg: a number is expected\n"
               "m.toml:5: azimuth.travel_min_deg: -90.00° is not below azimuth.travel_max_deg (-100.00°)\n"
               "m.toml:6: azimuth.max_sped_deg_s: unknown key\n"
-              "m.toml:9: elevation.id: is the same as azimuth.id; each controller needs its own\n"
+              "m.toml:9: elevation.id: is the same as azimuth.id. Each controller needs its own id.\n"
               "m.toml:10: elevation.sign: a whole number is expected\n"
-              "m.toml:11: elevation.gear_in: \"motor\" is none of \"drive\", \"host\"\n"
+              "m.toml:11: elevation.gear_in: \"motor\" is not one of \"drive\", \"host\"\n"
               "m.toml:12: weather: unknown table\n"
               "m.toml:15: control.watchdog_s: a finite number is expected\n"
               "m.toml:16: control.tick_hz: a number or a text in quotes is expected\n"
@@ -200,13 +200,14 @@ TEST(ProfileFile, TellsWhichRowsCannotBeRead)
               "m.toml:5: limits.horizon[4]: -91 is outside -90…90\n"
               "m.toml:6: limits.horizon[5]: 360 is outside 0…359.999999\n"
               "m.toml:6: limits.horizon[6]: a point is [azimuth, elevation]\n"
-              "m.toml:8: keep_out[1]: without azimuth_to_deg, elevation_min_deg, elevation_max_deg; its keys are "
-              "given all together\n"
+              "m.toml:8: keep_out[1]: missing: azimuth_to_deg, elevation_min_deg, elevation_max_deg. The keys of "
+              "this table are only valid together.\n"
               "m.toml:11: keep_out[1].colour: unknown key\n"
               "m.toml:13: keep_out[2].name: one line of 1 to 60 bytes is expected\n"
               "m.toml:14: keep_out[2].azimuth_from_deg: -10 is outside 0…359.999999\n"
               "m.toml:17: keep_out[2].elevation_max_deg: a number or a text in quotes is expected\n"
-              "m.toml:18: site: without latitude_deg, height_m; its keys are given all together\n"
+              "m.toml:18: site: missing: latitude_deg, height_m. The keys of this table are only valid "
+              "together.\n"
               "m.toml:21: rotctld.allow: a number or a text in quotes is expected\n"
               "m.toml:22: rotctld.locked_to: a text in quotes is expected");
 }
@@ -231,12 +232,12 @@ TEST(ProfileFile, TellsWhichRowsMakeNoSense)
                        "name = \"n\"\nazimuth_deg = 9\nelevation_deg = 0\n"  // 17
                        "[rotctld]\n"                                         // 20
                        "lead = \"locked\"\n"),                               // 21
-              "m.toml:3: limits.azimuth_min_deg: the limits 460.00°…3600.00° leave nothing of the travel "
-              "-90.00°…450.00°\n"
-              "m.toml:5: limits.horizon[3]: the azimuth 30.50° does not follow 30.50°; points ascend, each azimuth "
-              "once\n"
+              "m.toml:3: limits.azimuth_min_deg: The limits 460.00°…3600.00° do not overlap the travel "
+              "-90.00°…450.00°.\n"
+              "m.toml:5: limits.horizon[3]: Azimuth 30.50° does not follow 30.50°. The azimuths must ascend, "
+              "each once.\n"
               "m.toml:10: keep_out[1].elevation_min_deg: 40.00° is not below elevation_max_deg (30.00°)\n"
-              "m.toml:17: preset[2].name: \"n\" is there already\n"
+              "m.toml:17: preset[2].name: The name \"n\" is used twice.\n"
               "m.toml:20: rotctld.locked_to: is needed while rotctld.lead is \"locked\"");
     EXPECT_EQ(errorsOf("version = 1\nrotctld.allow = [\"10.0.0.0/8\", \"10.1\"]\n"),
               "m.toml:2: rotctld.allow: \"10.1\" is no address like 192.168.1.7 or ::1");

@@ -97,7 +97,7 @@ TEST_F(ProfileStoreTest, OneIsCurrent)
     const QString one = added("one");
     EXPECT_EQ(current(), one) << "the only one";
     const QString two = added("two");
-    EXPECT_TRUE(current().contains(QLatin1String("choose one with --profile"))) << current().toStdString();
+    EXPECT_TRUE(current().contains(QLatin1String("Choose one with --profile"))) << current().toStdString();
     ASSERT_TRUE(store.setCurrent(two));
     EXPECT_EQ(listed(), "one, two (current)");
     EXPECT_EQ(current(), two);
@@ -290,6 +290,6 @@ TEST_F(ProfileStoreTest, WritesNothingThatCannotBeReadAgain)
     ASSERT_FALSE(saved);
     EXPECT_EQ(textOf(saved.error()),
               "jog.slow_deg_s: -1 is outside 0.001…360\n"
-              "limits.horizon[2]: the azimuth 10.00° does not follow 10.00°; points ascend, each azimuth once");
+              "limits.horizon[2]: Azimuth 10.00° does not follow 10.00°. The azimuths must ascend, each once.");
     EXPECT_EQ(loadProfile(file), named("one"));
 }

@@ -132,7 +132,7 @@ TEST_F(ChartsTest, PauseHoldsThePictureAndCollectsOn)
 {
     tick(10.0, 10.0, 500);
     press("Hold the picture; the data are collected on (Space in the charts)");
-    tick(10.0, 10.0, 6);  // of the moment of pausing
+    tick(10.0, 10.0, 10);  // of the moment of pausing: a column is less than 0.2 s
     const std::int64_t first = strip(Strip::Position).frame().firstColumn;
     const QImage before = strip(Strip::Position).grab().toImage();
     tick(10.0, 12.0, 500);

@@ -6,6 +6,7 @@
 #include "ui/guide/guide_connect.h"
 #include "ui/guide/guide_directions.h"
 #include "ui/guide/guide_north.h"
+#include "ui/window/main_menu.h"
 #include "ui/window/stop_button.h"
 
 #include <QAbstractButton>
@@ -86,7 +87,7 @@ TEST_F(GuideTest, FinishLaterGoesToThePanelsAndComesBackToTheSameStep)
     click("Finish later");
     EXPECT_FALSE(isOpen());
     EXPECT_FALSE(kept.open);
-    QTest::mouseClick(named<QAbstractButton>("Commissioning guide"), Qt::LeftButton);
+    Q_EMIT window.findChild<MainMenu*>()->guideWanted();
     EXPECT_TRUE(isOpen());
     EXPECT_EQ(current(), GuideStep::Site);
     EXPECT_EQ(stepButton(GuideStep::North).state(), StepState::Later);

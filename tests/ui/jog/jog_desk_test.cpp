@@ -18,7 +18,11 @@ namespace {
 class JogDeskTest : public WindowFixture
 {
 protected:
-    JogDeskTest() { give(samples::update(holding())); }
+    JogDeskTest()
+    {
+        give(samples::update(holding()));
+        QTest::mouseClick(named<QPushButton>("Presets, home, horizon, unwrap"), Qt::LeftButton);
+    }
 
     static StationStatus holding()
     {
@@ -54,14 +58,14 @@ protected:
 
 TEST_F(JogDeskTest, TheRateGoesFromSlowToFastOfTheProfileByKeysAndMouse)
 {
-    EXPECT_EQ(text("Rate while held"), QStringLiteral("Rate while held  2.0°/s"));
+    EXPECT_EQ(text("Rate while held"), QStringLiteral("2.0°/s"));
     slider().setFocus();
     QTest::keyClick(&slider(), Qt::Key_End);
-    EXPECT_EQ(text("Rate while held"), QStringLiteral("Rate while held  6.0°/s"));
+    EXPECT_EQ(text("Rate while held"), QStringLiteral("6.0°/s"));
     hold(JogDirection::Right);
     EXPECT_EQ(asked<request::Jog>().front().rates, (AxisRates{6_deg_s, 0_deg_s}));
     QTest::keyClick(&slider(), Qt::Key_Home);
-    EXPECT_EQ(text("Rate while held"), QStringLiteral("Rate while held  0.20°/s"));
+    EXPECT_EQ(text("Rate while held"), QStringLiteral("0.20°/s"));
     EXPECT_EQ(slider().accessibleDescription(), QStringLiteral("0.20°/s"));
     QTest::keyClick(&slider(), Qt::Key_Right);
     const AngularRate oneUp = slider().rate();
@@ -80,7 +84,7 @@ TEST_F(JogDeskTest, AProfileWithOtherRatesMovesTheEnds)
     profile.jog.fast = 3_deg_s;
     status.profile = std::make_shared<const profile::Profile>(profile);
     give(samples::update(status));
-    EXPECT_EQ(text("Rate while held"), QStringLiteral("Rate while held  3.0°/s"));
+    EXPECT_EQ(text("Rate while held"), QStringLiteral("3.0°/s"));
     hold(JogDirection::Up);
     EXPECT_EQ(asked<request::Jog>().front().rates, (AxisRates{0_deg_s, 3_deg_s}));
 }
@@ -125,9 +129,11 @@ TEST_F(JogDeskTest, EachStepSizeIsWhatOnePressMoves)
 // REQ-UI-02b: A step during a pass trims the client's target, is shown in every panel and taken away by one button.
 TEST_F(JogDeskTest, ATrimIsShownByTheReadoutsInEveryPanelAndCleared)
 {
+    QTest::mouseClick(named<QPushButton>("Presets, home, horizon, unwrap"), Qt::LeftButton);
     StationStatus status = samples::tracking(200);
     give(samples::update(status));
     EXPECT_FALSE(named<CommandButton>("Clear trim")->isEnabled());
+    EXPECT_EQ(text("Trim"), QStringLiteral("No trim"));
     status.trim = SkyPointing{.azimuth = 0.3_deg, .elevation = -0.1_deg};
     give(samples::update(status));
     for (const char panel : kPanels) {
@@ -138,7 +144,7 @@ TEST_F(JogDeskTest, ATrimIsShownByTheReadoutsInEveryPanelAndCleared)
     }
     openPanel('1');
     auto* const clear = named<CommandButton>("Clear trim");
-    EXPECT_TRUE(clear->toolTip().contains(QStringLiteral("Trim az +0.30° el -0.10°")));
+    EXPECT_TRUE(clear->toolTip().contains(QStringLiteral("Trim: AZ +0.30° EL -0.10°")));
     QTest::mouseClick(clear, Qt::LeftButton);
     EXPECT_EQ(asked<request::ClearTrim>().size(), 1u);
     status.trim.reset();
@@ -149,16 +155,16 @@ TEST_F(JogDeskTest, ATrimIsShownByTheReadoutsInEveryPanelAndCleared)
 
 TEST_F(JogDeskTest, AWoundCableIsUnwoundByOneClick)
 {
-    EXPECT_FALSE(named<CommandButton>("Unwind")->isEnabled());
-    EXPECT_TRUE(named<CommandButton>("Unwind")->toolTip().contains(QStringLiteral("already wound least")));
+    EXPECT_FALSE(named<CommandButton>("Unwrap")->isEnabled());
+    EXPECT_TRUE(named<CommandButton>("Unwrap")->toolTip().contains(QStringLiteral("already wound least")));
     StationStatus status = holding();
     status.permissions = samples::permitted();
     give(samples::update(status));
-    click("Unwind");
+    click("Unwrap");
     EXPECT_EQ(asked<request::Unwind>().size(), 1u);
     status.permissions = samples::withoutMotion(QStringLiteral("STOP is latched. Reset STOP first."));
     give(samples::acceptance(status, requests.back().id));
-    EXPECT_FALSE(named<CommandButton>("Unwind")->isEnabled());
+    EXPECT_FALSE(named<CommandButton>("Unwrap")->isEnabled());
 }
 
 // REQ-UI-02c: Go-tos that were accepted are remembered. Presets live in the profile and are applied without other
@@ -257,7 +263,7 @@ TEST_F(JogDeskTest, DirectionsOfAnEarlierStartComeBackAndRubbishDoesNot)
 TEST_F(JogDeskTest, APresetIsSavedWhereTheMountPointsUnderATypedName)
 {
     EXPECT_FALSE(named<CommandButton>("Save here")->isEnabled());
-    EXPECT_TRUE(named<CommandButton>("Save here")->toolTip().contains(QStringLiteral("type a name first")));
+    EXPECT_TRUE(named<CommandButton>("Save here")->toolTip().contains(QStringLiteral("Type a name first")));
     presetName().setFocus();
     QTest::keyClicks(&presetName(), QStringLiteral("beacon"));
     EXPECT_FALSE(named<CommandButton>("Go to")->isEnabled());
@@ -306,7 +312,8 @@ TEST_F(JogDeskTest, NothingIsSavedFromAnOldPosition)
     give(samples::update(samples::withAge(holding(), std::chrono::milliseconds(900))));
     presetName().setText(QStringLiteral("beacon"));
     EXPECT_FALSE(named<CommandButton>("Save here")->isEnabled());
-    EXPECT_TRUE(named<CommandButton>("Save here")->toolTip().contains(QStringLiteral("not known where")));
+    EXPECT_TRUE(
+        named<CommandButton>("Save here")->toolTip().contains(QStringLiteral("direction of the mount is unknown")));
 }
 
 TEST_F(JogDeskTest, HorizonAndHomeAskAndAForbiddenHomeIsNotOffered)
@@ -319,6 +326,17 @@ TEST_F(JogDeskTest, HorizonAndHomeAskAndAForbiddenHomeIsNotOffered)
     give(samples::acceptance(status, requests.back().id));
     EXPECT_FALSE(named<CommandButton>("Home")->isEnabled());
     EXPECT_TRUE(named<CommandButton>("Home")->toolTip().contains(QStringLiteral("below the horizon 6.0°")));
+}
+
+// REQ-UI-908: What is rarely needed on the panel Jog opens behind one button and has room at 1024×700.
+TEST_F(JogDeskTest, TheRareControlsHaveRoomAndGoAway)
+{
+    settle();
+    EXPECT_TRUE(named<CommandButton>("Home")->isVisible());
+    EXPECT_EQ(window.size(), QSize(1024, 700));
+    QTest::mouseClick(named<QPushButton>("Presets, home, horizon, unwrap"), Qt::LeftButton);
+    EXPECT_FALSE(named<CommandButton>("Home")->isVisible());
+    EXPECT_TRUE(named<CommandButton>("Park")->isVisible());
 }
 
 TEST_F(JogDeskTest, ParkBecomesUnparkThatMovesNothing)

@@ -5,12 +5,10 @@
 #include "core/base/text.h"
 #include "core/profile/setting.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/window/help_page.h"
+#include "ui/window/main_menu.h"
 #include "ui/window/stop_button.h"
 
-#include <QComboBox>
 #include <QFile>
-#include <QLabel>
 #include <QRegularExpression>
 #include <QSet>
 #include <QXmlStreamReader>
@@ -163,22 +161,24 @@ TEST_F(PortugueseWindowTest, StopIsStopAndStateWordsAreTranslated)
 class LanguageChoiceTest : public WindowFixture
 {};
 
-TEST_F(LanguageChoiceTest, IsMadeOnTheHelpPageForTheNextStart)
+TEST_F(LanguageChoiceTest, IsMadeInTheMenuForTheNextStart)
 {
     QSignalSpy changed(&window, &MainWindow::languageChanged);
-    QTest::keyClick(&window, Qt::Key_F1);
-    auto* const choice = named<QComboBox>("Language");
-    ASSERT_EQ(choice->count(), 3);
-    EXPECT_EQ(choice->currentText(), QStringLiteral("System"));
-    choice->setFocus();
-    QTest::keyClick(choice, Qt::Key_End);
-    EXPECT_EQ(choice->currentText(), QStringLiteral("Português"));
+    const QMenu* languages = nullptr;
+    for (const QAction* const action : window.findChild<MainMenu*>()->actions()) {
+        languages = action->text() == QLatin1String("Language") ? action->menu() : languages;
+    }
+    ASSERT_NE(languages, nullptr);
+    const auto actions = languages->actions();
+    ASSERT_EQ(actions.size(), 5);
+    EXPECT_EQ(actions[0]->text(), QStringLiteral("System"));
+    EXPECT_TRUE(actions[0]->isChecked());
+    EXPECT_EQ(actions[2]->text(), QStringLiteral("Português"));
+    actions[2]->trigger();
     ASSERT_EQ(changed.size(), 1);
     EXPECT_EQ(changed.front().front().toString(), QStringLiteral("pt"));
     EXPECT_EQ(window.windowTitle(), QStringLiteral("Boresight"));
-    const auto labels = window.findChild<HelpPage*>()->findChildren<QLabel*>();
-    EXPECT_TRUE(std::ranges::any_of(
-        labels, [](const QLabel* label) { return label->text() == QLatin1String("in force at the next start"); }));
+    EXPECT_EQ(actions.back()->text(), QStringLiteral("Changes at the next start"));
 }
 
 }  // namespace

@@ -29,8 +29,17 @@ double contrast(const QColor& a, const QColor& b)
     return (bright + 0.05) / (dark + 0.05);
 }
 
-class ThemeTest : public ::testing::TestWithParam<ThemeKind>
-{};
+struct Look
+{
+    ThemeKind kind;
+    Brightness brightness;
+};
+
+class ThemeTest : public ::testing::TestWithParam<Look>
+{
+protected:
+    static const Theme& colours() { return theme(GetParam().kind, GetParam().brightness); }
+};
 
 TEST(Contrast, OfBlackAndWhiteIs21)
 {
@@ -40,20 +49,23 @@ TEST(Contrast, OfBlackAndWhiteIs21)
 // REQ-UI-10 (ThemeTest.*): Text contrast is 4.5:1 or better in every theme.
 TEST_P(ThemeTest, EveryToneIsReadableOnTheGroundsItIsWrittenOn)
 {
-    const Theme& colours = theme(GetParam());
+    const Theme& colours = ThemeTest::colours();
     for (const Tone tone : {Tone::Normal, Tone::Secondary, Tone::Accent, Tone::Advisory, Tone::Warning, Tone::Alarm}) {
-        for (const QColor& ground : {colours.window, colours.plotGround}) {
+        for (const QColor& ground : {colours.window, colours.card, colours.plotGround}) {
             EXPECT_GE(contrast(colours.colour(tone), ground), 4.5)
                 << colours.colour(tone).name().toStdString() << " on " << ground.name().toStdString();
         }
     }
     EXPECT_GE(contrast(colours.stopText, colours.stop), 4.5);
+    EXPECT_GE(contrast(colours.onAccent, colours.accent), 4.5);
+    EXPECT_GE(contrast(colours.text, colours.accentSoft), 4.5);
+    EXPECT_GE(contrast(colours.accent, colours.button), 4.5);
     EXPECT_GE(contrast(colours.text, colours.band), 4.5);  // names of the sectors out of reach
 }
 
 TEST_P(ThemeTest, EveryPairOfThePaletteIsReadable)
 {
-    const QPalette palette = theme(GetParam()).palette();
+    const QPalette palette = colours().palette();
     const std::pair<QPalette::ColorRole, QPalette::ColorRole> pairs[] = {
         {QPalette::WindowText, QPalette::Window},    {QPalette::Text, QPalette::Base},
         {QPalette::Text, QPalette::AlternateBase},   {QPalette::ButtonText, QPalette::Button},
@@ -66,7 +78,39 @@ TEST_P(ThemeTest, EveryPairOfThePaletteIsReadable)
     EXPECT_GE(contrast(palette.color(QPalette::Disabled, QPalette::ButtonText), palette.color(QPalette::Button)), 3.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ThemeTest, ::testing::Values(ThemeKind::Day, ThemeKind::Night, ThemeKind::Red));
+INSTANTIATE_TEST_SUITE_P(
+    All, ThemeTest,
+    ::testing::Values(Look{ThemeKind::Day, Brightness::High}, Look{ThemeKind::Night, Brightness::High},
+                      Look{ThemeKind::Night, Brightness::Medium}, Look{ThemeKind::Night, Brightness::Low},
+                      Look{ThemeKind::Red, Brightness::High}, Look{ThemeKind::Red, Brightness::Medium},
+                      Look{ThemeKind::Red, Brightness::Low}));
+
+// REQ-UI-901: The night and the red theme have three steps of brightness. Warnings and alarms stay as bright as they
+// are.
+TEST(Brightness, EachStepIsDarkerThanTheOneBefore)
+{
+    for (const ThemeKind kind : {ThemeKind::Night, ThemeKind::Red}) {
+        const Theme& high = theme(kind, Brightness::High);
+        const Theme& medium = theme(kind, Brightness::Medium);
+        const Theme& low = theme(kind, Brightness::Low);
+        EXPECT_GT(luminance(high.text), luminance(medium.text));
+        EXPECT_GT(luminance(medium.text), luminance(low.text));
+        EXPECT_GT(luminance(high.button), luminance(medium.button));
+        EXPECT_GT(luminance(medium.button), luminance(low.button));
+        EXPECT_EQ(high.alarm, low.alarm);
+    }
+}
+
+// REQ-UI-902: In the red theme STOP is dark red with a bright outline.
+TEST(Brightness, InTheRedThemeStopIsDarkWithABrightOutline)
+{
+    for (const Brightness step : {Brightness::High, Brightness::Medium, Brightness::Low}) {
+        const Theme& red = theme(ThemeKind::Red, step);
+        EXPECT_LT(luminance(red.stop), 0.05);
+        EXPECT_GE(contrast(red.stopOutline, red.stop), 4.5);
+        EXPECT_GE(contrast(red.stopOutline, red.window), 4.5);
+    }
+}
 
 // The layout is made for DejaVu, so there is room for it in every size.
 TEST(Fonts, OfDejaVuHaveTheirLine)

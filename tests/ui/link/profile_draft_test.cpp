@@ -146,7 +146,7 @@ TEST_F(ProfileDraftTest, AChangeAppliedAloneLeavesTheEditsEdits)
     draft.applyAlone(addPreset, &desk, answered);  // the same name twice
     EXPECT_EQ(requests.size(), 1u);
     ASSERT_EQ(answers.size(), 2u);
-    EXPECT_NE(textOf(*answers[1]).find("is there already"), std::string::npos);
+    EXPECT_NE(textOf(*answers[1]).find("is used twice"), std::string::npos);
 }
 
 TEST_F(ProfileDraftTest, RevertDropsTheEdits)
@@ -328,7 +328,7 @@ TEST_F(ProfileDraftTest, AnInvalidEditIsNotTakenToTheRealMount)
         p.bus = "socketcan:can0";
         p.sensor.source = profile::SensorSource::Simulated;
     });
-    EXPECT_TRUE(draft.whyNoApply().startsWith(QStringLiteral("source (Orientation sensor): ")));
+    EXPECT_TRUE(draft.whyNoApply().startsWith(QStringLiteral("Source (Orientation sensor): ")));
 }
 
 // REQ-PROFILE-17b: A real mount's profile that is imported, taken back or undone while the simulated one runs is tried

@@ -28,7 +28,7 @@ TEST(SettingWords, ASettingIsNamedAsItIsFoundOnTheScreen)
 {
     EXPECT_EQ(settingName("limits.elevation_max_deg"), QStringLiteral("highest elevation"));
     EXPECT_EQ(settingName("keep_out"), QStringLiteral("keep-outs"));
-    EXPECT_EQ(settingName("azimuth.id"), QStringLiteral("id (Azimuth axis)"));
+    EXPECT_EQ(settingName("azimuth.id"), QStringLiteral("CAN id (Azimuth axis)"));
     EXPECT_EQ(settingName("limits.horizon[2].azimuth_deg"),
               QStringLiteral("horizon[2].azimuth_deg (Limits of operation)"));
 }
@@ -65,7 +65,7 @@ TEST(SettingWords, WhatIsNoValueIsRefusedWithTheReason)
         Profile profile;
         const auto taken = putTyped(*findSetting(key), QString::fromUtf8(typed), profile);
         ASSERT_FALSE(taken) << key << " " << typed;
-        EXPECT_TRUE(textOf(taken.error()).starts_with(std::string(key) + ": ")) << textOf(taken.error());
+        EXPECT_TRUE(textOf(taken.error()).starts_with(findSetting(key)->title + ": ")) << textOf(taken.error());
         EXPECT_EQ(profile, Profile());
     }
 }

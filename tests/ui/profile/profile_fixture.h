@@ -68,7 +68,7 @@ protected:
     }
     void put(const profile::Profile& profile) { give(samples::update(withProfile(profile))); }
 
-    QComboBox* mounts() { return named<QComboBox>("Mounts that are kept"); }
+    QComboBox* mounts() { return named<QComboBox>("Stored mounts"); }
     QTreeView* tree() { return named<QTreeView>("Settings of the mount"); }
     QLineEdit* search() { return named<QLineEdit>("Search the settings"); }
 

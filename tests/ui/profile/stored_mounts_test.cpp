@@ -22,7 +22,7 @@ TEST_F(ProfilePageTest, AMountIsDuplicatedAsItIsApplied)
     fromMenu("Duplicate …");
     ASSERT_TRUE(asks());
     type("Name of the new mount", "Garden");
-    ASSERT_TRUE(says("\"Garden\" is kept"));
+    ASSERT_TRUE(says("The mount \"Garden\" is stored."));
     ASSERT_TRUE(comesTrue([this] { return mounts()->count() == 3; }));
     EXPECT_GE(mounts()->findText(QStringLiteral("Garden")), 0);
     const auto kept = store.list();
@@ -30,7 +30,7 @@ TEST_F(ProfilePageTest, AMountIsDuplicatedAsItIsApplied)
     EXPECT_EQ(profile::loadProfile(kept[1].path)->jog.slow, 0.3_deg_s);
     fromMenu("Duplicate …");
     type("Name of the new mount", "Field");
-    EXPECT_TRUE(says("there is a mount \"Field\" already"));
+    EXPECT_TRUE(says("A mount \"Field\" already exists"));
     EXPECT_TRUE(requests.empty());
 }
 
@@ -39,7 +39,7 @@ TEST_F(ProfilePageTest, AnotherMountIsRenamedInItsFileThisOneByAnEdit)
     choose("Field");
     fromMenu("Rename …");
     type("New name of the mount", "Meadow");
-    ASSERT_TRUE(says("called \"Meadow\" now"));
+    ASSERT_TRUE(says("now called \"Meadow\""));
     EXPECT_EQ(profile::loadProfile(fieldFile)->mount.name, "Meadow");
     ASSERT_TRUE(comesTrue([this] { return mounts()->findText(QStringLiteral("Meadow")) >= 0; }));
     choose("Roof");
@@ -53,7 +53,7 @@ TEST_F(ProfilePageTest, AnotherMountIsRenamedInItsFileThisOneByAnEdit)
 TEST_F(ProfilePageTest, OnlyAMountThatIsNotInForceIsRemovedAndItsFileIsKept)
 {
     fromMenu("Remove …");
-    EXPECT_TRUE(says("This mount is in force"));
+    EXPECT_TRUE(says("This mount is in use"));
     EXPECT_FALSE(page().isAsking());
     ASSERT_TRUE(store.setCurrent(roofFile));
     choose("Field");
@@ -71,7 +71,7 @@ TEST_F(ProfilePageTest, ANewMountIsImportedAndAnExportedOneIsTheSameFile)
     choose("Field");
     fromMenu("Export …");
     chooseFile(file);
-    ASSERT_TRUE(says("Written: "));
+    ASSERT_TRUE(says("File written: "));
     EXPECT_EQ(*profile::loadProfile(file), field);
     Profile garden = *profile::loadProfile(file);
     garden.mount.name = "Garden";
@@ -79,9 +79,9 @@ TEST_F(ProfilePageTest, ANewMountIsImportedAndAnExportedOneIsTheSameFile)
     fromMenu("Import …");
     chooseFile(file);
     ASSERT_TRUE(asks());
-    EXPECT_TRUE(question().contains(QStringLiteral("mount.name: \"Roof\" → \"Garden\"")));
+    EXPECT_TRUE(question().contains(QStringLiteral("Name of the mount (Mount): \"Roof\" → \"Garden\"")));
     press("Import");
-    ASSERT_TRUE(says("\"Garden\" is kept"));
+    ASSERT_TRUE(says("The mount \"Garden\" is stored."));
     EXPECT_EQ(store.list().size(), 3u);
     EXPECT_TRUE(requests.empty());
 }
@@ -95,8 +95,9 @@ TEST_F(ProfilePageTest, AnImportIntoTheMountInForceComesAsEdits)
     fromMenu("Import …");
     chooseFile(file);
     ASSERT_TRUE(asks());
-    EXPECT_TRUE(question().contains(QStringLiteral("park.azimuth_deg: 0.0 ° → 77.0 °"))) << question().toStdString();
-    press("Take over");
+    EXPECT_TRUE(question().contains(QStringLiteral("Park azimuth (Park and presets): 0.0 ° → 77.0 °")))
+        << question().toStdString();
+    press("Copy values");
     EXPECT_TRUE(requests.empty());
     EXPECT_EQ(*profile::loadProfile(roofFile), roof);
     press("Apply");
@@ -118,7 +119,7 @@ TEST_F(ProfilePageTest, ARealMountsProfileImportedIntoTheSimulationIsTriedThere)
     fromMenu("Import …");
     chooseFile(file);
     ASSERT_TRUE(asks());
-    press("Take over");
+    press("Copy values");
     press("Apply");
     ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u);
     real.bus = "simulated";
@@ -152,7 +153,7 @@ TEST_F(ProfilePageTest, AnExportFromASimulationNamesNoBus)
     const QString file = folder.filePath(QStringLiteral("exported.toml"));
     fromMenu("Export …");
     chooseFile(file);
-    ASSERT_TRUE(says("Written: "));
+    ASSERT_TRUE(says("File written: "));
     tried.bus = "simulated";
     EXPECT_EQ(*profile::loadProfile(file), tried);
 }
@@ -168,7 +169,7 @@ TEST_F(ProfilePageTest, ADuplicateMadeInTheSimulationIsOfTheMountItself)
     fromMenu("Duplicate …");
     ASSERT_TRUE(asks());
     press("Duplicate");
-    ASSERT_TRUE(says("is kept as a mount of its own"));
+    ASSERT_TRUE(says("is stored."));
     const auto mounts = store.list();
     const auto copy = std::ranges::find(mounts, QStringLiteral("Roof copy"), &profile::StoredProfile::mountName);
     ASSERT_NE(copy, mounts.end());
@@ -188,7 +189,7 @@ TEST_F(ProfilePageTest, AnImportOverAnotherMountShowsWhatItWouldChangeAndKeepsTh
     fromMenu("Import …");
     chooseFile(file);
     ASSERT_TRUE(asks());
-    EXPECT_TRUE(question().contains(QStringLiteral("Different: 1\npark.azimuth_deg")));
+    EXPECT_TRUE(question().contains(QStringLiteral("Different: 1\nPark azimuth")));
     EXPECT_EQ(*profile::loadProfile(fieldFile), field) << "asked, not done";
     press("Overwrite");
     ASSERT_TRUE(says("\"Field\" is overwritten"));
@@ -219,10 +220,10 @@ TEST_F(ProfilePageTest, TheLastSavedChangeIsTakenBackKeyByKey)
     Profile applied = changed;
     applied.bus = "socketcan:can7";  // what the command line says is nobody's to take back
     put(applied);
-    fromMenu("Take back the last saved change …");
+    fromMenu("Undo the last saved change …");
     ASSERT_TRUE(asks());
-    EXPECT_TRUE(question().contains(QStringLiteral("park.azimuth_deg: 77.0 ° → 0.0 °")));
-    press("Take back");
+    EXPECT_TRUE(question().contains(QStringLiteral("Park azimuth (Park and presets): 77.0 ° → 0.0 °")));
+    press("Undo change");
     ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u);
     Profile expected = applied;
     expected.park.azimuth = 0_deg;
@@ -232,10 +233,10 @@ TEST_F(ProfilePageTest, TheLastSavedChangeIsTakenBackKeyByKey)
     other.park.azimuth = 12_deg;
     ASSERT_TRUE(store.save(other, fieldFile));
     choose("Field");
-    fromMenu("Take back the last saved change …");
+    fromMenu("Undo the last saved change …");
     ASSERT_TRUE(asks());
-    press("Take back");
-    ASSERT_TRUE(says("The last change of \"Field\" is taken back"));
+    press("Undo change");
+    ASSERT_TRUE(says("The last change of \"Field\" is undone"));
     EXPECT_EQ(*profile::loadProfile(fieldFile), field);
 }
 

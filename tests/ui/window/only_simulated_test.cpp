@@ -47,13 +47,13 @@ protected:
 TEST_F(OnlySimulatedTest, TheQuestionBeforeASwitchSaysThatTheOtherBusIsNotUsed)
 {
     openPanel('8');
-    auto* const mounts = named<QComboBox>("Mounts that are kept");
+    auto* const mounts = named<QComboBox>("Stored mounts");
     ASSERT_TRUE(comesTrue([&] { return mounts->count() == 2; }));
     mounts->setCurrentIndex(mounts->findText(QStringLiteral("Field")));
     QTest::mouseClick(named<CommandButton>("Switch …"), Qt::LeftButton);
     const QString says = QStringLiteral(
         "Bus: simulated, because Boresight was started with --simulate. "
-        "That of this mount, fdcanusb:/dev/field, is not used.");
+        "The bus of this mount, fdcanusb:/dev/field, is not used.");
     const auto isAsked = [&] {
         for (const QPlainTextEdit* const one : window.findChildren<QPlainTextEdit*>()) {
             if (one->isVisible() && one->toPlainText().startsWith(says)) {

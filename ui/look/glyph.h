@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QIcon>
+
+class QColor;
+class QPainter;
+class QRectF;
+
+// The small pictures on tabs, buttons and lines of a menu. They are drawn, so that they have every size and always the
+// colours of the current theme.
+namespace boresight::ui {
+
+enum class ThemeKind;
+
+enum class Glyph
+{
+    Jog,      // four arrows
+    Charts,   // a curve over its axes
+    Limits,   // a frame with a mark in it
+    Clients,  // there and back
+    Log,      // lines
+    Mount,    // a dish on its mast
+    North,    // a needle
+    Question,
+    Menu,  // three bars
+    Screen,
+    Language,
+    Keys,
+    Guide,
+    Diagnostics,
+    Profile,
+    About,
+    Brightness
+};
+
+void drawGlyph(QPainter& painter, Glyph glyph, const QRectF& box, const QColor& colour);
+[[nodiscard]] QIcon glyphIcon(Glyph glyph);
+// How a theme looks: its ground, a line of text, the mark of what is chosen.
+[[nodiscard]] QIcon themePicture(ThemeKind kind);
+
+}  // namespace boresight::ui

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/kit/theme.h"
+
+#include <QMenu>
+
+#include <functional>
+
+class QActionGroup;
+
+// The menu behind the button in the header: what belongs to the window and to no panel. Each line shows its key. Alt
+// alone opens it, as F10 does. It decides nothing: each line is a signal.
+namespace boresight::ui {
+
+enum class Glyph;
+
+class MainMenu : public QMenu
+{
+    Q_OBJECT
+
+public:
+    // `language` is the one chosen now (ui/kit/language.h). `window` opens the menu by Alt.
+    MainMenu(const QString& language, QWidget& window);
+
+    void openBelow(const QWidget& button);
+
+Q_SIGNALS:
+    void openWanted();  // by Alt
+    void themeChosen(boresight::ui::ThemeKind theme, boresight::ui::Brightness brightness);
+    void languageChosen(const QString& language);
+    void fullScreenWanted();
+    void manualWanted();
+    void keysWanted();
+    void guideWanted();
+    void profileWanted();
+    void diagnosticsWanted();
+    void aboutWanted();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void addThemes();
+    void addBrightness();
+    void addLanguages(const QString& chosen);
+    void addLine(Glyph glyph, const QString& text, const QString& key, void (MainMenu::*wanted)());
+    void showChoice();
+
+    QWidget& m_window;
+    QActionGroup* m_themes;
+    QActionGroup* m_brightnesses;
+    QMenu* m_brightness = nullptr;
+    bool m_altAlone = false;
+};
+
+}  // namespace boresight::ui
