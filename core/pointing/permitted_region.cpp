@@ -6,7 +6,7 @@
 #include "core/pointing/axis_image.h"
 #include "core/pointing/ranges.h"
 #include "core/pointing/slits.h"
-#include "core/units/degrees_text.h"
+#include "core/units/direction_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -220,17 +220,14 @@ QString PermittedRegion::reason(const AxisPosition& place) const
     return trueReason(place);
 }
 
-// In the words of who drew it: true directions.
+// In the words of who drew it: true directions, which count no turns.
 QString PermittedRegion::trueReason(const AxisPosition& place) const
 {
     if (const KeepOut* const keepOut = keepOutAt(place)) {
-        const SkyPointing beam = beamAt(place);
-        return Text::tr("azimuth %1 elevation %2 is in the keep-out \"%3\"")
-            .arg(degreesText(beam.azimuth), degreesText(beam.elevation), toQString(keepOut->name));
+        return Text::tr("%1 lies in keep-out \"%2\"").arg(beamText(upright(beamAt(place))), toQString(keepOut->name));
     }
     const SkyPointing beam = upright(beamAt(place));
-    return Text::tr("elevation %1 below the horizon %2 at azimuth %3")
-        .arg(degreesText(beam.elevation), degreesText(m_horizon.at(beam.azimuth)), degreesText(beam.azimuth));
+    return Text::tr("%1 lies below the horizon (%2)").arg(beamText(beam), degreesText(m_horizon.at(beam.azimuth)));
 }
 
 QString PermittedRegion::obstacle(const AxisPosition& place) const
