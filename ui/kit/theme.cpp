@@ -28,7 +28,11 @@ const Theme kDay{.kind = ThemeKind::Day,
                  .warning = QColor(0x8f5200),
                  .alarm = QColor(0xc42727),
                  .stop = QColor(0xc62828),
-                 .stopText = QColor(0xffffff)};
+                 .stopText = QColor(0xffffff),
+                 .skyZenith = QColor(0xfcfdfe),
+                 .skyRim = QColor(0xdfe6f0),
+                 .land = QColor(0xb9c1b4),
+                 .sun = QColor(0xc98a00)};
 
 const Theme kNight{.kind = ThemeKind::Night,
                    .window = QColor(0x1e2226),
@@ -44,7 +48,11 @@ const Theme kNight{.kind = ThemeKind::Night,
                    .warning = QColor(0xffb84d),
                    .alarm = QColor(0xff5449),
                    .stop = QColor(0xc62828),
-                   .stopText = QColor(0xffffff)};
+                   .stopText = QColor(0xffffff),
+                   .skyZenith = QColor(0x111315),
+                   .skyRim = QColor(0x1a2938),
+                   .land = QColor(0x2d332a),
+                   .sun = QColor(0xffcf66)};
 
 const Theme kRed{.kind = ThemeKind::Red,
                  .window = QColor(0x0a0000),
@@ -60,7 +68,11 @@ const Theme kRed{.kind = ThemeKind::Red,
                  .warning = QColor(0xff6a5a),
                  .alarm = QColor(0xff6a5a),
                  .stop = QColor(0xff6a5a),
-                 .stopText = QColor(0x0a0000)};
+                 .stopText = QColor(0x0a0000),
+                 .skyZenith = QColor(Qt::black),
+                 .skyRim = QColor(0x140201),
+                 .land = QColor(0x2c0805),
+                 .sun = QColor(0xff6a5a)};
 
 ThemeKind g_current = ThemeKind::Day;
 

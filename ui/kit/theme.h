@@ -47,6 +47,10 @@ struct Theme
     QColor alarm;
     QColor stop;  // the only filled red area
     QColor stopText;
+    QColor skyZenith;  // of the sky plot, which fades from the rim to the zenith
+    QColor skyRim;
+    QColor land;  // below the horizon
+    QColor sun;
 
     [[nodiscard]] QColor colour(Tone tone) const;
     [[nodiscard]] QPalette palette() const;
