@@ -11,7 +11,8 @@ namespace boresight {
 
 QString Helm::directionText(const AxisPosition& place) const
 {
-    return boresight::directionText(view().model.toSky(place));
+    const SkyPointing beam = view().model.pointing().toSky(place);
+    return boresight::directionText({beam.azimuth.wrapped360(), beam.elevation});
 }
 
 Result<> Helm::mayGoTo(const AxisPosition& place) const
@@ -20,8 +21,10 @@ Result<> Helm::mayGoTo(const AxisPosition& place) const
     if (const Result<> may = Gates(view()).mayBeAt(place); !may) {
         const auto nearest =
             resolved.limited ? std::nullopt : pointing::nearestPermitted(m_of.motion.region(), resolved.position);
-        return nearest ? failure(ErrorCode::OutOfRange, Text::tr("%1. The nearest permitted position is %2.")
-                                                            .arg(may.error().text, directionText(*nearest)))
+        return nearest ? failure(ErrorCode::OutOfRange,
+                                 Text::tr("%1. Nearest allowed: %2.")
+                                     .arg(may.error().text,
+                                          beamText(pointing::upright(view().model.pointing().toSky(*nearest)))))
                        : may;
     }
     return m_of.motion.route(standing(), resolved.position).map([](const auto&) {});

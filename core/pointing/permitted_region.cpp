@@ -6,7 +6,7 @@
 #include "core/pointing/axis_image.h"
 #include "core/pointing/ranges.h"
 #include "core/pointing/slits.h"
-#include "core/units/degrees_text.h"
+#include "core/units/direction_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -220,17 +220,14 @@ QString PermittedRegion::reason(const AxisPosition& place) const
     return trueReason(place);
 }
 
-// In the words of who drew it: true directions, with azimuths from 0° to 360°.
+// In the words of who drew it: true directions, which count no turns.
 QString PermittedRegion::trueReason(const AxisPosition& place) const
 {
-    const SkyPointing beam = upright(beamAt(place));
-    const Angle azimuth = beam.azimuth.wrapped360();
     if (const KeepOut* const keepOut = keepOutAt(place)) {
-        return Text::tr("azimuth %1 elevation %2 is in the keep-out \"%3\"")
-            .arg(degreesText(azimuth), degreesText(beam.elevation), toQString(keepOut->name));
+        return Text::tr("%1 lies in keep-out \"%2\"").arg(beamText(upright(beamAt(place))), toQString(keepOut->name));
     }
-    return Text::tr("elevation %1 below the horizon %2 at azimuth %3")
-        .arg(degreesText(beam.elevation), degreesText(m_horizon.at(beam.azimuth)), degreesText(azimuth));
+    const SkyPointing beam = upright(beamAt(place));
+    return Text::tr("%1 lies below the horizon (%2)").arg(beamText(beam), degreesText(m_horizon.at(beam.azimuth)));
 }
 
 QString PermittedRegion::obstacle(const AxisPosition& place) const

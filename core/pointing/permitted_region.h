@@ -27,7 +27,7 @@ public:
     [[nodiscard]] const AxisBox& ranges() const { return m_ranges; }
     [[nodiscard]] bool permits(const AxisPosition& place) const { return permits(AxisBox::at(place)); }
     [[nodiscard]] bool permits(const AxisBox& box) const;  // all of it
-    // Why a place is not permitted, in words: `azimuth 315.0° elevation 10.0° is in the keep-out "mast"`. Else empty.
+    // Why a place is not permitted, in words: `315.0° / 10.0° lies in keep-out "mast"`. Else empty.
     [[nodiscard]] QString reason(const AxisPosition& place) const;
     // The keep-out, the horizon or the limit that a place is not permitted for: `the keep-out "mast"`. Else empty.
     [[nodiscard]] QString obstacle(const AxisPosition& place) const;

@@ -154,9 +154,11 @@ void addControl(std::vector<Setting>& list)
         [](auto& p) -> auto& { return p.control.watchdog; }));
     list.push_back(choice(
         "control.arrival", {"separate", "together"}, Applies::Now,
-        QT_TRANSLATE_NOOP("Text",
-                          "How the axes arrive at the end of a slew: \"separate\" lets each axis arrive as soon as it "
-                          "can, \"together\" slows the faster axis so that both arrive at the same time."),
+        {QT_TRANSLATE_NOOP("Text", "Arrival of the axes"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "How the axes arrive at the end of a slew. \"separate\": each axis arrives as soon as it can. "
+             "\"together\": the faster axis slows down so that both arrive at the same time.")},
         [](auto& p) -> auto& { return p.control.arrival; }));
     list.push_back(choice(
         "control.after_stall", {"resume", "wait"}, Applies::Now,

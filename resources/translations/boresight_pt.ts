@@ -432,14 +432,6 @@ do eixo</translation>
         <translation>Recuperação</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a whole number</source>
-        <translation>&quot;%1&quot; não é um número inteiro</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a number (decimal point, e.g. 113.5)</source>
-        <translation>&quot;%1&quot; não é um número (ponto decimal, p. ex. 113.5)</translation>
-    </message>
-    <message>
         <source>none</source>
         <translation>nenhum</translation>
     </message>
@@ -502,6 +494,14 @@ do eixo</translation>
     <message>
         <source>site</source>
         <translation>local</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a whole number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number. Type it with a decimal point, for example 113.5.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1283,14 +1283,6 @@ do eixo</translation>
         <translation>elevação %1 acima do limite %2</translation>
     </message>
     <message>
-        <source>azimuth %1 outside travel %2…%3</source>
-        <translation>azimute %1 fora do curso %2…%3</translation>
-    </message>
-    <message>
-        <source>azimuth %1 outside limits %2…%3</source>
-        <translation>azimute %1 fora dos limites %2…%3</translation>
-    </message>
-    <message>
         <source>elevation %1 outside limits %2…%3</source>
         <translation>elevação %1 fora dos limites %2…%3</translation>
     </message>
@@ -1301,10 +1293,6 @@ do eixo</translation>
     <message>
         <source>elevation %1 below the horizon %2 at azimuth %3</source>
         <translation>elevação %1 abaixo do horizonte %2 no azimute %3</translation>
-    </message>
-    <message>
-        <source>the azimuth limit %1</source>
-        <translation>limite de azimute %1</translation>
     </message>
     <message>
         <source>the elevation limit %1</source>
@@ -1353,10 +1341,6 @@ do eixo</translation>
     <message>
         <source>must be below %1</source>
         <translation>tem de ser menor que %1</translation>
-    </message>
-    <message>
-        <source>is the same as azimuth.id; each controller needs its own</source>
-        <translation>é igual a azimuth.id; cada controlador precisa do seu</translation>
     </message>
     <message>
         <source>is shorter than 3 ticks of control.tick_hz (%1 s)</source>
@@ -1479,22 +1463,6 @@ do eixo</translation>
         <translation>espera-se um número ou um texto entre aspas</translation>
     </message>
     <message>
-        <source>without %1; its keys are given all together</source>
-        <translation>sem %1; as suas chaves são dadas todas juntas</translation>
-    </message>
-    <message>
-        <source>which mount? %1 has the profiles of several, and %2 names none of them; choose one with --profile</source>
-        <translation>qual montagem? %1 tem os perfis de várias, e %2 não indica nenhuma delas; escolha uma com --profile</translation>
-    </message>
-    <message>
-        <source>%1: the folder cannot be made</source>
-        <translation>%1: não é possível criar a pasta</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is the current mount; change to another one first</source>
-        <translation>&quot;%1&quot; é a montagem atual; mude primeiro para outra</translation>
-    </message>
-    <message>
         <source>%1: cannot be renamed to %2</source>
         <translation>não é possível mudar o nome de %1 para %2</translation>
     </message>
@@ -1503,40 +1471,16 @@ do eixo</translation>
         <translation>%1: não existe esse perfil</translation>
     </message>
     <message>
-        <source>there is a mount &quot;%1&quot; already (%2); give this one another name</source>
-        <translation>já existe uma montagem &quot;%1&quot; (%2); dê outro nome a esta</translation>
-    </message>
-    <message>
         <source>%1 is not below limits.%2_max_deg (%3)</source>
         <translation>%1 não é menor que limits.%2_max_deg (%3)</translation>
-    </message>
-    <message>
-        <source>the limits %1…%2 leave nothing of the travel %3…%4</source>
-        <translation>os limites %1…%2 não deixam nada do curso %3…%4</translation>
     </message>
     <message>
         <source>%1 is outside the limits of operation %2…%3</source>
         <translation>%1 está fora dos limites de operação %2…%3</translation>
     </message>
     <message>
-        <source>%1 points are more than %2</source>
-        <translation>%1 pontos são mais que %2</translation>
-    </message>
-    <message>
-        <source>the azimuth %1 does not follow %2; points ascend, each azimuth once</source>
-        <translation>o azimute %1 não vem depois de %2; os pontos são crescentes, cada azimute uma vez</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is there already</source>
-        <translation>&quot;%1&quot; já existe</translation>
-    </message>
-    <message>
         <source>%1 is not below elevation_max_deg (%2)</source>
         <translation>%1 não é menor que elevation_max_deg (%2)</translation>
-    </message>
-    <message>
-        <source>is the same as azimuth_from_deg; that is no width</source>
-        <translation>é igual a azimuth_from_deg; isso não tem largura</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no address like 192.168.1.7 or ::1</source>
@@ -1551,20 +1495,8 @@ do eixo</translation>
         <translation>Azimute do ponto, a partir do norte verdadeiro.</translation>
     </message>
     <message>
-        <source>Lowest elevation of the beam there.</source>
-        <translation>Menor elevação do feixe ali.</translation>
-    </message>
-    <message>
-        <source>What it is called.</source>
-        <translation>Como se chama.</translation>
-    </message>
-    <message>
         <source>Its anticlockwise side.</source>
         <translation>O seu lado anti-horário.</translation>
-    </message>
-    <message>
-        <source>Its clockwise side; from 350 to 10 it goes through north.</source>
-        <translation>O seu lado horário; de 350 a 10 passa pelo norte.</translation>
     </message>
     <message>
         <source>Its lower side.</source>
@@ -1579,164 +1511,20 @@ do eixo</translation>
         <translation>Azimute, a partir do norte verdadeiro.</translation>
     </message>
     <message>
-        <source>Elevation; above 90 over the top.</source>
-        <translation>Elevação; acima de 90, passando pelo zênite.</translation>
-    </message>
-    <message>
-        <source>Lowest azimuth of operation, as a mechanical angle; the travel counts besides.</source>
-        <translation>Menor azimute de operação, como ângulo mecânico; além disso conta o curso.</translation>
-    </message>
-    <message>
-        <source>Highest azimuth of operation, as a mechanical angle.</source>
-        <translation>Maior azimute de operação, como ângulo mecânico.</translation>
-    </message>
-    <message>
-        <source>Lowest elevation of operation, as a mechanical angle.</source>
-        <translation>Menor elevação de operação, como ângulo mecânico.</translation>
-    </message>
-    <message>
-        <source>Highest elevation of operation, as a mechanical angle.</source>
-        <translation>Maior elevação de operação, como ângulo mecânico.</translation>
-    </message>
-    <message>
-        <source>Where the mount stands, north positive.</source>
-        <translation>Onde está a montagem, norte positivo.</translation>
-    </message>
-    <message>
-        <source>Where the mount stands, east positive.</source>
-        <translation>Onde está a montagem, leste positivo.</translation>
-    </message>
-    <message>
-        <source>Where the mount stands, above sea level.</source>
-        <translation>Onde está a montagem, acima do nível do mar.</translation>
-    </message>
-    <message>
-        <source>What clients and the window call this mount; what it remembers is kept under this name.</source>
-        <translation>Como os clientes e a janela chamam esta montagem; o que ela recorda fica guardado sob este nome.</translation>
-    </message>
-    <message>
-        <source>Half-power beam width of the antenna, drawn in the polar plot.</source>
-        <translation>Largura do feixe da antena a meia potência, desenhada no gráfico polar.</translation>
-    </message>
-    <message>
-        <source>How the drives are reached: &quot;fdcanusb:PATH&quot;, &quot;socketcan:INTERFACE&quot; or &quot;simulated&quot;.</source>
-        <translation>Como se chega aos acionamentos: &quot;fdcanusb:CAMINHO&quot;, &quot;socketcan:INTERFACE&quot; ou &quot;simulated&quot;.</translation>
-    </message>
-    <message>
-        <source>CAN id of the axis&apos;s moteus controller.</source>
-        <translation>Id CAN do controlador moteus do eixo.</translation>
-    </message>
-    <message>
-        <source>1, or -1 when the motor counts down while the axis angle grows; 0 is refused.</source>
-        <translation>1, ou -1 quando o motor conta para baixo enquanto o ângulo do eixo cresce; 0 é recusado.</translation>
-    </message>
-    <message>
         <source>motor turns = sign × (angle + offset) / 360 × gear ratio.</source>
         <translation>voltas do motor = sinal × (ângulo + desvio) / 360 × redução.</translation>
-    </message>
-    <message>
-        <source>Turns of the motor per turn of the axis.</source>
-        <translation>Voltas do motor por volta do eixo.</translation>
-    </message>
-    <message>
-        <source>Who applies the gear ratio: with &quot;drive&quot; the controller already counts turns of the axis.</source>
-        <translation>Quem aplica a redução: com &quot;drive&quot; o controlador já conta voltas do eixo.</translation>
-    </message>
-    <message>
-        <source>Lower end of the permitted travel, as a mechanical angle.</source>
-        <translation>Extremo inferior do curso permitido, como ângulo mecânico.</translation>
-    </message>
-    <message>
-        <source>Upper end of the permitted travel; 370° is not 10°.</source>
-        <translation>Extremo superior do curso permitido; 370° não é 10°.</translation>
-    </message>
-    <message>
-        <source>Fastest motion of the axis.</source>
-        <translation>Movimento mais rápido do eixo.</translation>
-    </message>
-    <message>
-        <source>Fastest change of speed, also when stopping.</source>
-        <translation>Maior variação da velocidade, também ao parar.</translation>
-    </message>
-    <message>
-        <source>Fastest change of acceleration; 2 × acceleration / jerk seconds are lost in every stop.</source>
-        <translation>Maior variação da aceleração; em cada parada perdem-se 2 × aceleração / jerk segundos.</translation>
-    </message>
-    <message>
-        <source>Torque the drive may use, as the controller counts it.</source>
-        <translation>Torque que o acionamento pode usar, como o controlador o conta.</translation>
-    </message>
-    <message>
-        <source>&quot;trusted&quot; if the position after power-up is always right (encoder on the axis, travel below one turn); else the axis is only pointed when the drive reports a referenced output.</source>
-        <translation>&quot;trusted&quot; se a posição depois de ligar está sempre certa (encoder no eixo, curso menor que uma volta); senão o eixo só é apontado quando o acionamento relata uma saída referenciada.</translation>
     </message>
     <message>
         <source>What the drive does by itself when its watchdog expires: &quot;hold&quot; (servo.timeout_mode 10) or &quot;brake&quot; (15, for self-locking gearboxes only).</source>
         <translation>O que o acionamento faz por si quando o seu watchdog se esgota: &quot;hold&quot; (servo.timeout_mode 10) ou &quot;brake&quot; (15, só para redutores autoblocantes).</translation>
     </message>
     <message>
-        <source>Set-points per second.</source>
-        <translation>Referências por segundo.</translation>
-    </message>
-    <message>
         <source>The drives stop by themselves after this time without a command.</source>
         <translation>Os acionamentos param por si após este tempo sem comando.</translation>
     </message>
     <message>
-        <source>What the drives are left doing when the program ends. hold needs servo.timeout_mode 10 in the drives, else they only damp.</source>
-        <translation>O que os acionamentos ficam fazendo quando o programa termina. hold precisa de servo.timeout_mode 10 nos acionamentos, senão só amortecem.</translation>
-    </message>
-    <message>
-        <source>How far beyond the travel the drives&apos; own position bounds lie, a second limit that holds without this program.</source>
-        <translation>Quanto além do curso ficam os limites de posição dos próprios acionamentos, um segundo limite que vale sem este programa.</translation>
-    </message>
-    <message>
-        <source>Park position, as a mechanical angle.</source>
-        <translation>Posição de estacionamento, como ângulo mecânico.</translation>
-    </message>
-    <message>
-        <source>Slow jog rate.</source>
-        <translation>Velocidade manual lenta.</translation>
-    </message>
-    <message>
-        <source>Normal jog rate.</source>
-        <translation>Velocidade manual normal.</translation>
-    </message>
-    <message>
-        <source>Fast jog rate.</source>
-        <translation>Velocidade manual rápida.</translation>
-    </message>
-    <message>
-        <source>Fastest jog while it is not known on which turn an axis stands.</source>
-        <translation>Maior velocidade manual enquanto não se sabe em que volta está um eixo.</translation>
-    </message>
-    <message>
-        <source>HOST:PORT for rotctld clients; port 0 takes any free one. 127.0.0.1 keeps other machines out.</source>
-        <translation>HOST:PORTA para clientes rotctld; a porta 0 toma qualquer livre. 127.0.0.1 mantém fora outras máquinas.</translation>
-    </message>
-    <message>
-        <source>Addresses and networks (&quot;192.168.1.7&quot;, &quot;10.0.0.0/8&quot;) that may connect; empty: whoever reaches the port.</source>
-        <translation>Endereços e redes (&quot;192.168.1.7&quot;, &quot;10.0.0.0/8&quot;) que podem conectar-se; vazio: quem chegar à porta.</translation>
-    </message>
-    <message>
-        <source>Which of several clients moves the mount: the &quot;first&quot; until it has asked for no motion for 10 s, whoever asked &quot;last&quot; (as Hamlib), or &quot;locked&quot; to one.</source>
-        <translation>Qual de vários clientes move a montagem: o primeiro (&quot;first&quot;) até não pedir movimento durante 10 s, quem pediu por último (&quot;last&quot;, como o Hamlib), ou só um (&quot;locked&quot;).</translation>
-    </message>
-    <message>
-        <source>Address of the one client that may move the mount while lead is &quot;locked&quot;.</source>
-        <translation>Endereço do único cliente que pode mover a montagem enquanto lead é &quot;locked&quot;.</translation>
-    </message>
-    <message>
-        <source>A direction where the mount may not go: drive to the nearest permitted point, or refuse it.</source>
-        <translation>Uma direção aonde a montagem não pode ir: conduzir ao ponto permitido mais próximo, ou recusar.</translation>
-    </message>
-    <message>
         <source>Form of the \dump_state reply: readable for Hamlib clients of every age, or exactly as Hamlib 4.5.1 and later.</source>
         <translation>Forma da resposta a \dump_state: legível para clientes Hamlib de todas as idades, ou exatamente como Hamlib 4.5.1 e posteriores.</translation>
-    </message>
-    <message>
-        <source>Connections served at the same time.</source>
-        <translation>Conexões servidas ao mesmo tempo.</translation>
     </message>
     <message>
         <source>a finite number is expected</source>
@@ -1763,100 +1551,12 @@ do eixo</translation>
         <translation>espera-se um texto entre aspas</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is none of %2</source>
-        <translation>&quot;%1&quot; não é nenhum de %2</translation>
-    </message>
-    <message>
         <source>a list of texts in quotes is expected, like [&quot;one&quot;, &quot;two&quot;]</source>
         <translation>espera-se uma lista de textos entre aspas, como [&quot;um&quot;, &quot;dois&quot;]</translation>
     </message>
     <message>
-        <source>A hint when set-point and axis stay so far apart for following_time_s.</source>
-        <translation>Um aviso quando referência e eixo ficam tão afastados durante following_time_s.</translation>
-    </message>
-    <message>
-        <source>The mount stops when set-point and axis stay so far apart for following_time_s.</source>
-        <translation>A montagem para quando referência e eixo ficam tão afastados durante following_time_s.</translation>
-    </message>
-    <message>
         <source>How long a following error may last.</source>
         <translation>Quanto tempo pode durar um erro de seguimento.</translation>
-    </message>
-    <message>
-        <source>The mount stops when an axis is commanded to move and has not moved for so long.</source>
-        <translation>A montagem para quando um eixo é comandado a mover-se e não se moveu durante tanto tempo.</translation>
-    </message>
-    <message>
-        <source>An axis that should stand and has moved by so much stops the mount, or is a hint while its drive is off.</source>
-        <translation>Um eixo que devia estar parado e se moveu tanto para a montagem, ou é um aviso enquanto o seu acionamento está desligado.</translation>
-    </message>
-    <message>
-        <source>The mount stops when an angle changes between two replies by so much more than the axis can turn.</source>
-        <translation>A montagem para quando um ângulo muda entre duas respostas tanto mais do que o eixo pode girar.</translation>
-    </message>
-    <message>
-        <source>A hint when an axis is so far beyond its travel.</source>
-        <translation>Um aviso quando um eixo está tão além do seu curso.</translation>
-    </message>
-    <message>
-        <source>The mount stops when an axis is so far beyond its travel and moves farther out.</source>
-        <translation>A montagem para quando um eixo está tão além do seu curso e se afasta mais.</translation>
-    </message>
-    <message>
-        <source>A hint when an axis needs this share of its max_torque_nm for 2 s.</source>
-        <translation>Um aviso quando um eixo precisa desta parte do seu max_torque_nm durante 2 s.</translation>
-    </message>
-    <message>
-        <source>While the turn of an axis is unknown, the mount stops at this share of its max_torque_nm: a cable may pull.</source>
-        <translation>Enquanto a volta de um eixo é desconhecida, a montagem para a esta parte do seu max_torque_nm: um cabo pode estar puxando.</translation>
-    </message>
-    <message>
-        <source>A hint when the last reply of a drive is older.</source>
-        <translation>Um aviso quando a última resposta de um acionamento é mais antiga.</translation>
-    </message>
-    <message>
-        <source>A hint below this supply voltage.</source>
-        <translation>Um aviso abaixo desta tensão de alimentação.</translation>
-    </message>
-    <message>
-        <source>The mount stops below this supply voltage, while the drives still can.</source>
-        <translation>A montagem para abaixo desta tensão de alimentação, enquanto os acionamentos ainda podem.</translation>
-    </message>
-    <message>
-        <source>A hint above this supply voltage; a stop would brake and drive it higher.</source>
-        <translation>Um aviso acima desta tensão de alimentação; uma parada frenaria e a faria subir mais.</translation>
-    </message>
-    <message>
-        <source>A hint when the board of a drive is so hot.</source>
-        <translation>Um aviso quando a placa de um acionamento está tão quente.</translation>
-    </message>
-    <message>
-        <source>Where the drive gives up with fault 38 (servo.fault_temperature); trends are reckoned to it.</source>
-        <translation>Onde o acionamento desiste com a falha 38 (servo.fault_temperature); as tendências são calculadas até ali.</translation>
-    </message>
-    <message>
-        <source>A hint when a motor with a sensor is so hot.</source>
-        <translation>Um aviso quando um motor com sensor está tão quente.</translation>
-    </message>
-    <message>
-        <source>A hint when supply or temperature, going on as in the last minute, reach their limit within this time.</source>
-        <translation>Um aviso quando a alimentação ou a temperatura, continuando como no último minuto, atingem o limite dentro deste tempo.</translation>
-    </message>
-    <message>
-        <source>Re-arm without a person when a drive that was too hot (fault 38) has cooled down by 5 °C.</source>
-        <translation>Rearmar sem uma pessoa quando um acionamento quente demais (falha 38) esfriou 5 °C.</translation>
-    </message>
-    <message>
-        <source>Re-arm without a person when the supply (faults 34, 40) is back between supply_low_v and supply_high_v.</source>
-        <translation>Rearmar sem uma pessoa quando a alimentação (falhas 34, 40) voltou a ficar entre supply_low_v e supply_high_v.</translation>
-    </message>
-    <message>
-        <source>Re-arm without a person when silent or timed-out drives answer again.</source>
-        <translation>Rearmar sem uma pessoa quando acionamentos mudos ou com tempo esgotado voltam a responder.</translation>
-    </message>
-    <message>
-        <source>Time from a loss, or the last attempt, to the next attempt to re-arm.</source>
-        <translation>Tempo desde uma perda, ou a última tentativa, até à próxima tentativa de rearmar.</translation>
     </message>
     <message>
         <source>%1: is larger than 4 MB</source>
@@ -2063,44 +1763,8 @@ do eixo</translation>
         <translation>mantendo de novo o eixo de %1</translation>
     </message>
     <message>
-        <source>No reply from the %1</source>
-        <translation>Sem resposta do %1</translation>
-    </message>
-    <message>
-        <source>Check the supply, the CAN cable and the adapter, then re-arm</source>
-        <translation>Verifique a alimentação, o cabo CAN e o adaptador e depois rearme</translation>
-    </message>
-    <message>
-        <source>%1. Likely: %2</source>
-        <translation>%1. Provável: %2</translation>
-    </message>
-    <message>
-        <source>%1 Then re-arm</source>
-        <translation>%1 Depois rearme</translation>
-    </message>
-    <message>
-        <source>%1, then re-arm</source>
-        <translation>%1 e depois rearme</translation>
-    </message>
-    <message>
-        <source>%1 fault %2: %3</source>
-        <translation>%1 em falha %2: %3</translation>
-    </message>
-    <message>
-        <source>Look for a loose plug, a worn cable or a weak supply, then re-arm</source>
-        <translation>Procure um conector solto, um cabo gasto ou uma alimentação fraca e depois rearme</translation>
-    </message>
-    <message>
-        <source>Check the bus and the load of this computer, then re-arm</source>
-        <translation>Verifique o barramento e a carga deste computador e depois rearme</translation>
-    </message>
-    <message>
         <source>The %1 switched itself off</source>
         <translation>O %1 desligou-se</translation>
-    </message>
-    <message>
-        <source>%1 limit %2: %3</source>
-        <translation>%1 em limite %2: %3</translation>
     </message>
     <message>
         <source>written: %1</source>
@@ -2421,10 +2085,6 @@ do eixo</translation>
         <translation>eixo de elevação</translation>
     </message>
     <message>
-        <source>%1 is %2 away from its set-point for %3 (set-point %4, axis %5)</source>
-        <translation>o %1 está a %2 da sua referência há %3 (referência %4, eixo %5)</translation>
-    </message>
-    <message>
         <source>%1 moves the wrong way: %2 at %3 commanded in %4, %5 moved</source>
         <translation>o %1 move-se para o lado errado: %2 a %3 comandados em %4, %5 movidos</translation>
     </message>
@@ -2449,14 +2109,6 @@ do eixo</translation>
         <translation>uma resposta do acionamento do %1 chegou %2 depois da anterior</translation>
     </message>
     <message>
-        <source>the supply of %1 is at %2 V, below %3 V</source>
-        <translation>a alimentação do %1 está em %2 V, abaixo de %3 V</translation>
-    </message>
-    <message>
-        <source>the supply of %1 is at %2 V, above %3 V</source>
-        <translation>a alimentação do %1 está em %2 V, acima de %3 V</translation>
-    </message>
-    <message>
         <source>the supply of %1</source>
         <translation>a alimentação do %1</translation>
     </message>
@@ -2467,18 +2119,6 @@ do eixo</translation>
     <message>
         <source>the motor of %1</source>
         <translation>o motor do %1</translation>
-    </message>
-    <message>
-        <source>%1 is at %2 °C</source>
-        <translation>%1 está a %2 °C</translation>
-    </message>
-    <message>
-        <source>%1 is at %2 %3 and rising %4 %3/min: %5 %3 in %6 min</source>
-        <translation>%1 está em %2 %3 e sobe %4 %3/min: %5 %3 em %6 min</translation>
-    </message>
-    <message>
-        <source>%1 is at %2 %3 and falling %4 %3/min: %5 %3 in %6 min</source>
-        <translation>%1 está em %2 %3 e desce %4 %3/min: %5 %3 em %6 min</translation>
     </message>
     <message>
         <source>Look for wind, a person at the antenna or a slipping gear. Secure the axis, then check the position.</source>
@@ -2579,10 +2219,6 @@ do eixo</translation>
     <message>
         <source>Press Fix again.</source>
         <translation>Clique de novo em Corrigir.</translation>
-    </message>
-    <message>
-        <source>settings are being written to the drives</source>
-        <translation>estão sendo escritos parâmetros nos acionamentos</translation>
     </message>
     <message>
         <source>looking for the drives</source>
@@ -3133,68 +2769,12 @@ do eixo</translation>
         <translation>espera-se um tópico, como &quot;antenna/orientation&quot;, sem + nem #</translation>
     </message>
     <message>
-        <source>Whether there is an orientation sensor on the antenna, and how it is heard; &quot;simulated&quot; is that of the simulated mount.</source>
-        <translation>Se há um sensor de orientação na antena, e como é lido; &quot;simulated&quot; é o da montagem simulada.</translation>
-    </message>
-    <message>
-        <source>Device of the sensor&apos;s serial port; a name in /dev/serial/by-id stays the same in every socket.</source>
-        <translation>Dispositivo da porta serial do sensor; um nome em /dev/serial/by-id é o mesmo em qualquer tomada.</translation>
-    </message>
-    <message>
-        <source>Speed of the sensor&apos;s serial port.</source>
-        <translation>Velocidade da porta serial do sensor.</translation>
-    </message>
-    <message>
-        <source>MQTT topic of the sensor&apos;s azimuth and elevation.</source>
-        <translation>Tópico MQTT do azimute e da elevação do sensor.</translation>
-    </message>
-    <message>
-        <source>MQTT topic of the sensor&apos;s temperature and firmware.</source>
-        <translation>Tópico MQTT da temperatura e do firmware do sensor.</translation>
-    </message>
-    <message>
         <source>MQTT topic of the sensor&apos;s own calibration.</source>
         <translation>Tópico MQTT da calibração própria do sensor.</translation>
     </message>
     <message>
-        <source>Which way the sensor&apos;s azimuth grows, seen from above; it depends on how it is mounted. Turn the mount and look.</source>
-        <translation>Para que lado cresce o azimute do sensor, visto de cima; depende de como está montado. Gire a montagem e observe.</translation>
-    </message>
-    <message>
-        <source>True azimuth of the beam where the sensor looks north.</source>
-        <translation>Azimute verdadeiro do feixe quando o sensor aponta para o norte.</translation>
-    </message>
-    <message>
-        <source>Elevation of the beam where the sensor says 0°.</source>
-        <translation>Elevação do feixe quando o sensor indica 0°.</translation>
-    </message>
-    <message>
-        <source>What the sensor&apos;s firmware adds to its azimuth: 5.07° as delivered, for Berlin.</source>
-        <translation>O que o firmware do sensor soma ao azimute: 5.07° de fábrica, para Berlim.</translation>
-    </message>
-    <message>
-        <source>Magnetic declination of the site, east positive, while declination_file is empty.</source>
-        <translation>Declinação magnética do local, positiva para leste, enquanto declination_file estiver vazio.</translation>
-    </message>
-    <message>
-        <source>Coefficients of the World Magnetic Model (.COF), to reckon the declination of the site from.</source>
-        <translation>Coeficientes do modelo magnético mundial (.COF), dos quais se calcula a declinação do local.</translation>
-    </message>
-    <message>
-        <source>The sensor is lost, and nothing is made of its last values, after so long without.</source>
-        <translation>O sensor está perdido, e nada se faz dos seus últimos valores, após tanto tempo sem nenhum.</translation>
-    </message>
-    <message>
-        <source>Age of the sensor&apos;s azimuth when it arrives: of the middle of what its firmware averages.</source>
-        <translation>Idade do azimute do sensor ao chegar: a do meio do intervalo de que o firmware faz a média.</translation>
-    </message>
-    <message>
         <source>How long the firmware averages the azimuth.</source>
         <translation>Durante quanto tempo o firmware faz a média do azimute.</translation>
-    </message>
-    <message>
-        <source>A hint when sensor and axes differ by so much for disagreement_s.</source>
-        <translation>Um aviso quando sensor e eixos diferem tanto durante disagreement_s.</translation>
     </message>
     <message>
         <source>How long sensor and axes may differ.</source>
@@ -3335,42 +2915,6 @@ do eixo</translation>
     <message>
         <source>the beginning of a topic is expected, like &quot;boresight/&quot;, without + # and $</source>
         <translation>espera-se o começo de um tópico, como &quot;boresight/&quot;, sem + # e $</translation>
-    </message>
-    <message>
-        <source>Name or address of the MQTT broker, for the sensor and for publish.</source>
-        <translation>Nome ou endereço do broker MQTT, para o sensor e para publish.</translation>
-    </message>
-    <message>
-        <source>Port of the broker: mostly 1883, with TLS 8883.</source>
-        <translation>Porta do broker: em geral 1883, com TLS 8883.</translation>
-    </message>
-    <message>
-        <source>User name at the broker; empty: without.</source>
-        <translation>Nome de usuário no broker; vazio: sem.</translation>
-    </message>
-    <message>
-        <source>Password at the broker. It stands in this file as it is, which only its owner may then read, and in no log.</source>
-        <translation>Senha no broker. Fica neste arquivo tal como é, que então só o dono pode ler, e em nenhum registro.</translation>
-    </message>
-    <message>
-        <source>Encrypted, and only with a broker whose certificate is right.</source>
-        <translation>Cifrado, e só com um broker cujo certificado está certo.</translation>
-    </message>
-    <message>
-        <source>With TLS: PEM file of the authority that signed the broker&apos;s certificate; empty: those that this computer knows.</source>
-        <translation>Com TLS: arquivo PEM da autoridade que assinou o certificado do broker; vazio: as que este computador conhece.</translation>
-    </message>
-    <message>
-        <source>Name of this program at the broker, which throws out the first of two of one name; empty: another one at every start.</source>
-        <translation>Nome deste programa no broker, que expulsa o primeiro de dois com o mesmo nome; vazio: outro a cada início.</translation>
-    </message>
-    <message>
-        <source>Whether Boresight tells the broker each second where the mount is and what it does.</source>
-        <translation>Se o Boresight diz ao broker a cada segundo onde está a montagem e o que ela faz.</translation>
-    </message>
-    <message>
-        <source>Beginning of the topics state and availability that it publishes.</source>
-        <translation>Começo dos tópicos state e availability que ele publica.</translation>
     </message>
     <message>
         <source>is needed with a password</source>
@@ -3581,10 +3125,6 @@ do eixo</translation>
         <translation>foram vistos %1 de 12 setores, com uma lacuna de %2: a volta tem de ver mais do círculo; tome antes o norte com a montagem parada</translation>
     </message>
     <message>
-        <source>Who applies the magnetic declination: the sensor alone, Boresight alone (that of the site in place of the sensor&apos;s), or nobody.</source>
-        <translation>Quem aplica a declinação magnética: só o sensor, só o Boresight (a do local em vez da do sensor), ou ninguém.</translation>
-    </message>
-    <message>
         <source>the sensor does not tell how well its compass is calibrated</source>
         <translation>o sensor não diz quão bem a sua bússola está calibrada</translation>
     </message>
@@ -3625,56 +3165,16 @@ do eixo</translation>
         <translation>no zênite o feixe erra-a por %1</translation>
     </message>
     <message>
-        <source>True azimuth of the beam where the azimuth axis shows 0°: how the mount finds north.</source>
-        <translation>Azimute verdadeiro do feixe quando o eixo de azimute indica 0°: é como a montagem acha o norte.</translation>
-    </message>
-    <message>
-        <source>True elevation of the beam where the elevation axis shows 0°.</source>
-        <translation>Elevação verdadeira do feixe quando o eixo de elevação indica 0°.</translation>
-    </message>
-    <message>
-        <source>How far the azimuth axis leans to the north; negative to the south.</source>
-        <translation>Quanto o eixo de azimute se inclina para o norte; negativo para o sul.</translation>
-    </message>
-    <message>
-        <source>How far the azimuth axis leans to the east; negative to the west.</source>
-        <translation>Quanto o eixo de azimute se inclina para leste; negativo para oeste.</translation>
-    </message>
-    <message>
-        <source>How far the beam looks clockwise of the right angle to the elevation axis, at any elevation.</source>
-        <translation>Quanto o feixe olha, no sentido horário, além do ângulo reto com o eixo de elevação, em qualquer elevação.</translation>
-    </message>
-    <message>
-        <source>How far the elevation axis is off the right angle to the azimuth axis: a raised beam then looks clockwise.</source>
-        <translation>Quanto o eixo de elevação se afasta do ângulo reto com o de azimute: um feixe erguido olha então no sentido horário.</translation>
-    </message>
-    <message>
         <source>How much lower the beam hangs at the horizon than at the zenith.</source>
         <translation>Quanto o feixe pende mais baixo no horizonte do que no zênite.</translation>
-    </message>
-    <message>
-        <source>How clients are told the azimuth; &quot;continuous&quot; counts the turns of the axis on: 370° is not 10°.</source>
-        <translation>Como se diz o azimute aos clientes; &quot;continuous&quot; continua a contar as voltas do eixo: 370° não é 10°.</translation>
-    </message>
-    <message>
-        <source>Folder of the Gpredict whose stations and satellite data are read; empty: where Gpredict keeps them for this user.</source>
-        <translation>Pasta do Gpredict cujas estações e dados de satélites são lidos; vazia: onde o Gpredict os guarda para este usuário.</translation>
     </message>
     <message>
         <source>a path from / on is expected</source>
         <translation>espera-se um caminho desde /</translation>
     </message>
     <message>
-        <source>unwind the cable, azimuth to %1</source>
-        <translation>desenrolar o cabo, azimute para %1</translation>
-    </message>
-    <message>
         <source>the target is beyond %1</source>
         <translation>o alvo está além de %1</translation>
-    </message>
-    <message>
-        <source>the target is outside the limits</source>
-        <translation>o alvo está fora dos limites</translation>
     </message>
     <message>
         <source>STOP is not confirmed</source>
@@ -3683,18 +3183,6 @@ do eixo</translation>
     <message>
         <source>Use the hard-wired emergency stop if the mount moves</source>
         <translation>Use a parada de emergência por cabo se a montagem se mover</translation>
-    </message>
-    <message>
-        <source>the site is not given: where the Sun stands cannot be reckoned without it</source>
-        <translation>o local não foi indicado: sem ele não se pode calcular onde está o Sol</translation>
-    </message>
-    <message>
-        <source>Whether the beam stays away from the Sun, whoever moves it; needs the site.</source>
-        <translation>Se o feixe fica longe do Sol, seja quem for que o mova; precisa do local.</translation>
-    </message>
-    <message>
-        <source>How far from the middle of the Sun the beam stays.</source>
-        <translation>A que distância do centro do Sol o feixe fica.</translation>
     </message>
     <message>
         <source>The beam is less than %1° from the Sun</source>
@@ -3743,22 +3231,6 @@ do eixo</translation>
     <message>
         <source>the magnetic model %1 is valid from %2 to %3, not in %4: a file of the present one is needed (World Magnetic Model, .COF); type the declination meanwhile</source>
         <translation>o modelo magnético %1 vale de %2 a %3, não em %4: é preciso um arquivo do atual (World Magnetic Model, .COF); enquanto isso, digite a declinação</translation>
-    </message>
-    <message>
-        <source>Deviation of the sensor&apos;s compass, as a swing finds it: the part that goes with the sine of the true heading.</source>
-        <translation>Desvio da bússola do sensor, como um giro o encontra: a parte que segue o seno do rumo verdadeiro.</translation>
-    </message>
-    <message>
-        <source>The same: the part that goes with the cosine of the heading.</source>
-        <translation>O mesmo: a parte que segue o cosseno do rumo.</translation>
-    </message>
-    <message>
-        <source>The same: the part that goes with the sine of twice the heading.</source>
-        <translation>O mesmo: a parte que segue o seno do dobro do rumo.</translation>
-    </message>
-    <message>
-        <source>The same: the part that goes with the cosine of twice the heading.</source>
-        <translation>O mesmo: a parte que segue o cosseno do dobro do rumo.</translation>
     </message>
     <message>
         <source>the profile does not say where the mount stands: Sun and Moon need the site</source>
@@ -4101,14 +3573,6 @@ do eixo</translation>
         <translation>espera-se um nome ou endereço de computador, sem porta, colchetes ou ://</translation>
     </message>
     <message>
-        <source>Whether a receiver tells the received power, one number in dB per line, for the cross scan: &quot;udp&quot; listens for it, &quot;tcp&quot; connects to it.</source>
-        <translation>Se um receptor diz a potência recebida, um número em dB por linha, para a varredura em cruz: &quot;udp&quot; a escuta, &quot;tcp&quot; conecta-se a ele.</translation>
-    </message>
-    <message>
-        <source>UDP: address of this computer at which is listened; 127.0.0.1 hears only this computer, 0.0.0.0 everybody. TCP: name or address of the receiver&apos;s program.</source>
-        <translation>UDP: endereço deste computador em que se escuta; 127.0.0.1 ouve só este computador, 0.0.0.0 todos. TCP: nome ou endereço do programa do receptor.</translation>
-    </message>
-    <message>
         <source>UDP or TCP port of the received power.</source>
         <translation>Porta UDP ou TCP da potência recebida.</translation>
     </message>
@@ -4179,18 +3643,6 @@ do eixo</translation>
     <message>
         <source>%1 is a list of many authorities: name the one that signed the broker&apos;s certificate, or leave mqtt.ca_file empty to trust those this computer knows</source>
         <translation>%1 é uma lista de muitas autoridades: indique a que assinou o certificado do broker, ou deixe mqtt.ca_file vazio para confiar nas que este computador conhece</translation>
-    </message>
-    <message>
-        <source>How well the north that came with the deviation is known, 1 sigma; 0: it is not known.</source>
-        <translation>Com que precisão se conhece o norte que veio com o desvio, 1 sigma; 0: não se conhece.</translation>
-    </message>
-    <message>
-        <source>Elevation of the boom while the compass was swung: there the deviation holds best.</source>
-        <translation>Elevação da lança durante o giro da bússola: é aí que o desvio vale melhor.</translation>
-    </message>
-    <message>
-        <source>True headings at which steel steers the compass and its azimuth is no evidence, clockwise, like &quot;40-80, 350-20&quot;; empty: nowhere.</source>
-        <translation>Rumos verdadeiros em que o aço conduz a bússola e o azimute dela não é prova, no sentido horário, como &quot;40-80, 350-20&quot;; vazio: nenhum.</translation>
     </message>
     <message>
         <source>arcs of headings from 0 to 360° are expected, like &quot;40-80, 350-20&quot;</source>
@@ -4381,14 +3833,6 @@ do eixo</translation>
         <translation>%1 de %2 leituras ficaram de fora: %3</translation>
     </message>
     <message>
-        <source>North is not averaged from the still sensor while a motor draws more: its field turns the needle.</source>
-        <translation>O norte não é tirado da média do sensor parado enquanto um motor consome mais: o seu campo desvia a agulha.</translation>
-    </message>
-    <message>
-        <source>A swing of the compass leaves out readings at which a motor draws more; turning needs some current.</source>
-        <translation>Uma volta da bússola deixa de fora as leituras em que um motor consome mais; girar pede alguma corrente.</translation>
-    </message>
-    <message>
         <source>done, from %1 of %2 readings; left out: %3</source>
         <translation>pronto, de %1 de %2 leituras; ficaram de fora: %3</translation>
     </message>
@@ -4427,14 +3871,6 @@ do eixo</translation>
     <message>
         <source>; where the elevation axis shows 0° the sensor says %1 ± %2: %3</source>
         <translation>; onde o eixo de elevação mostra 0° o sensor diz %1 ± %2: %3</translation>
-    </message>
-    <message>
-        <source>the points on the page Sun/Moon were taken with another drive</source>
-        <translation>os pontos da página Sol/Lua foram tomados com outro acionamento</translation>
-    </message>
-    <message>
-        <source>the points on the page Sun/Moon were taken at another site</source>
-        <translation>os pontos da página Sol/Lua foram tomados em outro local</translation>
     </message>
     <message>
         <source>%1 points that were taken before are here again; they count when every drive has reported its identity</source>
@@ -4521,10 +3957,6 @@ do eixo</translation>
         <translation>estes pontos esperam até que todos os acionamentos tenham indicado a sua identidade</translation>
     </message>
     <message>
-        <source>azimuth cable ends at %1, about %2</source>
-        <translation>o cabo do azimute acaba a %1, por volta das %2</translation>
-    </message>
-    <message>
         <source>another program</source>
         <translation>outro programa</translation>
     </message>
@@ -4581,22 +4013,6 @@ do eixo</translation>
         <translation>%1 contém uma senha, e qualquer usuário deste computador pode ler o arquivo. Retire essa permissão: chmod o-r %1</translation>
     </message>
     <message>
-        <source>%1 keep-outs are more than %2</source>
-        <translation>%1 zonas proibidas são mais que %2</translation>
-    </message>
-    <message>
-        <source>Whether a person has seen that each axis turns the way this file says; before, moves are short and slow. Without this key a real mount is unconfirmed.</source>
-        <translation>Se uma pessoa já viu que cada eixo gira como diz este arquivo; antes disso os movimentos são curtos e lentos. Sem esta chave uma montagem real está por confirmar.</translation>
-    </message>
-    <message>
-        <source>After this computer stalled for up to 2 s and the drives stopped by their watchdogs: resume the motion by itself, or wait for a re-arm.</source>
-        <translation>Depois de este computador ficar bloqueado até 2 s e de os acionamentos pararem pelos seus watchdogs: retomar o movimento por si (&quot;resume&quot;), ou esperar que se rearme (&quot;wait&quot;).</translation>
-    </message>
-    <message>
-        <source>Warn when an axis that stands needs this share of its max_torque_nm for 2 s. Set it a little above what weight and friction need.</source>
-        <translation>Um aviso quando um eixo parado precisa desta parte do seu max_torque_nm durante 2 s. Defina um pouco mais do que o peso e o atrito exigem.</translation>
-    </message>
-    <message>
         <source>azimuth %1° is outside -3600°…3600°</source>
         <translation>o azimute %1° está fora de -3600°…3600°</translation>
     </message>
@@ -4607,10 +4023,6 @@ do eixo</translation>
     <message>
         <source>Another client re-armed the drives while this one kept sending. Pause it for %1 s, or send R 1.</source>
         <translation>Outro cliente rearmou os acionamentos enquanto este continuava a enviar. Faça-o pausar %1 s, ou envie R 1.</translation>
-    </message>
-    <message>
-        <source>Check its encoder and the CAN cable, then re-arm</source>
-        <translation>Verifique o seu encoder e o cabo CAN e depois rearme</translation>
     </message>
     <message>
         <source>Real-time scheduling: not allowed. Install rtkit or raise the limit RLIMIT_RTPRIO.</source>
@@ -4633,20 +4045,8 @@ do eixo</translation>
         <translation>Encerre esse programa, ou dê a esta montagem outro nome no seu perfil</translation>
     </message>
     <message>
-        <source>Nothing can be commanded. Boresight sends nothing more to this port</source>
-        <translation>Nada pode ser comandado. O Boresight não envia mais nada a esta porta</translation>
-    </message>
-    <message>
-        <source>every computer that reaches %1 can move the mount</source>
-        <translation>qualquer computador que chegue a %1 pode mover a montagem</translation>
-    </message>
-    <message>
         <source>Boresight accepts every client</source>
         <translation>O Boresight aceita qualquer cliente</translation>
-    </message>
-    <message>
-        <source>Enter the addresses that may connect in rotctld.allow, or listen on 127.0.0.1</source>
-        <translation>Escreva em rotctld.allow os endereços que podem conectar-se, ou escute em 127.0.0.1</translation>
     </message>
     <message>
         <source>the profile was read again and is in force</source>
@@ -4683,14 +4083,6 @@ do eixo</translation>
     <message>
         <source>The cable wrap stays unknown</source>
         <translation>A volta do cabo continua desconhecida</translation>
-    </message>
-    <message>
-        <source>This computer stalled for %1 s, and the drives stopped by their watchdogs.</source>
-        <translation>Este computador ficou bloqueado %1 s, e os acionamentos pararam pelos seus watchdogs.</translation>
-    </message>
-    <message>
-        <source>Boresight takes the drives over and resumes the motion.</source>
-        <translation>O Boresight assume os acionamentos e retoma o movimento.</translation>
     </message>
     <message>
         <source>An earlier start has used it. It counts once.</source>
@@ -4759,10 +4151,6 @@ do eixo</translation>
     <message>
         <source>the motor was at %1 °C and does not tell its temperature any more: mend its sensor, or let it cool down and start Boresight anew</source>
         <translation>o motor estava a %1 °C e não informa mais a temperatura: repare o sensor, ou deixe-o esfriar e inicie o Boresight de novo</translation>
-    </message>
-    <message>
-        <source>ends at %1, about %2</source>
-        <translation>acaba a %1, por volta das %2</translation>
     </message>
     <message>
         <source>the drives are being read</source>
@@ -4842,10 +4230,6 @@ do eixo</translation>
         <translation>O rotor simples é apenas simulado. Inicie o Boresight com --simulate.</translation>
     </message>
     <message>
-        <source>What turns the axis; the other axis may have another driver. &quot;simple&quot; is simulated only: a rotator of whole degrees without a watchdog. With &quot;none&quot; the mount has no such axis.</source>
-        <translation>O que move o eixo; o outro eixo pode ter outro controlador. &quot;simple&quot; é apenas simulado: um rotor de graus inteiros sem watchdog. Com &quot;none&quot; a montagem não tem este eixo.</translation>
-    </message>
-    <message>
         <source>%1 (magnetic model)</source>
         <translation>%1 (modelo magnético)</translation>
     </message>
@@ -4906,52 +4290,12 @@ do eixo</translation>
         <translation>O Boresight parou a montagem e mantém-na</translation>
     </message>
     <message>
-        <source>Look for a cable, a lock, ice or a slipping coupling that blocks the axis, and free it.</source>
-        <translation>Procure um cabo, uma trava, gelo ou um acoplamento que escorrega a bloquear o eixo, e liberte-o.</translation>
-    </message>
-    <message>
-        <source>Calibrate the motor again and check its phases and the encoder before you re-arm.</source>
-        <translation>Calibre de novo o motor e verifique as fases e o encoder antes de rearmar.</translation>
-    </message>
-    <message>
-        <source>Compare the shown angle with the antenna. Check encoder, wiring and other programs on the bus.</source>
-        <translation>Compare o ângulo mostrado com a antena. Verifique o encoder, a cablagem e outros programas no barramento.</translation>
-    </message>
-    <message>
-        <source>Check supply, battery and cable, or lower the acceleration.</source>
-        <translation>Verifique a alimentação, a bateria e o cabo, ou baixe a aceleração.</translation>
-    </message>
-    <message>
         <source>Lower the acceleration, set servo.max_regen_power_W, or add a battery or a brake resistor.</source>
         <translation>Baixe a aceleração, defina servo.max_regen_power_W, ou acrescente uma bateria ou uma resistência de travagem.</translation>
     </message>
     <message>
-        <source>Cool and shade the board, or move less. At its limit the drive releases the axis.</source>
-        <translation>Arrefeça a placa e dê-lhe sombra, ou mova menos. No seu limite o acionamento liberta o eixo.</translation>
-    </message>
-    <message>
         <source>Let the motor cool down. Look for friction or a load out of balance.</source>
         <translation>Deixe o motor arrefecer. Procure atrito ou uma carga desequilibrada.</translation>
-    </message>
-    <message>
-        <source>Check whether a cable is wound up, and jog the other way.</source>
-        <translation>Verifique se há um cabo enrolado, e faça jog no outro sentido.</translation>
-    </message>
-    <message>
-        <source>The output of the drive is off. The other axis holds if its drive can</source>
-        <translation>A saída do acionamento está desligada. O outro eixo mantém-se se o seu acionamento puder</translation>
-    </message>
-    <message>
-        <source>%1 is in fault and reports no fault code</source>
-        <translation>%1 está em falha e não indica o código da falha</translation>
-    </message>
-    <message>
-        <source>Read its fault with boresightctl scan, then re-arm</source>
-        <translation>Leia a falha com boresightctl scan e rearme</translation>
-    </message>
-    <message>
-        <source>in fault, reports no fault code</source>
-        <translation>em falha, não indica o código da falha</translation>
     </message>
     <message>
         <source>The %1 timed out because it received no command in time</source>
@@ -4964,10 +4308,6 @@ do eixo</translation>
     <message>
         <source>Boresight ended the motion. Each axis holds if its drive still can</source>
         <translation>O Boresight terminou o movimento. Cada eixo mantém-se se o seu acionamento ainda puder</translation>
-    </message>
-    <message>
-        <source>Check its supply and look for another program that stopped it, then re-arm</source>
-        <translation>Verifique a alimentação e procure outro programa que o tenha parado, e rearme</translation>
     </message>
     <message>
         <source>The %1 reports no credible position</source>
@@ -4984,10 +4324,6 @@ do eixo</translation>
     <message>
         <source>Boresight sends no more motion commands. The other axis holds if its drive can</source>
         <translation>O Boresight não envia mais comandos de movimento. O outro eixo mantém-se se o seu acionamento puder</translation>
-    </message>
-    <message>
-        <source>Check its mode and fault, look for another program that commands it, then re-arm</source>
-        <translation>Verifique o modo e a falha, procure outro programa que o comande, e rearme</translation>
     </message>
     <message>
         <source>Boresight ended the motion. If the drive has power, its watchdog brakes it after %2 s</source>
@@ -5010,40 +4346,16 @@ do eixo</translation>
         <translation>O acionamento dá menos do que o Boresight comanda</translation>
     </message>
     <message>
-        <source>%1 is active in mode %2 without a command from Boresight</source>
-        <translation>%1 está ativo no modo %2 sem um comando do Boresight</translation>
-    </message>
-    <message>
         <source>Boresight leaves it alone until the first motion. STOP takes it over and holds it</source>
         <translation>O Boresight não lhe toca até ao primeiro movimento. STOP assume-o e mantém-no</translation>
-    </message>
-    <message>
-        <source>End the other program, or the old command without a watchdog, that moves it</source>
-        <translation>Termine o outro programa, ou o comando antigo sem watchdog, que o move</translation>
-    </message>
-    <message>
-        <source>the cable wrap of the %1 is unknown</source>
-        <translation>a volta do cabo do %1 é desconhecida</translation>
     </message>
     <message>
         <source>Pointing is blocked and clients get no position. Slow jog still works</source>
         <translation>O apontamento está bloqueado e os clientes não recebem posição. O jog lento continua a funcionar</translation>
     </message>
     <message>
-        <source>Look at the mount and its cable, then enter where the axis is</source>
-        <translation>Olhe para a montagem e o cabo, e indique onde está o eixo</translation>
-    </message>
-    <message>
         <source>Boresight did not use --standing-at for the %1: %2</source>
         <translation>O Boresight não usou --standing-at para o %1: %2</translation>
-    </message>
-    <message>
-        <source>Enter the position in the window, or restart with the present position and time</source>
-        <translation>Introduza a posição na janela, ou reinicie com a posição e a hora atuais</translation>
-    </message>
-    <message>
-        <source>No data from the orientation sensor (%1)</source>
-        <translation>Sem dados do sensor de orientação (%1)</translation>
     </message>
     <message>
         <source>Pointing continues, because the sensor is only a cross-check</source>
@@ -5054,28 +4366,12 @@ do eixo</translation>
         <translation>O sensor de orientação envia só zeros</translation>
     </message>
     <message>
-        <source>Check the wires between its BNO055 and its board, then switch it off and on</source>
-        <translation>Verifique os fios entre o BNO055 e a placa, e desligue e ligue o sensor</translation>
-    </message>
-    <message>
         <source>Pointing is unchanged, because the sensor is only a cross-check</source>
         <translation>O apontamento não muda, porque o sensor é só uma verificação independente</translation>
     </message>
     <message>
-        <source>North is not set, and the orientation sensor and the axes differ by %1 in azimuth</source>
-        <translation>O norte não está definido, e o sensor de orientação e os eixos diferem %1 em azimute</translation>
-    </message>
-    <message>
         <source>Pointing is unchanged. Until north is set, azimuths are axis angles</source>
         <translation>O apontamento não muda. Até o norte ser definido, os azimutes são ângulos do eixo</translation>
-    </message>
-    <message>
-        <source>Find north (panel North, Ctrl+9). If the axis zero is north, check sensor mounting and coupling</source>
-        <translation>Encontre o norte (painel Norte, Ctrl+9). Se o zero do eixo é o norte, verifique a fixação do sensor e o acoplamento</translation>
-    </message>
-    <message>
-        <source>Move the mount away or let the Sun pass. The setting keep_away (Sun) turns this off</source>
-        <translation>Afaste a montagem ou deixe passar o Sol. A configuração keep_away (Sol) desliga isto</translation>
     </message>
     <message>
         <source>The clock of this computer is not synchronised, so the position of the Sun is unknown</source>
@@ -5086,56 +4382,16 @@ do eixo</translation>
         <translation>O Boresight recusa movimentos para qualquer posição que o Sol possa ter</translation>
     </message>
     <message>
-        <source>Synchronise the clock by NTP or GPS. If its time is right, set clock (Sun) to trusted</source>
-        <translation>Sincronize o relógio por NTP ou GPS. Se a hora está certa, ponha clock (Sol) em trusted</translation>
-    </message>
-    <message>
-        <source>the antenna points at the Sun, or moves to it</source>
-        <translation>a antena aponta para o Sol, ou move-se para ele</translation>
-    </message>
-    <message>
-        <source>the compass swing waits for its sensor</source>
-        <translation>a compensação da bússola espera pelo seu sensor</translation>
-    </message>
-    <message>
-        <source>The mount stands still. It continues BY ITSELF when sensor data returns within %1 s</source>
-        <translation>A montagem está parada. Continua SOZINHA quando os dados do sensor voltarem dentro de %1 s</translation>
-    </message>
-    <message>
         <source>Keep clear of the mount. STOP or Hold ends the swing</source>
         <translation>Afaste-se da montagem. STOP ou Manter termina a compensação</translation>
-    </message>
-    <message>
-        <source>The model stays in force. Boresight moves nothing</source>
-        <translation>O modelo continua em vigor. O Boresight não move nada</translation>
-    </message>
-    <message>
-        <source>Find north again and apply it, or undo the calibration</source>
-        <translation>Encontre o norte de novo e aplique-o, ou desfaça a calibração</translation>
     </message>
     <message>
         <source>The calibration is in force. Boresight keeps its history in memory only</source>
         <translation>A calibração está em vigor. O Boresight guarda o histórico só na memória</translation>
     </message>
     <message>
-        <source>Check the disk or choose another --state-dir. After a restart Undo is not possible</source>
-        <translation>Verifique o disco ou escolha outra --state-dir. Após um reinício não é possível desfazer</translation>
-    </message>
-    <message>
         <source>Boresight no longer uses any of them</source>
         <translation>O Boresight já não usa nenhum deles</translation>
-    </message>
-    <message>
-        <source>Drop them and take new ones. On the page Model you can use a point again that is still right</source>
-        <translation>Descarte-os e tome outros. Na página Modelo pode voltar a usar um ponto que ainda esteja certo</translation>
-    </message>
-    <message>
-        <source>Nothing can be commanded. Boresight tries the bus again each second</source>
-        <translation>Nada pode ser comandado. O Boresight tenta o barramento de novo a cada segundo</translation>
-    </message>
-    <message>
-        <source>Remove the fault, or choose another adapter in the guide or another mount on the page Profile</source>
-        <translation>Elimine a falha, ou escolha outro adaptador no guia ou outra montagem na página Perfil</translation>
     </message>
     <message>
         <source>Boresight continues to use the bus</source>
@@ -5146,32 +4402,8 @@ do eixo</translation>
         <translation>Verifique as fichas, o cabo e a terminação do barramento</translation>
     </message>
     <message>
-        <source>None needed. If it happens often, reduce the load of this computer</source>
-        <translation>Nada a fazer. Se acontecer muitas vezes, reduza a carga deste computador</translation>
-    </message>
-    <message>
-        <source>No client can connect. Everything else works</source>
-        <translation>Nenhum cliente se pode ligar. Tudo o resto funciona</translation>
-    </message>
-    <message>
-        <source>End the other program, or choose another port (--listen, or rotctld.listen), then restart Boresight</source>
-        <translation>Termine o outro programa, ou escolha outra porta (--listen, ou rotctld.listen), e reinicie o Boresight</translation>
-    </message>
-    <message>
-        <source>Boresight commands nothing and no client can connect</source>
-        <translation>O Boresight não comanda nada e nenhum cliente se pode ligar</translation>
-    </message>
-    <message>
-        <source>End the other program and press Reconnect, or give this mount another name in its profile</source>
-        <translation>Termine o outro programa e prima Reconectar, ou dê outro nome a esta montagem no perfil</translation>
-    </message>
-    <message>
         <source>Boresight keeps the position of the axes in memory only</source>
         <translation>O Boresight guarda a posição dos eixos só na memória</translation>
-    </message>
-    <message>
-        <source>Check the disk or choose another --state-dir. After a restart the cable wrap may be unknown</source>
-        <translation>Verifique o disco ou escolha outra --state-dir. Após um reinício a volta do cabo pode ser desconhecida</translation>
     </message>
     <message>
         <source>Boresight keeps the log in memory only</source>
@@ -5182,88 +4414,32 @@ do eixo</translation>
         <translation>O Boresight comanda só um pequeno passo de cada vez</translation>
     </message>
     <message>
-        <source>Keep its power switch in reach. If Boresight or the cable fails, it still ends its last step</source>
-        <translation>Tenha o interruptor ao alcance. Se o Boresight ou o cabo falhar, ele ainda termina o último passo</translation>
-    </message>
-    <message>
         <source>The mount goes to the nearest permitted point (%1)</source>
         <translation>A montagem vai para o ponto permitido mais próximo (%1)</translation>
-    </message>
-    <message>
-        <source>None needed. Tracking resumes when the target comes inside</source>
-        <translation>Nada a fazer. O seguimento retoma quando o alvo entrar nos limites</translation>
-    </message>
-    <message>
-        <source>At the end Boresight unwinds 360° and resumes. The target is lost for about %3</source>
-        <translation>No fim o Boresight desenrola 360° e retoma. O alvo perde-se durante cerca de %3</translation>
-    </message>
-    <message>
-        <source>To choose the moment, press Unwind earlier, then give control back</source>
-        <translation>Para escolher o momento, prima Desenrolar mais cedo, e devolva o controlo</translation>
-    </message>
-    <message>
-        <source>At the end Boresight holds until the target can be reached again</source>
-        <translation>No fim o Boresight mantém até o alvo poder ser alcançado de novo</translation>
-    </message>
-    <message>
-        <source>Widen the limits if the cable allows it, or stop tracking this target</source>
-        <translation>Alargue os limites se o cabo o permitir, ou deixe de seguir este alvo</translation>
-    </message>
-    <message>
-        <source>Boresight looks for it every 2 s</source>
-        <translation>o Boresight procura-a a cada 2 s</translation>
     </message>
     <message>
         <source>Boresight moves nothing</source>
         <translation>o Boresight não move nada</translation>
     </message>
     <message>
-        <source>Boresight does not use it</source>
-        <translation>o Boresight não a usa</translation>
-    </message>
-    <message>
         <source>Boresight moves nothing, because commands would reach the wrong axis</source>
         <translation>o Boresight não move nada, porque os comandos chegariam ao eixo errado</translation>
-    </message>
-    <message>
-        <source>Boresight treats its cable wrap as unknown</source>
-        <translation>o Boresight trata a volta do seu cabo como desconhecida</translation>
     </message>
     <message>
         <source>Boresight moves nothing, because the reports of the board may mean something else</source>
         <translation>o Boresight não move nada, porque os dados da placa podem significar outra coisa</translation>
     </message>
     <message>
-        <source>Boresight tries again every 2 s</source>
-        <translation>o Boresight tenta de novo a cada 2 s</translation>
-    </message>
-    <message>
         <source>Boresight read the settings again</source>
         <translation>o Boresight leu de novo as configurações</translation>
-    </message>
-    <message>
-        <source>the mount may still move</source>
-        <translation>a montagem pode mover-se mesmo assim</translation>
-    </message>
-    <message>
-        <source>No status from the station for %1</source>
-        <translation>Sem estado da estação há %1</translation>
     </message>
     <message>
         <source>The window hides the old numbers</source>
         <translation>A janela oculta os números antigos</translation>
     </message>
     <message>
-        <source>The window sent it, but the status does not show it</source>
-        <translation>A janela enviou-o, mas o estado não o mostra</translation>
-    </message>
-    <message>
         <source>position journal</source>
         <translation>diário de posição</translation>
-    </message>
-    <message>
-        <source>Check supply, CAN cable, adapter and the drive&apos;s id in the profile. boresightctl scan lists the drives</source>
-        <translation>Verifique a alimentação, o cabo CAN, o adaptador e o id do acionamento no perfil. boresightctl scan lista os acionamentos</translation>
     </message>
     <message>
         <source> (limit %1 of the drive: %2)</source>
@@ -5294,10 +4470,6 @@ do eixo</translation>
         <translation>%1 precisa de %2 Nm, %3 % dos %4 Nm permitidos, enquanto a volta do cabo é desconhecida</translation>
     </message>
     <message>
-        <source>%1 is at %2 °C and switches off at %3 °C</source>
-        <translation>%1 está a %2 °C e desliga a %3 °C</translation>
-    </message>
-    <message>
         <source>the check of %1 ended early: %2</source>
         <translation>a verificação de %1 terminou antes do tempo: %2</translation>
     </message>
@@ -5316,14 +4488,6 @@ do eixo</translation>
     <message>
         <source>Open the page Protection and press Fix. It writes what can be written.</source>
         <translation>Abra a página Proteção e prima Corrigir. Escreve o que pode ser escrito.</translation>
-    </message>
-    <message>
-        <source>the drive check has not run yet</source>
-        <translation>a verificação dos acionamentos ainda não correu</translation>
-    </message>
-    <message>
-        <source>the drive check is running, wait some seconds</source>
-        <translation>a verificação dos acionamentos está a correr, espere alguns segundos</translation>
     </message>
     <message>
         <source>not all drives can be read, Boresight looks for them every 2 s</source>
@@ -5402,16 +4566,8 @@ do eixo</translation>
         <translation>Verifique o desvio de azimute e a fixação do sensor, ferro junto da bússola e o zero do azimute</translation>
     </message>
     <message>
-        <source>Look for wind, ice or a tight cable. Otherwise lower the acceleration or check the gains.</source>
-        <translation>Procure vento, gelo ou um cabo esticado. Senão, baixe a aceleração ou verifique os ganhos.</translation>
-    </message>
-    <message>
         <source>Boresight starts no motion and allows only motions away from the Sun</source>
         <translation>O Boresight não inicia movimentos e só permite os que se afastem do Sol</translation>
-    </message>
-    <message>
-        <source>Never look along the beam or a sight tube without a solar filter. Protect a dish feed from the heat</source>
-        <translation>Nunca olhe ao longo do feixe ou por um tubo de mira sem filtro solar. Proteja do calor o alimentador de um prato</translation>
     </message>
     <message>
         <source>Power-cycle the drive. Check the wiring and configuration of its aux ports</source>
@@ -5512,10 +4668,6 @@ do eixo</translation>
     <message>
         <source>re-arms by the recovery policy of the profile, and nothing moves by itself</source>
         <translation>rearma pela política de recuperação do perfil, e nada se move sozinho</translation>
-    </message>
-    <message>
-        <source>turns back by %1 because the cable ends at %2</source>
-        <translation>volta atrás %1 porque o cabo termina em %2</translation>
     </message>
     <message>
         <source>%1, and the target is lost for about %2</source>
@@ -5997,6 +5149,1482 @@ do eixo</translation>
         <source>%1: The module names no satellite.</source>
         <translation>%1: O módulo não indica nenhum satélite.</translation>
     </message>
+    <message>
+        <source>%1 Then press Re-arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re-arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unwrap now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move park</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open Protection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open Drives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open Clients</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open Limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open North</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open Profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look for wind, ice or a tight cable. If there is none, lower the acceleration or check the gains.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look for a cable, a lock, ice or a slipping coupling that blocks the axis. Free the axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate the motor again. Check its phases and the encoder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare the shown angle with the antenna. Check the encoder, its wiring and other programs on the bus.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the supply, the battery and the cable. Lower the acceleration if they are right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cool and shade the board, or move less. At its limit the drive switches itself off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look whether the cable is wrapped around the mount. Jog the other way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %1 reports fault %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drive switched its output off. The other axis holds if its drive can</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %1 is in fault without a fault code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read its fault with boresightctl scan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in fault without a fault code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the bus and the load of this computer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check its supply. Look for another program that stopped the drive.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check its encoder and the CAN cable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check its mode and fault. Look for another program that commands the drive.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %1 does not reply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look for a loose plug, a worn cable or a weak supply.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %1 reports limit %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limit %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %1 is active (mode: %2) without a command from Boresight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the other program that commands the drive. An old command without a watchdog ends with STOP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cable wrap of the %1 is unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the mount and its cable. Then enter the position of the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter the position of the axis in the window. Without a window, restart with the present position and time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The orientation sensor (%1) sends no data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the wires between its BNO055 and its board. Then switch the sensor off and on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>North is not set: the orientation sensor and the axes differ by %1 in azimuth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find north on the page North. If the axis zero is north, check the mounting of the sensor and the coupling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the mount away, or wait until the Sun has passed. The setting keep_away (Sun) turns this rule off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Synchronise the clock by NTP or GPS. If its time is right, set clock (Sun) to trusted on the page Profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The antenna points at the Sun, or moves to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Never look along the beam or a sight tube without a solar filter. Protect the feed of a dish from the heat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The compass swing waits for its sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mount stands still. It moves again BY ITSELF if sensor data returns before %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model stays in force. Boresight moves nothing because of this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find north again on the page North and apply it, or undo the calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The history of the calibration is not stored: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the disk, or choose another folder with --state-dir. After a restart Undo is not possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points on the page Sun/Moon were taken with another drive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the page North, drop the points and take new ones. On its page Model you can use a point again that is still right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points on the page Sun/Moon were taken at another site</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The CAN bus is down: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight can command nothing. It tries to open the bus again each second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the fault. If this is the wrong adapter, choose another one in the guide or on the page Profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The CAN bus is closed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight can command nothing. It sends nothing more to this port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the fault, then press Reconnect. If this is the wrong port, choose another one in the guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The CAN bus is disturbed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This computer stalled for %1 s, so the watchdogs stopped the drives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight takes the drives over again and resumes the motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to do. If this happens often, reduce the load of this computer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clients cannot connect: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight does everything else without clients</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the other program, or choose another port (rotctld.listen on the page Profile). Then restart Boresight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every computer that reaches %1 can move the mount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter the addresses that may connect on the page Profile (rotctld.allow), or listen on 127.0.0.1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight commands nothing and accepts no client</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the other program, then press Reconnect. If it is another mount, give this one another name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The position journal is not stored: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the disk, or choose another folder with --state-dir. After a restart the cable wrap may be unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The log is not stored: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep its power switch in reach. If Boresight or the cable fails, the rotator still ends its last step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The target is outside the limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to do. Tracking resumes when the target comes inside the limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The azimuth reaches its cable end (%1) at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight will unwrap the cable by 360° there. The target is lost for %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press Unwrap now to choose the moment. Then hand control back to the clients</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reaches its cable end (%1) at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight will hold there until the mount can reach the target again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Widen the limits if the cable allows it, or track another target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight looks for the board every 2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight does not use this board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight treats the cable wrap of this axis as unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight reads the settings again every 2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mount may still move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The station has sent no status for %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The window sent STOP, but the status does not show it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>STOP is latched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight holds the mount and refuses every motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press Reset stop when the mount may move again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns back by %1 because the cable ends at axis %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>takes control from %1, and Boresight refuses motion commands of clients</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Likely cause: %1. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. Then press Re-arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the supply, the CAN cable and the adapter. Then press Re-arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the supply, the CAN cable, the adapter and the id of the drive. The page Drives lists the drives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>switches the %1 off, so nothing holds its axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>azimuth axis %1 below limit %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>azimuth axis %1 above limit %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>azimuth %1 outside travel (axis %2…%3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>azimuth %1 outside limits (axis %2…%3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>azimuth axis %1 outside limits %2…%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the azimuth axis limit %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Broker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name or address of the MQTT broker, for the sensor and for publishing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Port of the broker: usually 1883, with TLS 8883.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>User name at the broker. Empty: none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Password at the broker. This file contains it as plain text, so only its owner may read the file. No log contains it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TLS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Encrypt the connection, and accept only a broker with a valid certificate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificate authority</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With TLS: PEM file of the authority that signed the broker&apos;s certificate. Empty: the authorities that this computer trusts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Client id</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of this program at the broker. A broker disconnects the first of two clients with one name. Empty: a new name at every start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Publish</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether Boresight sends the position and the state of the mount to the broker each second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Topic prefix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beginning of the topics &quot;state&quot; and &quot;availability&quot; that Boresight publishes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is the same as azimuth.id. Each controller needs its own id.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>North offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>True azimuth of the beam when the azimuth axis shows 0°. The North panel finds it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elevation offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>True elevation of the beam when the elevation axis shows 0°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilt to the north</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the azimuth axis leans to the north. A negative value leans to the south.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilt to the east</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the azimuth axis leans to the east. A negative value leans to the west.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Collimation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle of the beam from the right angle to the elevation axis, clockwise, at any elevation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axes not at a right angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the elevation axis is off the right angle to the azimuth axis. A raised beam then points clockwise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether a receiver reports the received power for the cross scan, one number in dB per line. &quot;udp&quot; listens for it, &quot;tcp&quot; connects to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UDP: the address of this computer to listen on; 127.0.0.1 receives from this computer only, 0.0.0.0 from all. TCP: name or address of the receiver&apos;s program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>missing: %1. The keys of this table are only valid together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has several profiles, and %2 names none of them. Choose one with --profile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: The folder cannot be created.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the mount in use. Switch to another mount first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A mount &quot;%1&quot; already exists (%2). Give this mount another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The limits %1…%2 do not overlap the travel %3…%4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points are too many. The most is %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Azimuth %1 does not follow %2. The azimuths must ascend, each once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name &quot;%1&quot; is used twice.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 keep-outs are too many. The most is %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is the same as azimuth_from_deg, so the keep-out has no width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The site is not set. Boresight cannot compute the position of the Sun without it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Azimuth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lowest elevation of the beam at this azimuth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the keep-out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Azimuth from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Azimuth to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its clockwise side. From 350 to 10 it passes through north.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elevation from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elevation to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the preset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elevation. A value above 90 points over the top.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lowest azimuth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lowest azimuth in operation, as an axis angle. The travel limits the axis, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Highest azimuth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Highest azimuth in operation, as an axis angle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lowest elevation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lowest elevation in operation, as an axis angle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Highest elevation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Highest elevation in operation, as an axis angle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Latitude of the mount. North is positive.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longitude of the mount. East is positive.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the mount above sea level.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder of Gpredict</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder with the stations and satellite data of Gpredict. Empty: the folder that Gpredict uses for this user.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep away from the Sun</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the beam stays away from the Sun, whatever moves the mount. This needs the site.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clock for the Sun</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance from the Sun</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The beam stays this far from the middle of the Sun.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether an independent orientation sensor is on the antenna, and how Boresight reads it. &quot;simulated&quot; is the sensor of the simulated mount.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device of the serial port of the sensor. A name in /dev/serial/by-id stays the same in every socket.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the serial port of the sensor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Topic of the orientation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MQTT topic of the azimuth and the elevation of the sensor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Topic of the status</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MQTT topic of the temperature and the firmware of the sensor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Topic of the calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Azimuth direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The direction in which the sensor&apos;s azimuth grows, seen from above. It depends on the mounting. Turn the mount and watch the value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Azimuth offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>True azimuth of the beam when the sensor points north.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elevation of the beam when the sensor reports 0°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainty of north</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 sigma of the north that was found with the compass error. 0: unknown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elevation of the swing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elevation of the boom during the compass swing. The measured error holds best there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unreliable headings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>True headings at which steel disturbs the compass, clockwise, for example &quot;40-80, 350-20&quot;. Its azimuth is no evidence there. Empty: none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compass error: sine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error of the compass, as a swing measures it: the part that follows the sine of the true heading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compass error: cosine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The part that follows the cosine of the true heading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compass error: sine of twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The part that follows the sine of twice the true heading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compass error: cosine of twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The part that follows the cosine of twice the true heading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Declination applied by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the magnetic declination is applied: in the sensor alone, in Boresight alone (for the site, in place of the sensor&apos;s value), or nowhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Declination in the firmware</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s firmware adds this angle to its azimuth: 5.07° as delivered, for Berlin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Declination of the site</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Magnetic declination of the site, east positive. It is used while the file below is empty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Magnetic model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coefficients of the World Magnetic Model (.COF). Boresight computes the declination of the site from them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lost after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sensor counts as lost after this time without a value. Its last values are then not used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Age of the sensor&apos;s azimuth on arrival. It counts from the middle of the averaging in the firmware.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Averaging time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disagreement: warn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warn when sensor and axes differ by this angle for the time below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disagreement: time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current limit, standing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>North is not averaged while a motor current is higher. The field of the motor disturbs the compass.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current limit, swinging</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A compass swing ignores readings taken at a higher motor current. Turning needs some current.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the mount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name of this mount for clients and in the window. Its position journal is kept under this name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beam width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half-power beam width of the antenna. The sky shows it as a circle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Directions confirmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether a person has seen each axis turn the way this file says. Until then every motion is short and slow. Without this key a real mount is unconfirmed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How Boresight reaches the drives: &quot;fdcanusb:PATH&quot;, &quot;socketcan:INTERFACE&quot; or &quot;simulated&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Driver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What turns the axis. Each axis may have its own driver. &quot;simple&quot; is simulated only: a rotator of whole degrees without a watchdog. With &quot;none&quot; the mount has no such axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CAN id</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CAN id of the moteus controller of this axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1, or -1 if the motor counts down while the axis angle grows. 0 is refused.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axis zero offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gear ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns of the motor for one turn of the axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gear ratio applied in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the gear ratio is applied. With &quot;drive&quot; the controller already counts turns of the axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Travel from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower end of the permitted travel, as an axis angle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Travel to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upper end of the permitted travel, as an axis angle: 370° is not 10°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Top speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The axis never moves faster.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest change of speed, also in a stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest change of acceleration. Every stop takes 2 × acceleration / jerk seconds longer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest torque</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drive uses no more torque, as its controller measures it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position after power-up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;trusted&quot; if the position after power-up is always right: an encoder on the axis and a travel below one turn. Otherwise the axis points only while the drive reports a referenced output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>If commands stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set-points per second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How often each drive gets a new set-point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drive watchdog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the axes arrive at the end of a slew: &quot;separate&quot; lets each axis arrive as soon as it can, &quot;together&quot; slows the faster axis so that both arrive at the same time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After a stall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What follows when this computer stalled for up to 2 s and the watchdogs stopped the drives: resume the motion, or wait for a re-arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At program end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The state of the drives after the program ends. &quot;hold&quot; needs servo.timeout_mode 10 in the drives. Without it they only damp.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Margin of the drives&apos; own limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The position limits in the drives lie this far beyond the travel. They hold without this program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Park azimuth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Azimuth of the park position, as an axis angle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Park elevation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elevation of the park position, as an axis angle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slow jog rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lowest jog rate of the slider.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal jog rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The jog rate at the start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fast jog rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The highest jog rate of the slider, and the rate of Shift + arrow.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog rate while the wrap is unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The highest jog rate while the cable wrap of an axis is unknown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Listen on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HOST:PORT for rotctld clients. Port 0 takes any free port. 127.0.0.1 admits this computer only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Allowed addresses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Addresses and networks that may connect, for example &quot;192.168.1.7&quot; or &quot;10.0.0.0/8&quot;. Empty: every client that reaches the port.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Control goes to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which client moves the mount: the &quot;first&quot; until it has sent no motion command for 10 s, the latest (&quot;last&quot;, as Hamlib), or the one that control is &quot;locked&quot; to.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locked to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address of the only client that may move the mount while control is &quot;locked&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target outside the limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the nearest permitted point, or refuse the command.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Azimuth for clients</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The form of the reported azimuth. &quot;continuous&quot; counts the turns of the axis: 370° is not 10°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Form of the state dump</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Most clients</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The largest number of connections at the same time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not one of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Following error: warn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warn when set-point and axis differ by this angle for the time below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Following error: stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the mount when set-point and axis differ by this angle for the time below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Following error: time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blocked axis: time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the mount when an axis has not moved for this time although it is commanded to move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion without a command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the mount when an axis that should stand still has moved by this angle. Warn only while its drive is off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jump of the position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the mount when an angle changes between two replies by this much more than the axis can turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beyond the travel: warn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warn when an axis is this far beyond its travel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beyond the travel: stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the mount when an axis is this far beyond its travel and moves farther out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>High torque: warn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warn when an axis needs this share of its largest torque for 2 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque while standing: warn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warn when an axis that stands still needs this share of its largest torque for 2 s. Set it a little above the share that weight and friction need.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque while the wrap is unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>While the cable wrap of an axis is unknown, stop the mount at this share of the largest torque. A cable may pull.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Late reply: warn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warn when the last reply of a drive is older.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Low supply: warn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warn below this supply voltage.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Low supply: stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the mount below this supply voltage, while the drives still can.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>High supply: warn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warn above this supply voltage. A stop would brake and raise the voltage further.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drive board: warn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warn above this drive-board temperature.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drive board: limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Temperature at which the drive reports fault 38 (servo.fault_temperature). Trends are computed up to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor: warn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warn above this temperature of a motor with a sensor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trend: look ahead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warn when supply or temperature will reach the limit within this time if they change as in the last minute.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re-arm after overheating</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re-arm without a person when an overheated drive (fault 38) has cooled down by 5 °C.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re-arm after a supply fault</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re-arm without a person when the supply voltage (faults 34, 40) is back in its range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re-arm after silence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re-arm without a person when silent or timed-out drives reply again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time between attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time from a fault, or from the last attempt, to the next attempt to re-arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to azimuth %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to elevation %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unwrap the cable, azimuth axis to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>named by the command line or the profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was %2 away from its set-point for %3 (set-point %4, axis %5)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the supply of %1 fell to %2 V, below %3 V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the supply of %1 rose to %2 V, above %3 V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 reached %2 °C and switches off at %3 °C</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 reached %2 °C</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 reached %2 %3 and, rising by %4 %3/min, reaches %5 %3 at %6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 fell to %2 %3 and, falling by %4 %3/min, reaches %5 %3 at %6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drive check has not run yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drive check is running. Wait some seconds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings are being written to the drives.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -6012,76 +6640,108 @@ do eixo</translation>
         <source>Day</source>
         <translation>Dia</translation>
     </message>
+    <message>
+        <source>Medium</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>High</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
-    <name>boresight::ui::AlarmLine</name>
+    <name>boresight::ui::AboutPage</name>
+    <message>
+        <source>About Boresight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller of an antenna mount.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GNU General Public License, version 3 or later. There is no warranty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Qt %1, Qwt, Eigen, ERFA, libarchive, libexpected, libmosquitto, OpenSSL,
+SDL 2, toml++</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::AlarmCard</name>
+    <message>
+        <source>, cleared</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message>
         <source>Worst alarm</source>
-        <translation>Pior alarme</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>What was done and what to do</source>
-        <translation>O que foi feito e o que fazer</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Refused</source>
-        <translation>Recusado</translation>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When the alarm came</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Acknowledge</source>
-        <translation>Reconhecer</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Acknowledge all alarms (F8)</source>
-        <translation>Reconhecer todos os alarmes (F8)</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Reset stop</source>
-        <translation>Liberar STOP</translation>
+        <source>All alarms</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Give to clients</source>
-        <translation>Dar a clientes</translation>
+        <source>Open the list of alarms</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No alarm</source>
-        <translation>Nenhum alarme</translation>
+        <source>Cleared: %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>  (%1 unacknowledged)</source>
-        <translation>  (%1 por reconhecer)</translation>
+        <source>Clear the drive fault. The mount then stands in STANDBY. Nothing moves by itself.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>  over:</source>
-        <translation>  terminado:</translation>
+        <source>Release STOP. The mount then stands in STANDBY. Nothing moves by itself.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>, over</source>
-        <translation>, terminado</translation>
+        <source>1 of %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Re-arm</source>
-        <translation>Rearmar</translation>
-    </message>
-    <message>
-        <source>Clear the drive fault. The mount then stands in STANDBY; nothing moves by itself.</source>
-        <translation>Apagar a falha do acionamento. A montagem fica EM ESPERA; nada se move por si.</translation>
-    </message>
-    <message>
-        <source>Release STOP. The mount then stands in STANDBY; nothing moves by itself.</source>
-        <translation>Liberar o STOP. A montagem fica EM ESPERA; nada se move por si.</translation>
-    </message>
-    <message>
-        <source>Take control</source>
-        <translation>Assumir</translation>
-    </message>
-    <message>
-        <source>Let rotctld clients move the mount again</source>
-        <translation>Deixar os clientes rotctld mover de novo a montagem</translation>
-    </message>
-    <message>
-        <source>Keep the mount for the operator: motion commands of clients are refused</source>
-        <translation>Reservar a montagem ao operador: comandos de movimento dos clientes são recusados</translation>
+        <source>Open the list of alarms. Not acknowledged: %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6213,12 +6873,31 @@ do eixo</translation>
         <translation>O que vai acontecer</translation>
     </message>
     <message>
-        <source>Back, nothing is done</source>
-        <translation>Voltar, nada é feito</translation>
-    </message>
-    <message>
         <source>Not now: %1</source>
         <translation>Agora não: %1</translation>
+    </message>
+    <message>
+        <source>Close the question. Nothing is done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::AuthorityButton</name>
+    <message>
+        <source>Give to clients</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let rotctld clients move the mount again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the mount for the operator: motion commands of clients are refused</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6467,39 +7146,6 @@ velocidade %1</translation>
     </message>
 </context>
 <context>
-    <name>boresight::ui::CableBar</name>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 até %2</translation>
-    </message>
-    <message>
-        <source>Azimuth cable</source>
-        <translation>Cabo do azimute</translation>
-    </message>
-    <message>
-        <source>How far the azimuth cable is wound: 0° is not wound, the hatched ends are out of travel.
-▼ actual, | commanded</source>
-        <translation>Quanto o cabo do azimute está enrolado: 0° é desenrolado, as pontas tracejadas estão fora do curso.
-▼ real, | comandado</translation>
-    </message>
-    <message>
-        <source>TURN?</source>
-        <translation>VOLTA?</translation>
-    </message>
-    <message>
-        <source>AZ cable</source>
-        <translation>Cabo AZ</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
-    </message>
-    <message>
-        <source>▲ %1 ends in %2</source>
-        <translation>▲ %1 termina em %2</translation>
-    </message>
-</context>
-<context>
     <name>boresight::ui::CalibrationBar</name>
     <message>
         <source>Proposed calibration</source>
@@ -6642,25 +7288,6 @@ velocidade %1</translation>
     <message>
         <source>What was applied before</source>
         <translation>O que já foi aplicado</translation>
-    </message>
-</context>
-<context>
-    <name>boresight::ui::ChartsPanel</name>
-    <message>
-        <source>The charts stand in the place of the sky.</source>
-        <translation>Os gráficos estão no lugar do céu.</translation>
-    </message>
-    <message>
-        <source>Back to this panel</source>
-        <translation>Voltar a este painel</translation>
-    </message>
-    <message>
-        <source>Charts back to this panel</source>
-        <translation>Trazer os gráficos de volta a este painel</translation>
-    </message>
-    <message>
-        <source>Show the sky again (Ctrl+L)</source>
-        <translation>Mostrar de novo o céu (Ctrl+L)</translation>
     </message>
 </context>
 <context>
@@ -7210,10 +7837,6 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
 <context>
     <name>boresight::ui::GoToBar</name>
     <message>
-        <source>%1 in degrees, e.g. 113.5 (Ctrl+G; Enter = Go)</source>
-        <translation>%1 em graus, p. ex. 113.5 (Ctrl+G; Enter = Ir)</translation>
-    </message>
-    <message>
         <source>Azimuth</source>
         <translation>Azimute</translation>
     </message>
@@ -7226,16 +7849,8 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
         <translation>Ir</translation>
     </message>
     <message>
-        <source>Go to this direction by the nearest turn (Enter)</source>
-        <translation>Ir a esta direção pela volta mais próxima (Enter)</translation>
-    </message>
-    <message>
         <source>Recent directions</source>
         <translation>Direções recentes</translation>
-    </message>
-    <message>
-        <source>Put one of the last directions into the fields; Go then goes there</source>
-        <translation>Pôr nos campos uma das últimas direções; Ir leva então até lá</translation>
     </message>
     <message>
         <source>Az</source>
@@ -7246,20 +7861,36 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
         <translation>El</translation>
     </message>
     <message>
-        <source>Recent</source>
-        <translation>Recentes</translation>
-    </message>
-    <message>
-        <source>Go: the azimuth is not a number (decimal point, e.g. 113.5)</source>
-        <translation>Ir: o azimute não é um número (ponto decimal, p. ex. 113.5)</translation>
-    </message>
-    <message>
-        <source>Go: the elevation is not a number (decimal point, e.g. 10.5)</source>
-        <translation>Ir: a elevação não é um número (ponto decimal, p. ex. 10.5)</translation>
-    </message>
-    <message>
         <source>az %1°  el %2°</source>
         <translation>az %1°  el %2°</translation>
+    </message>
+    <message>
+        <source>%1 in degrees, for example 113.5 (Ctrl+G, then Enter to go)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to this direction by the shortest way (Enter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy a recent direction into the fields. Nothing moves before Go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go: The azimuth is not a number. Type it with a decimal point, for example 113.5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go: The elevation is not a number. Type it with a decimal point, for example 10.5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go: Enter an azimuth, an elevation or both.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7386,6 +8017,14 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
     <message>
         <source>In use.</source>
         <translation>Em uso.</translation>
+    </message>
+    <message>
+        <source>%1 (simulated)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SIMULATED  ·  %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7949,6 +8588,33 @@ trocar os motores</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::HandBackPrompt</name>
+    <message>
+        <source>Clients are waiting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clients are waiting. Hand back?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hand back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clients move the mount from now on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The clients stay refused. The Clients page hands over later</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::HeaderBar</name>
     <message>
         <source>%1 silent</source>
@@ -8031,20 +8697,12 @@ trocar os motores</translation>
         <translation>Quem pode mover a montagem. Enquanto o operador tem o controle, os comandos de movimento dos clientes rotctld são recusados.</translation>
     </message>
     <message>
-        <source>bus released to other tools</source>
-        <translation>barramento entregue a outras ferramentas</translation>
-    </message>
-    <message>
         <source>LIMITED</source>
         <translation>LIMITADO</translation>
     </message>
     <message>
         <source>no target</source>
         <translation>sem alvo</translation>
-    </message>
-    <message>
-        <source>%1  by %2</source>
-        <translation>%1  por %2</translation>
     </message>
     <message>
         <source>AZ</source>
@@ -8061,14 +8719,6 @@ trocar os motores</translation>
     <message>
         <source>rotctld %1</source>
         <translation>rotctld %1</translation>
-    </message>
-    <message>
-        <source>Control: operator</source>
-        <translation>Controle: operador</translation>
-    </message>
-    <message>
-        <source>Control: clients</source>
-        <translation>Controle: clientes</translation>
     </message>
     <message>
         <source>The target is outside the limits: the mount goes to the nearest permitted point.
@@ -8128,6 +8778,38 @@ trocar os motores</translation>
         <source>No real drive is connected. What is set and found here stays in the simulation of this mount.</source>
         <translation>Nenhum acionamento real está ligado. O que aqui se define e acha fica na simulação desta montagem.</translation>
     </message>
+    <message>
+        <source>there in %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clients</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>you</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Control: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Control: %1, %2 waiting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Menu: theme, full screen, language, guide, keys, diagnostics (F10 or Alt)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::HelpPage</name>
@@ -8144,20 +8826,12 @@ trocar os motores</translation>
         <translation>Esc</translation>
     </message>
     <message>
-        <source>close the menu or dialog, cancel a drag; else STOP</source>
-        <translation>fecha o menu ou diálogo, cancela um arrasto; senão STOP</translation>
-    </message>
-    <message>
         <source>arrows</source>
         <translation>setas</translation>
     </message>
     <message>
         <source>Shift + arrow</source>
         <translation>Shift + seta</translation>
-    </message>
-    <message>
-        <source>jog fast</source>
-        <translation>movimento rápido</translation>
     </message>
     <message>
         <source>Ctrl + arrow</source>
@@ -8168,60 +8842,20 @@ trocar os motores</translation>
         <translation>Ctrl+G</translation>
     </message>
     <message>
-        <source>to the go-to fields; Enter = Go</source>
-        <translation>aos campos de destino; Enter = Ir</translation>
-    </message>
-    <message>
-        <source>Ctrl+H</source>
-        <translation>Ctrl+H</translation>
-    </message>
-    <message>
-        <source>hold</source>
-        <translation>manter</translation>
-    </message>
-    <message>
-        <source>Ctrl+P</source>
-        <translation>Ctrl+P</translation>
-    </message>
-    <message>
-        <source>park</source>
-        <translation>estacionar</translation>
-    </message>
-    <message>
         <source>Ctrl+1 … Ctrl+5</source>
         <translation>Ctrl+1 … Ctrl+5</translation>
-    </message>
-    <message>
-        <source>panels Jog, Charts, Limits, Clients, Log</source>
-        <translation>painéis Manual, Gráficos, Limites, Clientes, Registro</translation>
     </message>
     <message>
         <source>Ctrl+9</source>
         <translation>Ctrl+9</translation>
     </message>
     <message>
-        <source>Ctrl+L</source>
-        <translation>Ctrl+L</translation>
-    </message>
-    <message>
-        <source>charts in the place of the sky, and back</source>
-        <translation>gráficos no lugar do céu, e de volta</translation>
-    </message>
-    <message>
         <source>Ctrl+E</source>
         <translation>Ctrl+E</translation>
     </message>
     <message>
-        <source>change the limits on the plot: drag (Shift: 0.1°), + adds, Del removes</source>
-        <translation>alterar os limites no gráfico: arrastar (Shift: 0.1°), + acrescenta, Del retira</translation>
-    </message>
-    <message>
         <source>Ctrl+0, Ctrl++, Ctrl+-</source>
         <translation>Ctrl+0, Ctrl++, Ctrl+-</translation>
-    </message>
-    <message>
-        <source>magnify the plot around the target; also the wheel</source>
-        <translation>ampliar o gráfico em torno do alvo; também a roda</translation>
     </message>
     <message>
         <source>F8</source>
@@ -8236,10 +8870,6 @@ trocar os motores</translation>
         <translation>Ctrl+D</translation>
     </message>
     <message>
-        <source>theme: day, night, red</source>
-        <translation>tema: dia, noite, vermelho</translation>
-    </message>
-    <message>
         <source>F11</source>
         <translation>F11</translation>
     </message>
@@ -8248,58 +8878,12 @@ trocar os motores</translation>
         <translation>tela cheia</translation>
     </message>
     <message>
-        <source>F1</source>
-        <translation>F1</translation>
-    </message>
-    <message>
-        <source>this page</source>
-        <translation>esta página</translation>
-    </message>
-    <message>
         <source>Keys</source>
         <translation>Teclas</translation>
     </message>
     <message>
-        <source>Drives: who is on the bus, the bus for other tools, and how each axis stops when not fed.
-Protection: ■ dangerous settings keep the mount from moving; Fix writes them, with the
-drives switched off. ▲ Turn?: until it is answered only slow jogging is possible.</source>
-        <translation>Acionamentos: quem está no barramento, o barramento para outras ferramentas, e como cada eixo para sem ordens.
-Proteções: ■ parâmetros perigosos impedem a montagem de se mover; Corrigir escreve-os, com os
-acionamentos desligados. ▲ Volta?: até haver resposta só é possível movimento manual lento.</translation>
-    </message>
-    <message>
-        <source>STOP is a function of this program: the mount slows down and holds. It does not
-replace the hard-wired emergency stop beside the mast.</source>
-        <translation>STOP é uma função deste programa: a montagem desacelera e mantém-se. Não substitui a parada de
-emergência por cabo junto ao mastro.</translation>
-    </message>
-    <message>
-        <source>&amp;Language</source>
-        <translation>&amp;Idioma</translation>
-    </message>
-    <message>
-        <source>System</source>
-        <translation>Sistema</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Idioma</translation>
-    </message>
-    <message>
-        <source>The language of the program&apos;s texts, from its next start on</source>
-        <translation>O idioma dos textos do programa, a partir do próximo início</translation>
-    </message>
-    <message>
-        <source>in force at the next start</source>
-        <translation>em vigor no próximo início</translation>
-    </message>
-    <message>
         <source>Ctrl+6 … Ctrl+8</source>
         <translation>Ctrl+6 … Ctrl+8</translation>
-    </message>
-    <message>
-        <source>the mount itself: Drives, Protection, Profile</source>
-        <translation>a própria montagem: Acionamentos, Proteções, Perfil</translation>
     </message>
     <message>
         <source>Ctrl+F</source>
@@ -8318,40 +8902,121 @@ emergência por cabo junto ao mastro.</translation>
         <translation>gravar diagnóstico para um relato de erro</translation>
     </message>
     <message>
-        <source>jog while held, after a click on the pad or Enter; up and down move elevation</source>
-        <translation>movimento manual enquanto premidas, após um clique no campo ou Enter; para cima e para baixo movem a elevação</translation>
-    </message>
-    <message>
-        <source>one step; trims the target while a client is followed</source>
-        <translation>um passo; compensa o alvo enquanto se segue um cliente</translation>
-    </message>
-    <message>
         <source>Page Up, Page Down</source>
         <translation>Page Up, Page Down</translation>
-    </message>
-    <message>
-        <source>on the slider: jog rate; also arrows, Home, End</source>
-        <translation>no cursor: velocidade manual; também setas, Home, End</translation>
     </message>
     <message>
         <source>gamepad</source>
         <translation>gamepad</translation>
     </message>
     <message>
-        <source>jog by the left stick while LB or RB is held (panel Jog); B is STOP</source>
-        <translation>movimento manual pelo manípulo esquerdo com LB ou RB premido (painel Manual); B é STOP</translation>
-    </message>
-    <message>
         <source>F3, Alt+Left, Alt+Right</source>
         <translation>F3, Alt+Esquerda, Alt+Direita</translation>
     </message>
     <message>
-        <source>commissioning guide and back; its steps; Space held moves</source>
-        <translation>guia de instalação e voltar; os seus passos; Espaço seguro move</translation>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>panel North; while asked: which turn is the axis on?</source>
-        <translation>painel Norte; enquanto se pergunta: em que volta está o eixo?</translation>
+        <source>leave a field, list, menu or question. The next Esc is STOP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move while held, once the pad is armed (click it, or press Enter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move at the fast rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move one step, or trim the target of a client</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change the jog rate (on the slider; also arrows, Home, End)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hold LB or RB and move the left stick; B is STOP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>go to the Az field; Enter starts the move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+H, Ctrl+P</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hold the position, park</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog, Charts, Limits, Clients, Log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mount: Drives, Protection, Profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>North, or the question about the cable wrap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>commissioning guide, its steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sky and charts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>edit the limits on the sky: drag (Shift: 0.1°), + adds, Del removes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>magnify the sky around the target (also the wheel)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F10, Alt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open the menu</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>next theme: day, night, red</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F1, Shift+F1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>manual, this page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>STOP is a function of this program: the mount slows down and holds its position.
+It does not replace the hard-wired emergency stop beside the mast.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8504,51 +9169,35 @@ emergência por cabo junto ao mastro.</translation>
         <translation>Modo de passos: cada clique move só um passo</translation>
     </message>
     <message>
-        <source>Rate at most %1</source>
-        <translation>Velocidade até %1</translation>
+        <source>Rate</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rate while held  %1</source>
-        <translation>Velocidade  %1</translation>
+        <source>at most %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog rate from %1 to %2 (arrows, Page Up, Page Down; Shift + arrow on the pad: the fastest)</source>
-        <translation>Velocidade manual de %1 a %2 (setas, Page Up, Page Down; Shift + seta no campo: a maior)</translation>
+        <source>Jog rate from %1 to %2 (arrow keys, Page Up, Page Down). Shift + arrow on the pad jogs at the fast rate.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>At most %1 until it is known where the axes stand and which way they turn</source>
-        <translation>No máximo %1 até se saber onde estão os eixos e para que lado giram</translation>
+        <source>The rate is at most %1 until the cable wraps are known and the directions are confirmed.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::JogPad</name>
     <message>
-        <source>EL +</source>
-        <translation>EL +</translation>
-    </message>
-    <message>
         <source>Elevation up while held</source>
         <translation>Elevação sobe enquanto premido</translation>
-    </message>
-    <message>
-        <source>EL -</source>
-        <translation>EL -</translation>
     </message>
     <message>
         <source>Elevation down while held</source>
         <translation>Elevação desce enquanto premido</translation>
     </message>
     <message>
-        <source>AZ -</source>
-        <translation>AZ -</translation>
-    </message>
-    <message>
         <source>Azimuth counter-clockwise while held</source>
         <translation>Azimute anti-horário enquanto premido</translation>
-    </message>
-    <message>
-        <source>AZ +</source>
-        <translation>AZ +</translation>
     </message>
     <message>
         <source>Azimuth clockwise while held</source>
@@ -8559,20 +9208,12 @@ emergência por cabo junto ao mastro.</translation>
         <translation>Manter</translation>
     </message>
     <message>
-        <source>Slow down and hold the position (Ctrl+H)</source>
-        <translation>Desacelerar e manter a posição (Ctrl+H)</translation>
-    </message>
-    <message>
         <source>Arrow keys</source>
         <translation>Setas do teclado</translation>
     </message>
     <message>
         <source>Jog pad</source>
         <translation>Campo de movimento manual</translation>
-    </message>
-    <message>
-        <source>Enter arms the arrow keys; then they move the mount while held</source>
-        <translation>Enter arma as setas; então movem a montagem enquanto premidas</translation>
     </message>
     <message>
         <source>Step: %1</source>
@@ -8583,10 +9224,6 @@ emergência por cabo junto ao mastro.</translation>
         <translation>Manual: %1</translation>
     </message>
     <message>
-        <source>ARMED: arrow keys move the mount</source>
-        <translation>ARMADO: as setas movem a montagem</translation>
-    </message>
-    <message>
         <source>Click here to arm the arrow keys</source>
         <translation>Clique aqui para armar as setas</translation>
     </message>
@@ -8595,16 +9232,28 @@ emergência por cabo junto ao mastro.</translation>
         <translation>ARMADO: cada seta move um passo</translation>
     </message>
     <message>
-        <source>Steps trim the target (Ctrl + arrow)</source>
-        <translation>Passos compensam o alvo (Ctrl + seta)</translation>
+        <source>Stop the motion and hold the position (Ctrl+H)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arm by a click; gamepad: hold LB or RB</source>
-        <translation>Clique arma; gamepad: segure LB ou RB</translation>
+        <source>Press Enter to arm the arrow keys. An armed arrow key moves the mount while it is held.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: hold LB or RB and move the left stick to jog; B is STOP</source>
-        <translation>%1: segure LB ou RB e mova o manípulo esquerdo; B é STOP</translation>
+        <source>ARMED: hold an arrow key to move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A step trims the target (Ctrl + arrow)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click to arm the arrow keys, or hold LB or RB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: hold LB or RB and move the left stick to jog. Button B is STOP.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8634,10 +9283,6 @@ emergência por cabo junto ao mastro.</translation>
         <translation>Horizonte</translation>
     </message>
     <message>
-        <source>Elevation 0°, or the lowest permitted, at this azimuth</source>
-        <translation>Elevação 0°, ou a menor permitida, neste azimute</translation>
-    </message>
-    <message>
         <source>Clear trim</source>
         <translation>Limpar comp.</translation>
     </message>
@@ -8646,32 +9291,64 @@ emergência por cabo junto ao mastro.</translation>
         <translation>Liberar</translation>
     </message>
     <message>
-        <source>Leave PARKED and hold this position; nothing moves</source>
-        <translation>Sair de ESTACIONADO e manter esta posição; nada se move</translation>
-    </message>
-    <message>
-        <source>no target is trimmed</source>
-        <translation>nenhum alvo está compensado</translation>
-    </message>
-    <message>
-        <source>Trim az %1 el %2: the operator&apos;s steps, added to the targets of clients</source>
-        <translation>Compensação az %1 el %2: os passos do operador, somados aos alvos dos clientes</translation>
-    </message>
-    <message>
-        <source>the mount is parked already</source>
-        <translation>a montagem já está estacionada</translation>
-    </message>
-    <message>
         <source>Park: %1</source>
         <translation>Estacionar: %1</translation>
     </message>
     <message>
-        <source>Unwind</source>
-        <translation>Desenrolar</translation>
+        <source>Go to elevation 0°, or the lowest permitted, at the entered azimuth. Without one the azimuth stays</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Turn back by whole turns to the same direction, where the azimuth cable is wound least</source>
-        <translation>Voltar por voltas inteiras à mesma direção, onde o cabo de azimute fica menos enrolado</translation>
+        <source>Trim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unwrap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unwrap the cable: go back by whole turns to the same direction where the cable is least wound</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Presets ▾</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Presets, home, horizon, unwrap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show or hide the presets, Home, Horizon and Unwrap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave PARKED and hold this position. Nothing moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trim: AZ %1 EL %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No trim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The target has no trim.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. Your steps are added to the targets of the clients.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mount is already parked.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8904,20 +9581,8 @@ emergência por cabo junto ao mastro.</translation>
         <translation>Linha selecionada</translation>
     </message>
     <message>
-        <source>Select a line to read it whole</source>
-        <translation>Selecione uma linha para a ler inteira</translation>
-    </message>
-    <message>
-        <source>Copy the selected lines, or all that are shown (Ctrl+C in the list)</source>
-        <translation>Copiar as linhas selecionadas, ou todas as mostradas (Ctrl+C na lista)</translation>
-    </message>
-    <message>
         <source>File …</source>
         <translation>Arquivo …</translation>
-    </message>
-    <message>
-        <source>Save all lines that are shown to a text file</source>
-        <translation>Gravar todas as linhas mostradas num arquivo de texto</translation>
     </message>
     <message>
         <source>Save the lines</source>
@@ -8938,6 +9603,18 @@ emergência por cabo junto ao mastro.</translation>
     <message>
         <source>Not written: %1</source>
         <translation>Não gravado: %1</translation>
+    </message>
+    <message>
+        <source>Select a line to read all of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the selected lines, or all lines (Ctrl+C in the list)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save all lines of the list to a text file</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9050,6 +9727,61 @@ emergência por cabo junto ao mastro.</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::MainMenu</name>
+    <message>
+        <source>Menu</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commissioning guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save diagnostics …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About Boresight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The brightness of the night and the red theme</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changes at the next start</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::MainWindow</name>
     <message>
         <source>Last line of the log</source>
@@ -9086,6 +9818,41 @@ emergência por cabo junto ao mastro.</translation>
     <message>
         <source>Diagnostics not saved: %1</source>
         <translation>Diagnóstico não gravado: %1</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::ManualWindow</name>
+    <message>
+        <source>Boresight manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text of the manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go back to the page before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not in this page</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9260,18 +10027,6 @@ emergência por cabo junto ao mastro.</translation>
     <message>
         <source>All settings, and the mounts that are kept (Ctrl+8)</source>
         <translation>Todos os parâmetros, e as montagens guardadas (Ctrl+8)</translation>
-    </message>
-    <message>
-        <source>Guide</source>
-        <translation>Guia</translation>
-    </message>
-    <message>
-        <source>Commissioning guide</source>
-        <translation>Guia de instalação</translation>
-    </message>
-    <message>
-        <source>Commissioning guide: from a new mount to the first pass, step by step (F3)</source>
-        <translation>Guia de instalação: de uma montagem nova à primeira passagem, passo a passo (F3)</translation>
     </message>
     <message>
         <source>North</source>
@@ -9459,52 +10214,52 @@ el %2</translation>
         <translation>Predefinição</translation>
     </message>
     <message>
-        <source>A named direction of this mount: choose one, or type a new name</source>
-        <translation>Uma direção com nome desta montagem: escolha uma, ou escreva um novo nome</translation>
-    </message>
-    <message>
         <source>Go to</source>
         <translation>Ir a</translation>
-    </message>
-    <message>
-        <source>Go to this preset by the nearest turn (Enter)</source>
-        <translation>Ir a esta predefinição pela volta mais próxima (Enter)</translation>
     </message>
     <message>
         <source>Save here</source>
         <translation>Gravar</translation>
     </message>
     <message>
-        <source>Keep where the mount points now under this name</source>
-        <translation>Guardar sob este nome para onde a montagem aponta agora</translation>
-    </message>
-    <message>
         <source>Delete</source>
         <translation>Apagar</translation>
-    </message>
-    <message>
-        <source>Take this preset from the list</source>
-        <translation>Tirar esta predefinição da lista</translation>
     </message>
     <message>
         <source>Name of the preset</source>
         <translation>Nome da predefinição</translation>
     </message>
     <message>
-        <source>Go to %1 by the nearest turn (Enter)</source>
-        <translation>Ir a %1 pela volta mais próxima (Enter)</translation>
+        <source>A named direction of this mount. Choose one, or type a new name.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>there is no preset of this name</source>
-        <translation>não há predefinição com este nome</translation>
+        <source>Go to this preset by the shortest way (Enter)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>type a name first</source>
-        <translation>escreva primeiro um nome</translation>
+        <source>Save the present direction of the mount under this name</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>it is not known where the mount points</source>
-        <translation>não se sabe para onde a montagem aponta</translation>
+        <source>Delete this preset from the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to %1 by the shortest way (Enter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no preset with this name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type a name first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The direction of the mount is unknown.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9628,24 +10383,8 @@ el %2</translation>
         <translation>Trocar …</translation>
     </message>
     <message>
-        <source>Connect to the chosen mount; asks first</source>
-        <translation>Conectar-se à montagem escolhida; pergunta antes</translation>
-    </message>
-    <message>
-        <source>Mounts that are kept</source>
-        <translation>Montagens guardadas</translation>
-    </message>
-    <message>
-        <source>The mounts of this computer; choosing one does nothing yet</source>
-        <translation>As montagens deste computador; escolher uma ainda não faz nada</translation>
-    </message>
-    <message>
         <source>Duplicate, rename, import, export the chosen mount</source>
         <translation>Duplicar, mudar o nome, importar, exportar a montagem escolhida</translation>
-    </message>
-    <message>
-        <source>Duplicate, rename, remove, import, export; take back the last change</source>
-        <translation>Duplicar, mudar o nome, retirar, importar, exportar; anular a última alteração</translation>
     </message>
     <message>
         <source>Duplicate …</source>
@@ -9654,10 +10393,6 @@ el %2</translation>
     <message>
         <source>Rename …</source>
         <translation>Mudar nome …</translation>
-    </message>
-    <message>
-        <source>Take back the last saved change …</source>
-        <translation>Anular a última alteração gravada …</translation>
     </message>
     <message>
         <source>Import …</source>
@@ -9672,24 +10407,8 @@ el %2</translation>
         <translation>Retirar …</translation>
     </message>
     <message>
-        <source>%1 (in force)</source>
-        <translation>%1 (em vigor)</translation>
-    </message>
-    <message>
         <source>▲ %1</source>
         <translation>▲ %1</translation>
-    </message>
-    <message>
-        <source>this mount is in force</source>
-        <translation>esta montagem está em vigor</translation>
-    </message>
-    <message>
-        <source>its file cannot be read</source>
-        <translation>não é possível ler o seu arquivo</translation>
-    </message>
-    <message>
-        <source>apply or revert the edits first</source>
-        <translation>aplique ou reverta primeiro as alterações</translation>
     </message>
     <message>
         <source>Import the profile of a mount</source>
@@ -9706,6 +10425,53 @@ el %2</translation>
     <message>
         <source>Export the profile of &quot;%1&quot;</source>
         <translation>Exportar o perfil de &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>Duplicate, rename, remove, import or export a mount, or undo the last change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect to the chosen mount (asks first)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stored mounts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mounts of this computer. Choosing one does nothing yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo the last saved change …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (in use)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This mount is in use.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file of this mount cannot be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply or revert the edits first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::ProgressLine</name>
+    <message>
+        <source>Progress of the slew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10296,24 +11062,12 @@ Fica para si, porque só quem construiu a montagem o pode saber:
 <context>
     <name>boresight::ui::SensorReadout</name>
     <message>
-        <source>SNS %1 %2</source>
-        <translation>SNS %1 %2</translation>
-    </message>
-    <message>
-        <source>SNS %1</source>
-        <translation>SNS %1</translation>
-    </message>
-    <message>
         <source>AZ</source>
         <translation>AZ</translation>
     </message>
     <message>
         <source>EL</source>
         <translation>EL</translation>
-    </message>
-    <message>
-        <source>against the axes: %1</source>
-        <translation>em relação aos eixos: %1</translation>
     </message>
     <message>
         <source>Direction by the sensor</source>
@@ -10330,6 +11084,18 @@ Fica para si, porque só quem construiu a montagem o pode saber:
     <message>
         <source>Sensor against the axes</source>
         <translation>Sensor em relação aos eixos</translation>
+    </message>
+    <message>
+        <source>Sensor %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sensor %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sensor minus axes: %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10363,10 +11129,6 @@ Fica para si, porque só quem construiu a montagem o pode saber:
         <translation>%1 à espera</translation>
     </message>
     <message>
-        <source>%1: %2 settings. Enter or → opens the group.</source>
-        <translation>%1: %2 parâmetros. Enter ou → abre o grupo.</translation>
-    </message>
-    <message>
         <source>● waits</source>
         <translation>● à espera</translation>
     </message>
@@ -10389,18 +11151,6 @@ Fica para si, porque só quem construiu a montagem o pode saber:
     <message>
         <source>▲ %1.</source>
         <translation>▲ %1.</translation>
-    </message>
-    <message>
-        <source>preset: the operator&apos;s own directions.</source>
-        <translation>predefinição: as direções do próprio operador.</translation>
-    </message>
-    <message>
-        <source>%1: changed on the panel Limits (Ctrl+3) or on the sky.</source>
-        <translation>%1: altera-se no painel Limites (Ctrl+3) ou no céu.</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Range %1.</source>
@@ -10450,6 +11200,22 @@ Fica para si, porque só quem construiu a montagem o pode saber:
         <source>%1 directions</source>
         <translation>%1 direções</translation>
     </message>
+    <message>
+        <source>%1: %2 settings. Enter opens the group.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the file: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your own directions. The panel Jog (Ctrl+1) changes them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The panel Limits (Ctrl+3) and the sky change them.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::SettingsView</name>
@@ -10460,14 +11226,6 @@ Fica para si, porque só quem construiu a montagem o pode saber:
     <message>
         <source>Search the settings</source>
         <translation>Procurar nos parâmetros</translation>
-    </message>
-    <message>
-        <source>Shows the settings that have these words in their name or meaning (Ctrl+F)</source>
-        <translation>Mostra os parâmetros que têm estas palavras no nome ou no significado (Ctrl+F)</translation>
-    </message>
-    <message>
-        <source>search, e.g. speed</source>
-        <translation>procurar, p. ex. velocidade</translation>
     </message>
     <message>
         <source>Which settings are shown</source>
@@ -10490,8 +11248,20 @@ Fica para si, porque só quem construiu a montagem o pode saber:
         <translation>ao reconectar</translation>
     </message>
     <message>
-        <source>Select a line to read what it means; Enter changes its value</source>
-        <translation>Selecione uma linha para ler o que significa; Enter muda o valor</translation>
+        <source>Show the settings with these words in their name or meaning (Ctrl+F)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search, for example speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a line to read its meaning. Press Enter to change its value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drive board: warn mm</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10499,6 +11269,46 @@ Fica para si, porque só quem construiu a montagem o pode saber:
     <message>
         <source>Boresight cannot start</source>
         <translation>O Boresight não pode arrancar</translation>
+    </message>
+    <message>
+        <source>Boresight cannot start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight moved nothing and changed no file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the cause and start Boresight again, or choose another profile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another profile …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start with the profile of another mount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End Boresight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Profiles (*.toml)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10560,16 +11370,8 @@ This is a function of the program. It does not replace the hard-wired emergency 
         <translation>%1: %2 → %3, ao reconectar</translation>
     </message>
     <message>
-        <source>Bus: simulated, because Boresight was started with --simulate. That of this mount, %1, is not used.</source>
-        <translation>Barramento: simulado, porque o Boresight foi iniciado com --simulate. O desta montagem, %1, não é usado.</translation>
-    </message>
-    <message>
         <source>Bus: %1</source>
         <translation>Barramento: %1</translation>
-    </message>
-    <message>
-        <source>The mount of now is left as at the end of the program, and the other one is connected as at a start. Nothing moves; the window stays.</source>
-        <translation>A montagem de agora é deixada como no fim do programa, e a outra é conectada como no início. Nada se move; a janela fica.</translation>
     </message>
     <message>
         <source>Switch to the mount &quot;%1&quot;?</source>
@@ -10580,20 +11382,8 @@ This is a function of the program. It does not replace the hard-wired emergency 
         <translation>Trocar</translation>
     </message>
     <message>
-        <source>The simulated mount has no profile that can be duplicated</source>
-        <translation>A montagem simulada não tem perfil que se possa duplicar</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is kept as a mount of its own</source>
-        <translation>&quot;%1&quot; está guardada como montagem própria</translation>
-    </message>
-    <message>
         <source>Duplicate the mount &quot;%1&quot;?</source>
         <translation>Duplicar a montagem &quot;%1&quot;?</translation>
-    </message>
-    <message>
-        <source>A new mount with the same settings. What this one remembers, such as the turns of its axes, is not copied.</source>
-        <translation>Uma montagem nova com os mesmos parâmetros. O que esta recorda, como as voltas dos seus eixos, não é copiado.</translation>
     </message>
     <message>
         <source>Duplicate</source>
@@ -10608,20 +11398,8 @@ This is a function of the program. It does not replace the hard-wired emergency 
         <translation>%1 cópia</translation>
     </message>
     <message>
-        <source>Apply keeps the new name; Reconnect puts it in force</source>
-        <translation>Aplicar guarda o novo nome; Reconectar põe-no em vigor</translation>
-    </message>
-    <message>
-        <source>The mount is called &quot;%1&quot; now</source>
-        <translation>A montagem chama-se agora &quot;%1&quot;</translation>
-    </message>
-    <message>
         <source>Rename the mount &quot;%1&quot;?</source>
         <translation>Mudar o nome da montagem &quot;%1&quot;?</translation>
-    </message>
-    <message>
-        <source>What a mount remembers is kept under its name: under a new one the turns of the axes are asked for again, unless the drives can tell them.</source>
-        <translation>O que uma montagem recorda fica guardado sob o seu nome: sob um novo pergunta-se de novo pelas voltas dos eixos, a não ser que os acionamentos as saibam dizer.</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -10632,128 +11410,146 @@ This is a function of the program. It does not replace the hard-wired emergency 
         <translation>Novo nome da montagem</translation>
     </message>
     <message>
-        <source>This mount is in force: switch to another one first</source>
-        <translation>Esta montagem está em vigor: troque primeiro para outra</translation>
-    </message>
-    <message>
         <source>Remove the mount &quot;%1&quot;?</source>
         <translation>Retirar a montagem &quot;%1&quot;?</translation>
-    </message>
-    <message>
-        <source>It leaves the list. Its file is kept under the name %1.removed.</source>
-        <translation>Sai da lista. O seu arquivo fica guardado com o nome %1.removed.</translation>
     </message>
     <message>
         <source>Remove</source>
         <translation>Retirar</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is removed</source>
-        <translation>&quot;%1&quot; foi retirada</translation>
-    </message>
-    <message>
         <source>Import the mount &quot;%1&quot;?</source>
         <translation>Importar a montagem &quot;%1&quot;?</translation>
-    </message>
-    <message>
-        <source>It is kept as a mount of its own; nothing else changes.
-
-Bus: %1
-Beside the mount in force:
-%2</source>
-        <translation>Fica guardada como montagem própria; nada mais muda.
-
-Barramento: %1
-Ao lado da montagem em vigor:
-%2</translation>
     </message>
     <message>
         <source>Import</source>
         <translation>Importar</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is kept</source>
-        <translation>&quot;%1&quot; está guardada</translation>
-    </message>
-    <message>
-        <source>Take this file over into &quot;%1&quot;?</source>
-        <translation>Levar este arquivo para &quot;%1&quot;?</translation>
-    </message>
-    <message>
-        <source>This mount is in force. The values come into the page as edits; Apply puts them in force.
-
-%1</source>
-        <translation>Esta montagem está em vigor. Os valores entram na página como alterações; Aplicar põe-nos em vigor.
-
-%1</translation>
-    </message>
-    <message>
-        <source>Take over</source>
-        <translation>Levar</translation>
-    </message>
-    <message>
         <source>Overwrite the mount &quot;%1&quot;?</source>
         <translation>Sobrescrever a montagem &quot;%1&quot;?</translation>
-    </message>
-    <message>
-        <source>The version of now is kept as the one before.
-
-%1</source>
-        <translation>A versão de agora fica guardada como a anterior.
-
-%1</translation>
     </message>
     <message>
         <source>Overwrite</source>
         <translation>Sobrescrever</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is overwritten</source>
-        <translation>&quot;%1&quot; foi sobrescrita</translation>
-    </message>
-    <message>
-        <source>In the page, not applied: %1</source>
-        <translation>Na página, por aplicar: %1</translation>
-    </message>
-    <message>
-        <source>Written: %1</source>
-        <translation>Gravado: %1</translation>
-    </message>
-    <message>
-        <source>This mount has no file with a version before</source>
-        <translation>Esta montagem não tem arquivo com uma versão anterior</translation>
-    </message>
-    <message>
-        <source>Apply or revert the edits first</source>
-        <translation>Aplique ou reverta primeiro as alterações</translation>
-    </message>
-    <message>
-        <source>Take back the last saved change of &quot;%1&quot;?</source>
-        <translation>Anular a última alteração gravada de &quot;%1&quot;?</translation>
-    </message>
-    <message>
-        <source>Taking it back can be taken back too.
-
-%1</source>
-        <translation>A anulação também pode ser anulada.
-
-%1</translation>
-    </message>
-    <message>
-        <source>Take back</source>
-        <translation>Anular</translation>
-    </message>
-    <message>
-        <source>The last change of &quot;%1&quot; is taken back</source>
-        <translation>A última alteração de &quot;%1&quot; foi anulada</translation>
-    </message>
-    <message>
-        <source>The last change is taken back</source>
-        <translation>A última alteração foi anulada</translation>
-    </message>
-    <message>
         <source>This file is a profile of the simulated mount. It cannot replace the profile of a real mount. To import it, change mount.name in the file.</source>
         <translation>Este arquivo é um perfil da montagem simulada. Não pode substituir o perfil de uma montagem real. Para o importar, mude mount.name no arquivo.</translation>
+    </message>
+    <message>
+        <source>Bus: simulated, because Boresight was started with --simulate. The bus of this mount, %1, is not used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight leaves the present mount as at the end of the program. Then it connects the other mount as at a start. Nothing moves. The window stays open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The simulated mount has no profile to duplicate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mount &quot;%1&quot; is stored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This makes a new mount with the same settings. The position journal with the cable wraps is not copied.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press Apply to store the new name. Press Reconnect to use it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mount is now called &quot;%1&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The position journal is kept under the name of the mount. Under a new name Boresight asks for the cable wraps again, unless the drives report them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This mount is in use. Switch to another mount first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mount leaves the list. Its file stays under the name %1.removed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mount &quot;%1&quot; is removed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight stores the mount. Nothing else changes.
+
+Bus: %1
+Compared with the mount in use:
+%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy this file into &quot;%1&quot;?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This mount is in use. The values become edits on this page. Press Apply to use them.
+
+%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The present version is kept as the version before.
+
+%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mount &quot;%1&quot; is overwritten.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edits on this page, not applied yet: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File written: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This mount has no earlier version.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply or revert the edits first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo the last saved change of &quot;%1&quot;?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A second undo restores the change.
+
+%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last change of &quot;%1&quot; is undone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last change is undone.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10769,14 +11565,6 @@ Ao lado da montagem em vigor:
     <message>
         <source>Hold the picture; the data are collected on (Space in the charts)</source>
         <translation>Segurar a imagem; os dados continuam a ser recolhidos (Espaço nos gráficos)</translation>
-    </message>
-    <message>
-        <source>Large</source>
-        <translation>Grande</translation>
-    </message>
-    <message>
-        <source>Show the charts in the place of the sky, and back (Ctrl+L)</source>
-        <translation>Mostrar os gráficos no lugar do céu, e de volta (Ctrl+L)</translation>
     </message>
     <message>
         <source>Axis charts</source>

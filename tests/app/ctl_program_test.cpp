@@ -132,7 +132,7 @@ TEST_F(ProfileFile, CheckKnowsRegionPresetsAndSite)
     const Outcome bad = ctl({QStringLiteral("check"), write(region + "[park]\nazimuth_deg = 5\nelevation_deg = 50\n")});
     EXPECT_EQ(bad.status, 1);
     EXPECT_THAT(bad.errors, HasSubstr("mount.toml:20: park.elevation_deg: "));
-    EXPECT_THAT(bad.errors, HasSubstr("is in the keep-out \"mast\""));
+    EXPECT_THAT(bad.errors, HasSubstr("lies in keep-out \"mast\""));
 }
 
 // REQ-PROFILE-04a

@@ -60,6 +60,10 @@ struct Theme
     QColor stop;  // the only filled red area
     QColor stopText;
     QColor stopOutline;
+    QColor skyZenith;  // of the sky plot, which fades from the rim to the zenith
+    QColor skyRim;
+    QColor land;  // below the horizon
+    QColor sun;
 
     [[nodiscard]] QColor colour(Tone tone) const;
     [[nodiscard]] QPalette palette() const;

@@ -162,7 +162,7 @@ void LimitsPanel::addPoint()
         at = {one.azimuth + 10_deg, one.elevation};
     }
     std::size_t index = 0;
-    m_draft.edit([&](profile::Profile& profile) { index = addHorizonPoint(profile.limits, at); });
+    m_draft.edit([&](profile::Profile& profile) { index = addHorizonPoint(profile.limits, travelOf(profile), at); });
     m_horizon->setCurrentIndex(m_horizon->model()->index(static_cast<int>(index), 0));
     m_horizon->setFocus();
 }

@@ -33,6 +33,9 @@ ProfileDraftBar::ProfileDraftBar(ProfileDraft& draft, RequestDesk& desk, QWidget
                                this)),
       m_keep(new CommandButton(tr("Keep edits"), tr("Put these changes upon what was changed from elsewhere"), desk,
                                *m_notice, this)),
+      m_movePark(new CommandButton(tr("Move park"),
+                                   tr("Change the park position, too: the nearest place that is allowed"), desk,
+                                   *m_notice, this)),
       m_reconnect(new CommandButton(tr("Reconnect"), tr("Begin anew with the drives; the mount must be at rest"), desk,
                                     *m_notice, this))
 {
@@ -42,7 +45,7 @@ ProfileDraftBar::ProfileDraftBar(ProfileDraft& draft, RequestDesk& desk, QWidget
     column->addWidget(m_line);
     auto* const row = new QHBoxLayout;
     row->setSpacing(4);
-    for (CommandButton* const button : {m_apply, m_revert, m_undo, m_keep, m_reconnect}) {
+    for (CommandButton* const button : {m_movePark, m_apply, m_revert, m_undo, m_keep, m_reconnect}) {
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         row->addWidget(button);
     }
@@ -59,6 +62,11 @@ ProfileDraftBar::ProfileDraftBar(ProfileDraft& draft, RequestDesk& desk, QWidget
         m_reconnect->await([this](auto* asker, const auto& reply) { m_draft.reconnect(asker, reply); });
     });
     connect(m_revert, &QPushButton::clicked, &m_draft, &ProfileDraft::revert);
+    connect(m_movePark, &QPushButton::clicked, this, [this] {
+        if (const auto remedy = m_remedy) {
+            m_draft.edit([&remedy](profile::Profile& profile) { profile.park = remedy->place; });
+        }
+    });
     connect(m_keep, &QPushButton::clicked, &m_draft, &ProfileDraft::keepEdits);
     connect(&m_draft, &ProfileDraft::changed, this, &ProfileDraftBar::showDraft);
     showDraft();
@@ -72,10 +80,23 @@ void ProfileDraftBar::showDraft()
     m_reconnect->setBlocked(m_draft.whyNoReconnect());
     const bool overtaken = !m_draft.overtakenKeys().empty();
     m_keep->setVisible(overtaken);
-    m_undo->setVisible(!overtaken);
+    showRemedy();
+    m_undo->setVisible(!overtaken && !m_remedy);
     m_reconnect->setVisible(!m_draft.waitingKeys().empty());
     showLine();
     showOrCollapse();
+}
+
+// In the place of Undo, which has nothing to take back while there are edits.
+void ProfileDraftBar::showRemedy()
+{
+    const auto& problems = m_draft.problems();
+    const bool aboutPark = !problems.empty() && problems.front().key.starts_with("park.") && m_draft.hasEdits();
+    m_remedy = aboutPark ? parkRemedy(m_draft.edited()) : std::nullopt;
+    m_movePark->setVisible(m_remedy.has_value());
+    if (m_remedy) {
+        m_movePark->setCommand(m_remedy->text, tr("Change the park position, too: the nearest place that is allowed"));
+    }
 }
 
 void ProfileDraftBar::setCollapsing(bool on)

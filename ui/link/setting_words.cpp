@@ -57,6 +57,8 @@ constexpr Name kNames[] = {{"limits.azimuth_min_deg", QT_TRANSLATE_NOOP("Setting
                            {"limits.azimuth_max_deg", QT_TRANSLATE_NOOP("SettingWords", "highest azimuth")},
                            {"limits.elevation_min_deg", QT_TRANSLATE_NOOP("SettingWords", "lowest elevation")},
                            {"limits.elevation_max_deg", QT_TRANSLATE_NOOP("SettingWords", "highest elevation")},
+                           {"park.azimuth_deg", QT_TRANSLATE_NOOP("SettingWords", "park azimuth")},
+                           {"park.elevation_deg", QT_TRANSLATE_NOOP("SettingWords", "park elevation")},
                            {profile::kHorizonKey, QT_TRANSLATE_NOOP("SettingWords", "horizon")},
                            {profile::kKeepOutKey, QT_TRANSLATE_NOOP("SettingWords", "keep-outs")},
                            {profile::kPresetKey, QT_TRANSLATE_NOOP("SettingWords", "presets")},

@@ -209,7 +209,7 @@ void PlotEditor::leaveEvent(QEvent*)
 void PlotEditor::addPoint(const SkyPointing& at)
 {
     std::size_t index = 0;
-    change([&](pointing::Region& region) { index = addHorizonPoint(region, at); });
+    change([&](pointing::Region& region) { index = addHorizonPoint(region, m_travel, at); });
     select(Grip{.part = RegionPart::HorizonPoint, .index = index});
     showReadout();
 }

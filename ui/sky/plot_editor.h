@@ -26,7 +26,9 @@ public:
     void setEditing(bool on);
     void setSky(const SkyProjection& sky);
     void setTravel(const Travel& travel);
-    bool cancelDrag();  // true if something was being dragged: it is back where it was
+    void addPoint(const SkyPointing& at);       // of the horizon
+    void addSector(const SkyPointing& centre);  // a keep-out
+    bool cancelDrag();                          // true if something was being dragged: it is back where it was
 
     [[nodiscard]] bool isEditing() const { return m_editing; }
     [[nodiscard]] bool isDragging() const { return m_drag.has_value(); }
@@ -52,8 +54,6 @@ private:
     void followDraft();
     void change(const std::function<void(pointing::Region&)>& change);
     void select(const std::optional<Grip>& grip);
-    void addPoint(const SkyPointing& at);
-    void addSector(const SkyPointing& centre);
     void removeSelected();
     void showReadout();
 

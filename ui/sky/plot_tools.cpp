@@ -1,29 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sky/plot_tools.h"
 
-#include "ui/kit/choice_button.h"
 #include "ui/kit/file_dialog.h"
+#include "ui/kit/format.h"
 #include "ui/kit/value_label.h"
+#include "ui/sky/plot_button.h"
 #include "ui/sky/plot_picture.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <utility>
 
 namespace boresight::ui {
 
 namespace {
 constexpr int kPlotToolsGap = 4;  // px
-constexpr int kButtonWidth = 64;
 constexpr int kReadoutLines = 3;
+
+// Over the sky of a magnified plot the words keep a ground of their own.
+ValueLabel* onGround(ValueLabel* label, Qt::Alignment alignment)
+{
+    label->setAlignment(alignment);
+    label->setAutoFillBackground(true);
+    return label;
+}
 }  // namespace
 
 PlotTools::PlotTools(QWidget* parent)
     : QWidget(parent),
-      m_edit(new ChoiceButton(tr("Edit"), tr("Change limits, horizon and keep-outs on the plot (Ctrl+E)"), this)),
-      m_zoom(new ChoiceButton(tr("Zoom"), tr("Magnify around the target (Ctrl+0; Ctrl++, Ctrl+-, wheel)"), this)),
-      m_save(new ChoiceButton(tr("Save …"), tr("Save the plot as a picture (PNG or SVG)"), this)),
+      m_edit(new PlotButton(PlotButton::Glyph::Edit, tr("Edit"),
+                            tr("Change limits, horizon and keep-outs on the plot (Ctrl+E)"), this)),
+      m_zoom(new PlotButton(PlotButton::Glyph::Zoom, tr("Zoom"),
+                            tr("Magnify around the target (Ctrl+0; Ctrl++, Ctrl+-, wheel)"), this)),
+      m_save(
+          new PlotButton(PlotButton::Glyph::Save, tr("Save …"), tr("Save the plot as a picture (PNG or SVG)"), this)),
+      m_offCaption(new ValueLabel(tr("Distance to the target"), fonts::label(), tr("off by"), this)),
+      m_off(new ValueLabel(tr("Off by"), fonts::value(), angleText(Angle::fromDegrees(888.88)), this)),
+      m_cable(new ValueLabel(tr("Azimuth cable"), fonts::label(), widestCableWords().place, this)),
+      m_travel(new ValueLabel(tr("Travel of the azimuth cable"), fonts::label(), widestCableWords().travel, this)),
       m_readout(new ValueLabel(tr("Under the cursor"), fonts::label(), QStringLiteral("az 000.0°…000.0°"), this))
 {
-    m_save->setCheckable(false);
+    m_travel->setSymbolRoom(true);
+    for (ValueLabel* const label : {m_offCaption, m_off, m_cable, m_travel}) {
+        onGround(label, Qt::AlignRight | Qt::AlignVCenter);
+    }
     m_readout->setLines(kReadoutLines);
-    m_readout->setAlignment(Qt::AlignLeft | Qt::AlignBottom);
+    onGround(m_readout, Qt::AlignLeft | Qt::AlignBottom);
+    m_off->setToolTip(tr("The angle on the sky between the target and where the mount points"));
+    m_cable->setToolTip(
+        tr("The angle of the azimuth axis. At 0° the cable is not wound. The ring around the sky shows the travel."));
     connect(m_edit, &QToolButton::toggled, this, &PlotTools::editToggled);
     connect(m_zoom, &QToolButton::clicked, this, &PlotTools::zoomToggled);
     connect(m_save, &QToolButton::clicked, this, &PlotTools::askWhereTo);
@@ -34,15 +60,47 @@ int PlotTools::readoutHeight() const
     return m_readout->sizeHint().height();
 }
 
+QList<QWidget*> PlotTools::corners() const
+{
+    return {m_edit, m_zoom, m_save, m_offCaption, m_off, m_cable, m_travel};
+}
+
+void PlotTools::setFrame(const SkyFrame& frame)
+{
+    m_frame = frame;
+    place();
+}
+
 void PlotTools::resizeEvent(QResizeEvent*)
 {
-    const int left = width() - kButtonWidth;
-    const int high = m_edit->minimumHeight();
-    m_edit->setGeometry(left, 0, kButtonWidth, high);
-    m_zoom->setGeometry(left, high + kPlotToolsGap, kButtonWidth, high);
-    m_save->setGeometry(left, height() - high, kButtonWidth, high);
+    place();
+}
+
+// One below the other where the disc leaves room for it, else around the corner.
+void PlotTools::placeButtons()
+{
+    const int step = PlotButton::kSize + kPlotToolsGap + 2;
+    const bool column = m_frame.isFree(QRectF(0, 0, kPlotToolsGap + PlotButton::kSize, 3 * step + kPlotToolsGap));
+    m_edit->move(kPlotToolsGap, kPlotToolsGap);
+    m_zoom->move(kPlotToolsGap, kPlotToolsGap + step);
+    m_save->move(column ? QPoint(kPlotToolsGap, kPlotToolsGap + 2 * step)
+                        : QPoint(kPlotToolsGap + step, kPlotToolsGap));
+}
+
+void PlotTools::place()
+{
+    placeButtons();
+    const auto right = [this](ValueLabel* label, int top) {
+        const QSize size = label->sizeHint();
+        label->setGeometry(width() - size.width() - kPlotToolsGap, top, size.width(), size.height());
+        return top + size.height();
+    };
+    right(m_off, right(m_offCaption, kPlotToolsGap));
+    const int travelTop = height() - m_travel->sizeHint().height() - 2;
+    right(m_travel, travelTop);
+    right(m_cable, travelTop - m_cable->sizeHint().height());
     const QSize text = m_readout->sizeHint();
-    m_readout->setGeometry(kPlotToolsGap, height() - text.height() - kPlotToolsGap, text.width(), text.height());
+    m_readout->setGeometry(kPlotToolsGap, height() - text.height() - 2, text.width(), text.height());
     showMask();
 }
 
@@ -50,13 +108,18 @@ void PlotTools::resizeEvent(QResizeEvent*)
 void PlotTools::showMask()
 {
     QRegion region;
-    for (const QWidget* const one : std::initializer_list<QWidget*>{m_edit, m_zoom, m_save}) {
-        region += one->geometry();
+    for (const QWidget* const one : corners()) {
+        const auto* const label = qobject_cast<const ValueLabel*>(one);
+        if (label == nullptr || !label->text().isEmpty()) {
+            region += one->geometry();
+        }
     }
     if (!m_readout->text().isEmpty()) {
         region += m_readout->geometry();
     }
-    setMask(region);
+    if (region != mask()) {
+        setMask(region);
+    }
 }
 
 void PlotTools::showEditing(bool on)
@@ -69,12 +132,42 @@ void PlotTools::showZoom(bool on)
     m_zoom->setChecked(on);
 }
 
+void PlotTools::showOffTarget(const std::optional<Angle>& error, bool unplanned)
+{
+    const bool was = m_off->text().isEmpty();
+    m_offCaption->setValue(error ? tr("off by") : QString(), Tone::Secondary);
+    m_off->setValue(error ? angleText(*error) : QString(), unplanned ? Tone::Warning : Tone::Normal);
+    if (was != m_off->text().isEmpty()) {
+        showMask();
+    }
+}
+
+void PlotTools::showCable(const CableWords& words)
+{
+    const bool was = m_cable->text().isEmpty();
+    m_cable->setValue(words.place, words.tone);
+    m_travel->setValue(words.travel, words.isWarning ? Tone::Warning : Tone::Secondary,
+                       words.isWarning ? Symbol::Warning : Symbol::None);
+    if (was != m_cable->text().isEmpty()) {
+        showMask();
+    }
+}
+
 void PlotTools::setReadout(const QString& text)
 {
     const bool was = m_readout->text().isEmpty();
     m_readout->setValue(text);
     if (was != text.isEmpty()) {
         showMask();
+    }
+}
+
+void PlotTools::paintWords(QPainter& painter) const
+{
+    for (const ValueLabel* const label : {m_offCaption, m_off, m_cable, m_travel}) {
+        painter.setFont(label->font());
+        painter.setPen(currentTheme().colour(label->tone()));
+        painter.drawText(label->geometry().adjusted(0, 0, -2, 0), Qt::AlignRight | Qt::AlignVCenter, label->text());
     }
 }
 

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/sky/cable_words.h"
+#include "ui/sky/sky_frame.h"
+
 #include <QWidget>
 
 #include <functional>
+#include <optional>
 
 class QPainter;
 
-// The controls in the corners of the plot: edit the limits, magnify, save a picture; and below them the numbers under
-// the cursor. The widget itself is as large as the plot and lets every click through that hits no button.
+// What stands in the free corners of the plot's square: the tools (edit the limits, magnify, save a picture), how far
+// the mount is off its target, the cable in words, and while something is edited the numbers under the cursor. The
+// widget itself is as large as the plot and lets every click through that hits no button.
 namespace boresight::ui {
 
-class ChoiceButton;
+class PlotButton;
 class ValueLabel;
 
 class PlotTools : public QWidget
@@ -22,12 +27,17 @@ public:
     explicit PlotTools(QWidget* parent = nullptr);
 
     void setPainter(const std::function<void(QPainter&)>& paint) { m_paint = paint; }
+    void setFrame(const SkyFrame& frame);  // of the whole sky
     void showEditing(bool on);
     void showZoom(bool on);
+    void showOffTarget(const std::optional<Angle>& error, bool unplanned);
+    void showCable(const CableWords& words);
     void setReadout(const QString& text);
     void save(const QString& path);
+    void paintWords(QPainter& painter) const;  // for a picture of the plot
 
     [[nodiscard]] int readoutHeight() const;
+    [[nodiscard]] QList<QWidget*> corners() const;  // what must lie beside the disc
 
 Q_SIGNALS:
     void editToggled(bool on);
@@ -37,13 +47,20 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void place();
+    void placeButtons();
     void askWhereTo();
     void showMask();
 
     std::function<void(QPainter&)> m_paint;
-    ChoiceButton* m_edit;
-    ChoiceButton* m_zoom;
-    ChoiceButton* m_save;
+    SkyFrame m_frame;
+    PlotButton* m_edit;
+    PlotButton* m_zoom;
+    PlotButton* m_save;
+    ValueLabel* m_offCaption;
+    ValueLabel* m_off;
+    ValueLabel* m_cable;
+    ValueLabel* m_travel;
     ValueLabel* m_readout;
 };
 

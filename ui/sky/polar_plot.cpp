@@ -9,9 +9,13 @@
 #include "ui/kit/theme.h"
 #include "ui/sky/plot_tools.h"
 #include "ui/sky/sky_items.h"
+#include "ui/sky/sky_legend.h"
+#include "ui/sky/slew_way.h"
 
+#include <QContextMenuEvent>
 #include <QEvent>
 #include <QPainter>
+#include <QRadialGradient>
 #include <QWheelEvent>
 #include <qwt_point_polar.h>
 #include <qwt_polar_grid.h>
@@ -29,17 +33,21 @@ namespace {
 
 constexpr int kWheelStep = 120;  // eighths of a degree of a mouse wheel's notch
 
-// Off target means that the beam no longer covers the target: half a beam width on the sky.
-bool isOffTarget(const StationStatus& status, Angle beamWidth)
+// Where the mount should be now. On the way to a fixed target that is the set-point: the rest of the way is planned.
+std::optional<SkyPointing> expectedPlace(const StationStatus& status)
 {
-    if (!status.actual || !status.target) {
-        return false;
+    return isSlewing(status) || !status.route.empty() ? status.commanded : status.target;
+}
+
+std::optional<Angle> distanceTo(const StationStatus& status, const std::optional<SkyPointing>& place)
+{
+    if (!status.actual || !place) {
+        return std::nullopt;
     }
     const SkyPointing actual = unflipped(*status.actual);
-    const SkyPointing target = unflipped(*status.target);
+    const SkyPointing there = unflipped(*place);
     const auto missing = missingAxis(status);
-    const Angle apart = missing ? pointing::leastAngleBetween(actual, target, *missing) : angleBetween(actual, target);
-    return apart > 0.5 * beamWidth;
+    return missing ? pointing::leastAngleBetween(actual, there, *missing) : angleBetween(actual, there);
 }
 
 // What is forbidden and how far the axes go. What holds for the axis that there is holds for the whole of the missing
@@ -80,8 +88,9 @@ QString targetLabel(const StationStatus& status)
     if (!status.target) {
         return {};
     }
-    const QString text = knownText(*status.target, missingAxis(status));
-    return status.target->elevation > 90_deg ? PolarPlot::tr("FLIP %1").arg(text) : text;
+    QString text = knownText(*status.target, missingAxis(status));
+    text = status.target->elevation > 90_deg ? PolarPlot::tr("FLIP %1").arg(text) : text;
+    return status.slew ? PolarPlot::tr("%1, in %2").arg(text, waitText(status.slew->remaining)) : text;
 }
 
 QString placeText(const QString& what, const std::optional<SkyPointing>& place, std::optional<Axis> missing = {})
@@ -104,11 +113,15 @@ PolarPlot::PolarPlot(ProfileDraft& draft, QWidget* parent)
       m_plot(new QwtPolarPlot(this)),
       m_markers(new SkyMarkers(this)),
       m_editor(new PlotEditor(draft, this)),
-      m_tools(new PlotTools(this))
+      m_tools(new PlotTools(this)),
+      m_menu(new PlotMenu(draft, this))
 {
     setAccessibleName(tr("Sky plot"));
     setToolTipDuration(5000);
-    m_markers->setToolTip(tr("North is up, east is right, the zenith in the centre. A click reads a direction."));
+    m_markers->setToolTip(
+        tr("North is up, east is right, the zenith is in the centre. A click reads a direction. A "
+           "right click offers what can be done there."));
+    setFocusPolicy(Qt::TabFocus);
     m_plot->setAutoDelete(false);  // the items are ours
     m_plot->setFrameStyle(QFrame::NoFrame);
     m_plot->hide();  // a draughtsman only: SkyMarkers shows what it draws
@@ -121,6 +134,7 @@ PolarPlot::PolarPlot(ProfileDraft& draft, QWidget* parent)
     m_labels->attach(m_plot);
     setColours();
     setUpTools();
+    setUpMenu();
     connect(m_markers, &SkyMarkers::clicked, this, &PolarPlot::clicked);
 }
 
@@ -149,6 +163,19 @@ void PolarPlot::setUpTools()
     connect(m_editor, &PlotEditor::readout, m_tools, &PlotTools::setReadout);
 }
 
+void PolarPlot::setUpMenu()
+{
+    connect(m_menu, &PlotMenu::goHereWanted, this, &PolarPlot::goHereWanted);
+    connect(m_menu, &PlotMenu::horizonPointWanted, this, [this](const SkyPointing& at) {
+        setEditing(true);
+        m_editor->addPoint(at);
+    });
+    connect(m_menu, &PlotMenu::keepOutWanted, this, [this](const SkyPointing& at) {
+        setEditing(true);
+        m_editor->addSector(at);
+    });
+}
+
 void PolarPlot::setGrid(const SkyGrid& grid)
 {
     m_labels->setGrid(grid);
@@ -159,7 +186,7 @@ void PolarPlot::setGrid(const SkyGrid& grid)
 void PolarPlot::setColours()
 {
     m_grid->setMajorGridPen(QPen(currentTheme().grid, 1.0));
-    m_plot->setPlotBackground(currentTheme().plotGround);
+    m_plot->setPlotBackground(Qt::NoBrush);  // paintSky()
 }
 
 // Qwt puts the circle at the top of what it is given; this is the largest square in the middle.
@@ -180,35 +207,71 @@ QRectF PolarPlot::canvas() const
     return {zoomed.zenith.x() - half, zoomed.zenith.y() - half, 2.0 * half, 2.0 * half};
 }
 
-SkyProjection PolarPlot::sky() const
+SkyProjection PolarPlot::wholeSky() const
 {
     const QRectF circle = m_plot->plotRect(square());
-    return m_zoom.projection({circle.center(), circle.width() / 2.0});
+    return {circle.center(), circle.width() / 2.0};
+}
+
+SkyProjection PolarPlot::sky() const
+{
+    return m_zoom.projection(wholeSky());
+}
+
+// A mount without an azimuth cable has none, nor has a magnified part of the sky.
+std::optional<CableRing> PolarPlot::ring() const
+{
+    const bool there = !m_zoom.isOn() && m_cableTravel.min < m_cableTravel.max;
+    return there ? std::optional(CableRing(m_frame, m_cableTravel)) : std::nullopt;
 }
 
 void PolarPlot::changeView()
 {
+    m_labels->setView(rect(), m_zoom.isOn());
+    m_frame = SkyFrame(rect(), wholeSky());
+    m_tools->setFrame(m_frame);
     const SkyGrid grid = m_zoom.isOn() ? gridOf(sky(), rect()) : wholeSkyGrid();
     setGrid(grid);
-    m_labels->setView(rect(), m_zoom.isOn());
     m_regionItem->setView(rect());
     m_tools->showZoom(m_zoom.isOn());
     drawGround();
 }
 
+// From the rim to the zenith, more at the rim: where the mount mostly works the sky is plain.
+void PolarPlot::paintSky(QPainter& painter) const
+{
+    const SkyProjection shown = sky();
+    const Theme& colours = currentTheme();
+    QRadialGradient tone(shown.zenith, shown.radius);
+    tone.setColorAt(0.0, colours.skyZenith);
+    tone.setColorAt(1.0, colours.skyRim);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(tone);
+    painter.drawEllipse(shown.zenith, shown.radius, shown.radius);
+    painter.setBrush(Qt::NoBrush);  // Qwt draws the rings of its grid with what it finds
+}
+
 void PolarPlot::paintGround(QPainter& painter) const
 {
     painter.fillRect(rect(), currentTheme().window);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintSky(painter);
     m_plot->drawCanvas(&painter, canvas());
     painter.setRenderHint(QPainter::Antialiasing);
     const SkyProjection shown = sky();
     painter.setPen(QPen(currentTheme().secondary, 1.0));
     painter.setBrush(Qt::NoBrush);
     painter.drawEllipse(shown.zenith, shown.radius, shown.radius);
-    drawLegend(painter, QPointF(2.0, 2.0), m_hasSensor);
     if (m_zoom.isOn()) {
-        drawZoomMark(painter, rect(), m_tools->readoutHeight(), shown, m_zoom.magnification());
+        const double corner = std::max<double>(m_tools->readoutHeight(), legendHeight(m_frame, m_hasSensor));
+        drawZoomMark(painter, rect(), corner, shown, m_zoom.magnification());
+    } else {
+        m_frame.paint(painter);
     }
+    if (const auto cable = ring()) {
+        cable->paintTrack(painter, m_wrapKnown);
+    }
+    paintLegend(painter, rect(), m_frame, m_hasSensor);
 }
 
 void PolarPlot::drawGround()
@@ -220,7 +283,7 @@ void PolarPlot::drawGround()
     ground.setDevicePixelRatio(devicePixelRatio());
     QPainter painter(&ground);
     paintGround(painter);
-    m_markers->setGround(ground, sky());
+    m_markers->setGround(ground, sky(), ring());
     m_editor->setSky(sky());
 }
 
@@ -229,9 +292,10 @@ void PolarPlot::paintPicture(QPainter& painter) const
     painter.setClipRect(rect());
     paintGround(painter);
     m_markers->paint(painter);
+    m_tools->paintWords(painter);
     painter.setFont(fonts::label());
     painter.setPen(currentTheme().text);
-    painter.drawText(rect().adjusted(4, 0, -4, -2), Qt::AlignRight | Qt::AlignBottom, m_caption);
+    painter.drawText(rect().adjusted(6, 4, -4, -4), Qt::AlignLeft | Qt::AlignTop, m_caption);
 }
 
 void PolarPlot::resizeEvent(QResizeEvent*)
@@ -241,6 +305,18 @@ void PolarPlot::resizeEvent(QResizeEvent*)
         layer->resize(size());
     }
     changeView();
+}
+
+// A right click is for the place under the mouse, the menu key for the one that was clicked, else the target.
+void PolarPlot::contextMenuEvent(QContextMenuEvent* event)
+{
+    const SkyProjection shown = sky();
+    const bool byKey = event->reason() == QContextMenuEvent::Keyboard;
+    const SkyPointing there =
+        byKey ? unflipped(m_markers->markers().picked.value_or(m_focus)) : shown.toSky(event->pos());
+    if (byKey || shown.contains(event->pos())) {
+        m_menu->open(there, byKey ? mapToGlobal(shown.toPixel(there).toPoint()) : event->globalPos());
+    }
 }
 
 void PolarPlot::wheelEvent(QWheelEvent* event)
@@ -291,7 +367,21 @@ void PolarPlot::changeEvent(QEvent* event)
 void PolarPlot::showStatus(const StationStatus& status)
 {
     showRegion(status);
+    showCable(status);
     showMarkers(status);
+}
+
+// Its track is a part of the ground; what moves on it is not.
+void PolarPlot::showCable(const StationStatus& status)
+{
+    const CableState cable = cableOf(status);
+    if (cable.travel != m_cableTravel || cable.wrapKnown != m_wrapKnown) {
+        m_cableTravel = cable.travel;
+        m_wrapKnown = cable.wrapKnown;
+        drawGround();
+    }
+    m_markers->setCable(cable);
+    m_tools->showCable(cableWords(status));
 }
 
 void PolarPlot::showRegion(const StationStatus& status)
@@ -325,13 +415,17 @@ void PolarPlot::showMarkers(const StationStatus& status)
         m_hasSensor = !m_hasSensor;
         drawGround();
     }
-    markers.way = markers.commanded ? status.route : std::vector<SkyPointing>();
+    markers.way = markers.commanded ? slewWay(status) : std::vector<SkyPointing>();
+    markers.expected = expectedPlace(status);
     markers.missing = missingAxis(status);
     markers.targetLabel = targetLabel(status);
     markers.beamWidth = m_beamWidth;
     markers.live = age == Freshness::Live && known;
-    markers.offTarget = markers.live && isOffTarget(status, m_beamWidth);
+    // The beam no longer covers the place: half a beam width on the sky.
+    markers.offTarget = markers.live && distanceTo(status, markers.expected).value_or(0_deg) > 0.5 * m_beamWidth;
     m_markers->setMarkers(markers, status.utc);
+    m_markers->setBodies(status.bodies);
+    m_tools->showOffTarget(markers.live ? distanceTo(status, status.target) : std::nullopt, markers.offTarget);
     m_caption = QString::fromStdString(status.profile->mount.name) + QStringLiteral("  ") + minuteText(status.utc);
 }
 
@@ -345,10 +439,11 @@ void PolarPlot::describe(const StationStatus& status)
     const bool live = worseFreshness(status) == Freshness::Live;
     const QString actual = !live ? tr("Last seen at") : areTurnsKnown(status) ? tr("Actual") : tr("Perhaps at");
     const auto missing = missingAxis(status);
-    setAccessibleDescription(
-        (placeText(actual, status.actual, missing) + placeText(tr("Commanded"), status.commanded, missing) +
-         placeText(tr("Target"), status.target, missing) + placeText(tr("Sensor"), status.sensor.direction))
-            .trimmed());
+    setAccessibleDescription((placeText(actual, status.actual, missing) +
+                              placeText(tr("Commanded"), status.commanded, missing) +
+                              placeText(tr("Target"), status.target, missing) +
+                              placeText(tr("Sensor"), status.sensor.direction) + cableWords(status).sentence)
+                                 .trimmed());
 }
 
 QPointF PolarPlot::qwtPixel(const SkyPointing& direction) const

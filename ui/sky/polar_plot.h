@@ -3,6 +3,7 @@
 
 #include "core/messages/station_status.h"
 #include "ui/sky/plot_editor.h"
+#include "ui/sky/plot_menu.h"
 #include "ui/sky/sky_markers.h"
 #include "ui/sky/sky_zoom.h"
 
@@ -17,7 +18,8 @@ class QwtPolarPlot;
 // The sky as the mount sees it, and beside the strip charts the only place that touches Qwt. Three layers: Qwt draws
 // what stands still (region of the profile in force, grid, labels) into a picture, again only when size, theme, region
 // or magnification change; SkyMarkers paints what moves over it; PlotEditor the limits being changed. A click picks a
-// direction; it moves nothing, and while editing is on it picks none.
+// direction; it moves nothing, and while editing is on it picks none. A right click, or the menu key, offers what can
+// be done there.
 namespace boresight::ui {
 
 class LabelsItem;
@@ -34,6 +36,7 @@ public:
 
     void showStatus(const StationStatus& status);
     void setPicked(const std::optional<SkyPointing>& direction);
+    void setAdviser(const PlotMenu::Adviser& adviser) { m_menu->setAdviser(adviser); }
     void describe(const StationStatus& status);  // in words, for screen readers; once a second is enough
     void setEditing(bool on);
     void toggleZoom();
@@ -42,6 +45,8 @@ public:
 
     [[nodiscard]] PlotEditor& editor() { return *m_editor; }
     [[nodiscard]] PlotTools& tools() { return *m_tools; }
+    [[nodiscard]] PlotMenu& menu() { return *m_menu; }
+    [[nodiscard]] const SkyFrame& frame() const { return m_frame; }
     [[nodiscard]] const SkyMarkers& markers() const { return *m_markers; }
     [[nodiscard]] const SkyZoom& zoom() const { return m_zoom; }
     // Where Qwt itself puts a direction: the test holds it against SkyProjection.
@@ -51,26 +56,35 @@ public:
 
 Q_SIGNALS:
     void clicked(const boresight::SkyPointing& direction);
+    void goHereWanted(const boresight::SkyPointing& direction);
     void editingChanged(bool on);
 
 protected:
     void changeEvent(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void focusInEvent(QFocusEvent*) override { m_markers->setFocused(true); }
+    void focusOutEvent(QFocusEvent*) override { m_markers->setFocused(false); }
     void resizeEvent(QResizeEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
 
 private:
     void setUpScales();
     void setUpTools();
+    void setUpMenu();
     void setColours();
     void setGrid(const SkyGrid& grid);
     void showRegion(const StationStatus& status);
+    void showCable(const StationStatus& status);
     void showMarkers(const StationStatus& status);
     void changeView();
     void drawGround();
+    void paintSky(QPainter& painter) const;
     void paintGround(QPainter& painter) const;
     [[nodiscard]] QRectF square() const;
     [[nodiscard]] QRectF canvas() const;
+    [[nodiscard]] SkyProjection wholeSky() const;
     [[nodiscard]] SkyProjection sky() const;
+    [[nodiscard]] std::optional<CableRing> ring() const;
 
     std::unique_ptr<QwtPolarGrid> m_grid;
     std::unique_ptr<RegionItem> m_regionItem;
@@ -79,9 +93,13 @@ private:
     SkyMarkers* m_markers;
     PlotEditor* m_editor;
     PlotTools* m_tools;
+    PlotMenu* m_menu;
+    SkyFrame m_frame;  // of the whole sky
     SkyZoom m_zoom;
     std::optional<pointing::Region> m_region;  // what is drawn
     Travel m_travel;
+    TravelRange m_cableTravel;  // as the ring is drawn
+    bool m_wrapKnown = true;
     bool m_hasSensor = false;  // the legend tells of it
     Angle m_beamWidth;
     SkyPointing m_focus{0_deg, 90_deg};  // what the magnified part shows: target, else actual

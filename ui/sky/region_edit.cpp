@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace boresight::ui {
 
@@ -63,6 +64,45 @@ std::string freeName(const std::vector<KeepOut>& keepOuts)
     }
 }
 
+// Whole degrees, at most 0°: what the beam can reach without a horizon stays within reach.
+Angle lowestOfTheSky(const Region& region, const Travel& travel)
+{
+    const Angle axis = std::max(permitted(region, travel).elevation.min, -90_deg);
+    Angle lowest = 0_deg;
+    for (Angle azimuth; azimuth < 360_deg; azimuth += 30_deg) {
+        lowest = std::min(lowest, travel.pointing.toSky({azimuth, axis}).elevation);
+    }
+    return std::max(Angle::fromDegrees(std::floor(lowest.degrees() + 1e-6)), -90_deg);
+}
+
+// The points that keep a level horizon as it is on both sides of a new point.
+std::vector<HorizonPoint> feetOf(const HorizonPoint& point, const Region& region, const Travel& travel)
+{
+    const std::vector<HorizonPoint>& horizon = region.horizon;
+    Angle level = lowestOfTheSky(region, travel);
+    Angle before = 360_deg;
+    Angle behind = 360_deg;
+    if (!horizon.empty()) {
+        const auto next = std::ranges::lower_bound(horizon, point.azimuth, {}, &HorizonPoint::azimuth);
+        const HorizonPoint& right = next == horizon.end() ? horizon.front() : *next;
+        const HorizonPoint& left = next == horizon.begin() ? horizon.back() : *std::prev(next);
+        if (left.elevation != right.elevation) {
+            return {};
+        }
+        level = left.elevation;
+        before = (point.azimuth - left.azimuth).wrapped360();
+        behind = (right.azimuth - point.azimuth).wrapped360();
+    }
+    std::vector<HorizonPoint> feet;
+    if (point.elevation != level && before > kHillFlank) {
+        feet.push_back({inCircle(point.azimuth - kHillFlank), level});
+    }
+    if (point.elevation != level && behind > kHillFlank) {
+        feet.push_back({inCircle(point.azimuth + kHillFlank), level});
+    }
+    return feet;
+}
+
 // Where the axes do not show the truth, an angle of theirs says what it is.
 QString axisText(Angle angle, const Travel& travel)
 {
@@ -84,9 +124,9 @@ QString describe(const Region& region, const Travel& travel, const Grip& grip)
     const Travel limits = permitted(region, travel);
     switch (grip.part) {
         case RegionPart::AzimuthMin:
-            return RegionEdit::tr("azimuth limit\nfrom %1").arg(axisText(limits.azimuth.min, limits));
+            return RegionEdit::tr("azimuth axis limit\nfrom %1").arg(axisText(limits.azimuth.min, limits));
         case RegionPart::AzimuthMax:
-            return RegionEdit::tr("azimuth limit\nto %1").arg(axisText(limits.azimuth.max, limits));
+            return RegionEdit::tr("azimuth axis limit\nto %1").arg(axisText(limits.azimuth.max, limits));
         case RegionPart::ElevationMin:
             return RegionEdit::tr("lowest elevation\n%1").arg(axisText(limits.elevation.min, limits));
         case RegionPart::ElevationMax:
@@ -208,13 +248,17 @@ void RegionDrag::dragKeepOut(KeepOut& keepOut, const SkyPointing& now, Angle sna
     }
 }
 
-std::size_t addHorizonPoint(Region& region, const SkyPointing& at)
+std::size_t addHorizonPoint(Region& region, const Travel& travel, const SkyPointing& at)
 {
     Angle azimuth = inCircle(snapped(at.azimuth, kNarrowest));
     while (takenAzimuth(region.horizon, azimuth)) {
         azimuth = inCircle(azimuth + kNarrowest);
     }
-    return insertSorted(region.horizon, {azimuth, snapped(at.elevation, kNarrowest)});
+    const HorizonPoint point{azimuth, snapped(at.elevation, kNarrowest)};
+    for (const HorizonPoint& foot : feetOf(point, region, travel)) {
+        insertSorted(region.horizon, foot);
+    }
+    return insertSorted(region.horizon, point);
 }
 
 std::size_t addKeepOut(Region& region, const SkyPointing& centre)

@@ -38,7 +38,13 @@ private:
 };
 
 // Each returns where the new one is in its list.
-std::size_t addHorizonPoint(pointing::Region& region, const SkyPointing& at);
+//
+// A point changes the horizon near it only. Where the horizon is level it becomes a hill: two more points, 15° beside
+// it, keep the rest as it was. A sky without a horizon is level at 0°, or at the lowest elevation that the beam can
+// reach. On a slope, and beside a nearer point, the line goes straight to the neighbour.
+std::size_t addHorizonPoint(pointing::Region& region, const Travel& travel, const SkyPointing& at);
+inline constexpr std::size_t kPointsOfAHill = 3;
+inline constexpr Angle kHillFlank = Angle::fromDegrees(15.0);
 std::size_t addKeepOut(pointing::Region& region, const SkyPointing& centre);
 void remove(pointing::Region& region, const Grip& grip);  // of a point or keep-out; limits stay
 

@@ -2,16 +2,17 @@
 #include "ui/sky/sky_items.h"
 
 #include "ui/kit/format.h"
-#include "ui/kit/symbol.h"
-#include "ui/sky/sky_projection.h"
+#include "ui/kit/theme.h"
+#include "ui/sky/sky_frame.h"
+#include "ui/sky/sky_text.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QPainterPath>
 
+#include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace boresight::ui {
 
@@ -22,20 +23,12 @@ class SkyItems
     Q_DECLARE_TR_FUNCTIONS(SkyItems)
 };
 
-QString azimuthLabel(int degrees)
+// The tone of the sky shines through.
+QColor shade()
 {
-    switch (degrees) {
-        case 0:
-            return SkyItems::tr("N");
-        case 90:
-            return SkyItems::tr("E");
-        case 180:
-            return SkyItems::tr("S");
-        case 270:
-            return SkyItems::tr("W");
-        default:
-            return QString::number(degrees);
-    }
+    QColor colour = currentTheme().band;
+    colour.setAlphaF(0.8F);
+    return colour;
 }
 
 }  // namespace
@@ -53,22 +46,34 @@ void RegionItem::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap&,
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setFont(fonts::label());
-    for (const SkySector& sector : m_sectors) {
-        const QPainterPath path = outline(sector, sky);
-        painter->fillPath(path, currentTheme().band);
-        if (sector.kind != SectorKind::Band) {
-            const bool keepOut = sector.kind == SectorKind::KeepOut;
-            painter->fillPath(path, QBrush(currentTheme().secondary, keepOut ? Qt::FDiagPattern : Qt::BDiagPattern));
-        }
-        painter->setPen(currentTheme().secondary);
-        painter->setBrush(Qt::NoBrush);
-        painter->drawPath(path);
-    }
+    drawSectors(*painter, sky, SectorKind::Band);
     drawHorizon(*painter, sky);
+    drawSectors(*painter, sky, SectorKind::Sector);
+    drawSectors(*painter, sky, SectorKind::KeepOut);
     for (const SkySector& sector : m_sectors) {
         drawName(*painter, sector, sky);
     }
     painter->restore();
+}
+
+// Each kind has a hatching of its own: a tint alone has too little contrast.
+void RegionItem::drawSectors(QPainter& painter, const SkyProjection& sky, SectorKind kind) const
+{
+    QColor hatching = currentTheme().secondary;
+    hatching.setAlphaF(0.7F);
+    for (const SkySector& sector : m_sectors) {
+        if (sector.kind != kind) {
+            continue;
+        }
+        const QPainterPath path = outline(sector, sky);
+        painter.fillPath(path, shade());
+        if (kind != SectorKind::Band) {
+            painter.fillPath(path, QBrush(hatching, kind == SectorKind::KeepOut ? Qt::BDiagPattern : Qt::FDiagPattern));
+        }
+        painter.setPen(QPen(currentTheme().secondary, 1.0));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawPath(path);
+    }
 }
 
 void RegionItem::drawHorizon(QPainter& painter, const SkyProjection& sky) const
@@ -80,8 +85,8 @@ void RegionItem::drawHorizon(QPainter& painter, const SkyProjection& sky) const
     QPainterPath below;  // between the rim and the line: odd-even fill
     below.addEllipse(sky.zenith, sky.radius, sky.radius);
     below.addPath(line);
-    painter.fillPath(below, currentTheme().band);
-    painter.setPen(QPen(currentTheme().text, 1.5));
+    painter.fillPath(below, currentTheme().land);
+    painter.setPen(QPen(currentTheme().secondary, 1.0));
     painter.drawPath(line);
 }
 
@@ -101,9 +106,7 @@ void RegionItem::drawName(QPainter& painter, const SkySector& sector, const SkyP
         return;  // the word would be cut off by the rim, or hide more than it tells
     }
     box.moveCenter(centre);
-    painter.fillRect(box.adjusted(-3, -1, 3, 1), currentTheme().band);
-    painter.setPen(currentTheme().text);
-    painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, sector.name);
+    drawOutlinedText(painter, box, sector.name, currentTheme().text, currentTheme().band);
 }
 
 void LabelsItem::setView(const QRectF& view, bool magnified)
@@ -114,8 +117,7 @@ void LabelsItem::setView(const QRectF& view, bool magnified)
 
 int LabelsItem::marginHint() const
 {
-    const QFontMetrics metrics(fonts::label());
-    return std::max(metrics.height(), metrics.horizontalAdvance(QStringLiteral("000"))) + 4;
+    return static_cast<int>(std::ceil(SkyFrame::margin(std::min(m_view.width(), m_view.height()))));
 }
 
 void LabelsItem::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap&, const QPointF& pole, double radius,
@@ -126,7 +128,6 @@ void LabelsItem::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap&,
     if (m_magnified) {
         drawInside(*painter, {pole, radius});
     } else {
-        drawRim(*painter, {pole, radius + marginHint() / 2.0 + 1.0});
         painter->setPen(currentTheme().secondary);
         for (const double elevation : m_grid.elevations) {
             painter->drawText(
@@ -135,17 +136,6 @@ void LabelsItem::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap&,
         }
     }
     painter->restore();
-}
-
-void LabelsItem::drawRim(QPainter& painter, const SkyProjection& rim) const
-{
-    for (const double azimuth : m_grid.azimuths) {
-        const int degrees = static_cast<int>(std::lround(azimuth));
-        QRectF box(0, 0, 40, painter.fontMetrics().height());
-        box.moveCenter(rim.toPixel({Angle::fromDegrees(degrees), 0_deg}));
-        painter.setPen(degrees % 90 == 0 ? currentTheme().text : currentTheme().secondary);
-        painter.drawText(box, Qt::AlignCenter, azimuthLabel(degrees));
-    }
 }
 
 void LabelsItem::drawInside(QPainter& painter, const SkyProjection& sky) const
@@ -176,35 +166,6 @@ void LabelsItem::drawInside(QPainter& painter, const SkyProjection& sky) const
         const Angle angle = Angle::fromDegrees(azimuth);
         painter.drawText(sky.toPixel({angle, ring}) + QPointF(4.0, painter.fontMetrics().ascent()),
                          SkyItems::tr("az %1").arg(angleText(angle, m_grid.decimals)));
-    }
-}
-
-void drawLegend(QPainter& painter, QPointF corner, bool hasSensor)
-{
-    struct Line
-    {
-        Symbol symbol;
-        QString text;
-        Tone tone;
-    };
-    std::vector<Line> lines{{Symbol::Actual, SkyItems::tr("actual"), Tone::Normal},
-                            {Symbol::Commanded, SkyItems::tr("commanded"), Tone::Normal},
-                            {Symbol::Target, SkyItems::tr("target"), Tone::Accent}};
-    if (hasSensor) {
-        lines.push_back({Symbol::Sensor, SkyItems::tr("sensor"), Tone::Sensor});
-    }
-    painter.setFont(fonts::label());
-    const QFontMetricsF metrics(painter.font());
-    const QRectF ground(corner, QSizeF(metrics.horizontalAdvance(lines[1].text) + 2.0 * metrics.ascent(),
-                                       static_cast<double>(lines.size()) * metrics.lineSpacing()));
-    painter.fillRect(ground, currentTheme().window);
-    double y = corner.y();
-    for (const Line& line : lines) {
-        const double size = metrics.ascent();
-        drawSymbol(painter, line.symbol, QRectF(corner.x(), y + 1.0, size, size), currentTheme().colour(line.tone));
-        painter.setPen(currentTheme().secondary);
-        painter.drawText(QPointF(corner.x() + size * 1.5, y + metrics.ascent()), line.text);
-        y += metrics.lineSpacing();
     }
 }
 

@@ -21,6 +21,7 @@ public:
               double radius, const QRectF& canvasRect) const override;
 
 private:
+    void drawSectors(QPainter& painter, const SkyProjection& sky, SectorKind kind) const;
     void drawHorizon(QPainter& painter, const SkyProjection& sky) const;
     void drawName(QPainter& painter, const SkySector& sector, const SkyProjection& sky) const;
 
@@ -29,8 +30,8 @@ private:
     QRectF m_view;
 };
 
-// The whole sky: azimuths around the rim (letters for the cardinal points), elevations beside the north line. A
-// magnified part: both along the lines through the middle of the view.
+// The whole sky: elevations beside the north line; SkyFrame has the azimuths. A magnified part: both along the lines
+// through the middle of the view.
 class LabelsItem final : public QwtPolarItem
 {
 public:
@@ -42,16 +43,12 @@ public:
     [[nodiscard]] int marginHint() const override;
 
 private:
-    void drawRim(QPainter& painter, const SkyProjection& rim) const;
     void drawInside(QPainter& painter, const SkyProjection& sky) const;
 
     SkyGrid m_grid;
     QRectF m_view;
     bool m_magnified = false;
 };
-
-// What the markers mean, for a corner outside the circle (Qwt clips its items to the circle).
-void drawLegend(QPainter& painter, QPointF corner, bool hasSensor);
 
 // That this is a part of the sky only, and its scale: a frame, and a box so far above the lower left corner.
 void drawZoomMark(QPainter& painter, const QRectF& view, double above, const SkyProjection& sky, double magnification);

@@ -42,6 +42,13 @@ void addArc(QPolygonF& line, const AxisPosition& from, const AxisPosition& to, c
 
 }  // namespace
 
+Travel travelOf(const profile::Profile& profile)
+{
+    return {.azimuth = profile.azimuth.geometry.travel,
+            .elevation = profile.elevation.geometry.travel,
+            .pointing = pointing::PointingModel(profile.pointing)};
+}
+
 Travel permitted(const pointing::Region& region, const Travel& travel)
 {
     return {.azimuth = overlap(region.azimuth, travel.azimuth),

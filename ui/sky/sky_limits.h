@@ -3,6 +3,7 @@
 
 #include "core/pointing/pointing_model.h"
 #include "core/pointing/region.h"
+#include "core/profile/profile.h"
 #include "core/units/sky.h"
 #include "ui/sky/sky_projection.h"
 
@@ -52,6 +53,8 @@ struct Travel
     [[nodiscard]] Angle level() const { return -pointing.terms().elevationOffset; }
     bool operator==(const Travel&) const = default;
 };
+
+[[nodiscard]] Travel travelOf(const profile::Profile& profile);
 
 // Where the mount may work: the limits, as far as the travel goes.
 [[nodiscard]] Travel permitted(const pointing::Region& region, const Travel& travel);

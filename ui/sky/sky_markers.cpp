@@ -2,14 +2,17 @@
 #include "ui/sky/sky_markers.h"
 
 #include "ui/kit/symbol.h"
+#include "ui/sky/plot_bodies.h"
 #include "ui/sky/sky_limits.h"
+#include "ui/sky/sky_text.h"
 
 #include <QMouseEvent>
 #include <QPaintEvent>
 #include <QPainter>
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace boresight::ui {
 
@@ -18,20 +21,10 @@ namespace {
 constexpr double kActualSize = 13.0;  // px; inside the diamond, inside the cross, when all is on target
 constexpr double kMarkerSize = 22.0;
 constexpr double kCommandedSize = 32.0;
-constexpr Angle kPathGap = 6_deg;     // three times what the fastest mount goes in one update
-constexpr Angle kPathStep = 0.2_deg;  // finer than a pixel of any screen
-constexpr std::chrono::minutes kPathAge{15};
-constexpr std::chrono::minutes kForgetEvery{1};
-constexpr std::size_t kPathLength = 20000;  // 15 minutes without rest at 4°/s
 constexpr int kTextMargin = 3;
-
-// Good enough for small angles, also near the zenith.
-Angle separation(const SkyPointing& a, const SkyPointing& b)
-{
-    const double east = (a.azimuth - b.azimuth).wrapped180().radians() * std::cos(a.elevation.radians());
-    const double up = (a.elevation - b.elevation).radians();
-    return Angle::fromRadians(std::hypot(east, up));
-}
+constexpr double kWayWidth = 2.0;
+constexpr double kFocusWidth = 3.0;
+constexpr float kBeamShade = 0.12F;
 
 QRect around(const QPointF& a, const QPointF& b)
 {
@@ -47,26 +40,58 @@ SkyMarkers::SkyMarkers(QWidget* parent) : QWidget(parent)
     setCursor(Qt::CrossCursor);
 }
 
-void SkyMarkers::setGround(const QPixmap& ground, const SkyProjection& projection)
+void SkyMarkers::setGround(const QPixmap& ground, const SkyProjection& projection, const std::optional<CableRing>& ring)
 {
     m_ground = ground;
     m_projection = projection;
-    rebuildPath();
+    m_ring = ring;
+    m_trail.setSky(projection);
     rebuildWay();
     update();
 }
 
 void SkyMarkers::setMarkers(const MarkerData& markers, UtcTime utc)
 {
-    forgetOldPath(utc);
+    update(m_trail.age(utc));
     if (markers == m_markers) {
         return;
     }
     const QRegion before = occupied();
     m_markers = markers;
-    extendPath(utc);
+    if (m_markers.live && m_markers.actual) {
+        update(m_trail.add(*m_markers.actual, utc));
+    }
     rebuildWay();
     update(before + occupied());
+}
+
+void SkyMarkers::setCable(const CableState& cable)
+{
+    if (m_ring) {
+        update(m_ring->changed(m_cable, cable));
+    }
+    m_cable = cable;
+}
+
+void SkyMarkers::setBodies(const std::vector<BodyPlace>& bodies)
+{
+    const auto region = [this] {
+        QRegion boxes;
+        for (const BodyPlace& body : m_bodies) {
+            boxes += bodyBox(body, m_projection).toAlignedRect();
+        }
+        return boxes;
+    };
+    const auto places = [this] {
+        std::vector<SkyPointing> directions;
+        std::ranges::transform(m_bodies, std::back_inserter(directions), &BodyPlace::direction);
+        return directions;
+    };
+    const auto before = std::pair(places(), region());
+    m_bodies = bodiesInTheSky(m_bodies, bodies);
+    if (places() != before.first) {
+        update(before.second + region());
+    }
 }
 
 void SkyMarkers::setPicked(const std::optional<SkyPointing>& direction)
@@ -76,15 +101,9 @@ void SkyMarkers::setPicked(const std::optional<SkyPointing>& direction)
     update(before + occupied());
 }
 
-// A whole minute at a time: the path is then built anew.
-void SkyMarkers::forgetOldPath(UtcTime utc)
+void SkyMarkers::setFocused(bool on)
 {
-    if (m_path.empty() || utc - m_path.front().utc < kPathAge + kForgetEvery) {
-        return;
-    }
-    const auto young = std::ranges::find_if(m_path, [&](const PastPlace& one) { return utc - one.utc < kPathAge; });
-    m_path.erase(m_path.begin(), young);
-    rebuildPath();
+    m_focused = on;
     update();
 }
 
@@ -96,47 +115,6 @@ void SkyMarkers::rebuildWay()
         line << m_projection.toPixel(place);
     }
     m_wayPixels.addPolygon(line);
-}
-
-void SkyMarkers::extendPath(UtcTime utc)
-{
-    if (!m_markers.live || !m_markers.actual) {
-        return;
-    }
-    const SkyPointing place = unflipped(*m_markers.actual);
-    if (m_pathEnd && separation(place, *m_pathEnd) < kPathStep) {
-        return;
-    }
-    const QPointF before = m_pathPixels.currentPosition();
-    addToPath(place);
-    m_path.push_back({place, utc});
-    if (m_path.size() > kPathLength) {
-        m_path.erase(m_path.begin(), m_path.begin() + kPathLength / 8);
-        rebuildPath();
-        update();
-    }
-    update(around(before, m_pathPixels.currentPosition()));
-}
-
-// A line is drawn only where the mount was seen to go: after silence or a new reference the path begins anew.
-void SkyMarkers::addToPath(const SkyPointing& place)
-{
-    const QPointF pixel = m_projection.toPixel(place);
-    if (m_pathEnd && separation(place, *m_pathEnd) < kPathGap) {
-        m_pathPixels.lineTo(pixel);
-    } else {
-        m_pathPixels.moveTo(pixel);
-    }
-    m_pathEnd = place;
-}
-
-void SkyMarkers::rebuildPath()
-{
-    m_pathPixels.clear();
-    m_pathEnd.reset();
-    for (const PastPlace& one : m_path) {
-        addToPath(one.place);
-    }
 }
 
 QRectF SkyMarkers::markerBox(const SkyPointing& direction, double size) const
@@ -216,8 +194,8 @@ QRegion SkyMarkers::occupied() const
     if (m_markers.picked) {
         add(markerBox(*m_markers.picked, kCommandedSize));
     }
-    if (m_markers.offTarget && m_markers.actual && m_markers.target) {
-        region += around(m_projection.toPixel(*m_markers.actual), m_projection.toPixel(*m_markers.target));
+    if (m_markers.offTarget && m_markers.actual && m_markers.expected) {
+        region += around(m_projection.toPixel(*m_markers.actual), m_projection.toPixel(*m_markers.expected));
     }
     if (!m_wayPixels.isEmpty()) {
         region += m_wayPixels.boundingRect().toAlignedRect().adjusted(-3, -3, 3, 3) & rect();
@@ -231,6 +209,11 @@ void SkyMarkers::paintEvent(QPaintEvent* event)
     painter.setClipRegion(event->region());
     painter.drawPixmap(0, 0, m_ground);
     paint(painter);
+    if (m_focused) {
+        painter.setPen(QPen(currentTheme().accent, kFocusWidth));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(m_projection.zenith, m_projection.radius, m_projection.radius);
+    }
 }
 
 void SkyMarkers::paint(QPainter& painter) const
@@ -238,19 +221,24 @@ void SkyMarkers::paint(QPainter& painter) const
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(font());
     const Theme& colours = currentTheme();
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(colours.secondary, 1.5));
-    painter.drawPath(m_pathPixels);
-    painter.setPen(QPen(colours.accent, 1.5, Qt::DashLine));
-    painter.drawPath(m_wayPixels);
+    if (m_ring) {
+        m_ring->paintCable(painter, m_cable);
+    }
+    for (const BodyPlace& body : m_bodies) {
+        paintBody(painter, body, m_projection);
+    }
+    m_trail.paint(painter);
+    drawWay(painter);
     if (m_markers.picked) {
         painter.setPen(QPen(colours.accent, 1.5, Qt::DashLine));
+        painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(markerBox(*m_markers.picked, kCommandedSize - 4.0));
     }
-    if (m_markers.offTarget && m_markers.actual && m_markers.target) {
+    if (m_markers.offTarget && m_markers.actual && m_markers.expected) {
         painter.setPen(QPen(colours.warning, 2.0));
-        painter.drawLine(m_projection.toPixel(*m_markers.actual), m_projection.toPixel(*m_markers.target));
+        painter.drawLine(m_projection.toPixel(*m_markers.actual), m_projection.toPixel(*m_markers.expected));
     }
+    drawActual(painter);
     if (m_markers.sensor) {
         drawSymbol(painter, Symbol::Sensor, markerBox(*m_markers.sensor, kMarkerSize), colours.sensor);
     }
@@ -258,7 +246,20 @@ void SkyMarkers::paint(QPainter& painter) const
     if (m_markers.commanded) {
         drawSymbol(painter, Symbol::Commanded, markerBox(*m_markers.commanded, kCommandedSize), colours.text);
     }
-    drawActual(painter);
+    if (m_markers.actual) {
+        drawSymbol(painter, m_markers.live ? Symbol::Actual : Symbol::Lost, markerBox(*m_markers.actual, kActualSize),
+                   m_markers.live ? colours.text : colours.secondary);
+    }
+}
+
+void SkyMarkers::drawWay(QPainter& painter) const
+{
+    QPen pen(currentTheme().accent, kWayWidth, Qt::CustomDashLine, Qt::FlatCap, Qt::RoundJoin);
+    pen.setDashPattern({4.0, 2.5});
+    painter.setPen(pen);
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPath(
+        m_wayPixels.toReversed());  // from the target, so that the dashes stand still while the way shortens
 }
 
 void SkyMarkers::drawTarget(QPainter& painter) const
@@ -270,24 +271,24 @@ void SkyMarkers::drawTarget(QPainter& painter) const
     drawSymbol(painter, Symbol::Target, markerBox(*m_markers.target, kMarkerSize), colours.accent);
     const QRect box = targetLabelBox();
     if (!box.isNull()) {
-        painter.fillRect(box, colours.plotGround);
-        painter.setPen(colours.accent);
-        painter.drawText(box, Qt::AlignCenter, m_markers.targetLabel);
+        drawOutlinedText(painter, box, m_markers.targetLabel, colours.accent, colours.skyRim);
     }
 }
 
+// The beam, under the marks of the places.
 void SkyMarkers::drawActual(QPainter& painter) const
 {
     if (!m_markers.actual) {
         return;
     }
     const Theme& colours = currentTheme();
-    const QColor colour = m_markers.live ? colours.text : colours.secondary;
-    painter.setPen(QPen(colour, 1.0, m_markers.live ? Qt::SolidLine : Qt::DotLine));
-    painter.setBrush(Qt::NoBrush);
+    QColor beam = colours.accent;
+    beam.setAlphaF(kBeamShade);
+    const bool filled = m_markers.live && !m_markers.missing;
+    painter.setPen(
+        QPen(m_markers.live ? colours.accent : colours.secondary, 1.2, m_markers.live ? Qt::SolidLine : Qt::DotLine));
+    painter.setBrush(filled ? QBrush(beam) : QBrush(Qt::NoBrush));
     painter.drawPath(beamPixels());
-    drawSymbol(painter, m_markers.live ? Symbol::Actual : Symbol::Lost, markerBox(*m_markers.actual, kActualSize),
-               colour);
 }
 
 void SkyMarkers::mousePressEvent(QMouseEvent* event)

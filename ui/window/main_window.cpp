@@ -112,6 +112,17 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(m_header, &HeaderBar::stopPressed, this, &MainWindow::stop);
     connect(m_stopKeys, &StopKeys::stopPressed, this, &MainWindow::stop);
     connect(m_plot, &PolarPlot::clicked, this, &MainWindow::pick);
+    connect(m_plot, &PolarPlot::goHereWanted, this, [this](const SkyPointing& direction) {
+        pick(direction);
+        goToPicked();
+    });
+    m_plot->setAdviser([this](const SkyPointing& direction) -> PlotMenu::Advice {
+        const StationStatus& status = m_last.received();
+        const QString reason = status.permissions.reason(Action::Point);
+        return reason.isEmpty() ? PlotMenu::Advice{.whyNot = whyForbidden(status, direction),
+                                                   .nearest = nearestAllowed(status, direction)}
+                                : PlotMenu::Advice{.whyNot = reason};
+    });
     connect(&m_panels->log(), &LogPanel::beepWanted, this, &QApplication::beep);
     connect(&m_panels->log(), &LogPanel::soundChanged, this, &MainWindow::alarmSoundChanged);
     connect(&m_panels->jog(), &JogPanel::stopPressed, this, &MainWindow::stop);

@@ -77,8 +77,7 @@ TEST(StationRegion, TheOperatorIsRefusedAForbiddenPlaceAndToldTheNearest)
     ASSERT_FALSE(answer);
     EXPECT_EQ(answer.error().code, ErrorCode::OutOfRange);
     EXPECT_EQ(textOf(answer.error()),
-              "azimuth 315.0° elevation 35.0° is in the keep-out \"stationMast\". The nearest permitted position "
-              "is 315.00° 40.00°.");
+              "315.0° / 35.0° lies in keep-out \"stationMast\". Nearest allowed: 315.0° / 40.0°.");
     EXPECT_EQ(rig.commands(), 0U);
 }
 
@@ -156,8 +155,7 @@ TEST(StationRegion, AClientGetsTheNearestPermittedPlace)
     EXPECT_EQ(status.elevation.state, AxisState::Limit);
     EXPECT_EQ(status.elevation.stateText, QStringLiteral("at the horizon"));
     EXPECT_NEAR(status.target->elevation.degrees(), 5, 1e-9);
-    EXPECT_TRUE(
-        rig.logged(QStringLiteral("because of a limit (elevation 5.0° below the horizon 25.0° at azimuth 290.0°)")));
+    EXPECT_TRUE(rig.logged(QStringLiteral("because of a limit (290.0° / 5.0° lies below the horizon (25.0°))")));
     ASSERT_TRUE(rig.point(240, 5));
     rig.settlePermitted();
     EXPECT_FALSE(rig.control.status().limited);

@@ -78,8 +78,8 @@ TEST(AxisImage, AnOffsetMovesWhatIsForbiddenExactly)
     EXPECT_TRUE(region.permits(at(82.7, 138)));
     EXPECT_FALSE(region.permits(at(7.6, 12.9)));  // true azimuth 45°: the horizon is at 15°
     EXPECT_TRUE(region.permits(at(7.6, 13)));
-    EXPECT_EQ(region.reason(at(277.6, 20)).toStdString(), "azimuth 315.0° elevation 22.0° is in the keep-out \"mast\"");
-    EXPECT_EQ(region.reason(at(7.6, 5)).toStdString(), "elevation 7.0° below the horizon 15.0° at azimuth 45.0°");
+    EXPECT_EQ(region.reason(at(277.6, 20)).toStdString(), "315.0° / 22.0° lies in keep-out \"mast\"");
+    EXPECT_EQ(region.reason(at(7.6, 5)).toStdString(), "45.0° / 7.0° lies below the horizon (15.0°)");
 }
 
 // Its own 0° look to -0.42° there, and the mast begins at 0°.

@@ -98,8 +98,7 @@ TEST(PermittedRegion, AKeepOutHoldsOnEveryTurnAndOverTheTop)
     }
     EXPECT_TRUE(region.permits(at(300, 10)));
     EXPECT_TRUE(region.permits(at(-30, 10)));
-    EXPECT_EQ(region.reason(at(315, 10)).toStdString(),
-              "azimuth 315.0° elevation 10.0° is in the keep-out \"regionMast\"");
+    EXPECT_EQ(region.reason(at(315, 10)).toStdString(), "315.0° / 10.0° lies in keep-out \"regionMast\"");
     EXPECT_EQ(region.obstacle(at(135, 170)).toStdString(), "the keep-out \"regionMast\"");
 }
 
@@ -140,8 +139,8 @@ TEST(PermittedRegion, TheHorizonIsStraightBetweenItsPoints)
     EXPECT_TRUE(region.permits(at(60, 180)));    // backwards into the valley
     EXPECT_FALSE(region.permits(at(240, 170)));  // backwards at 60°, 10°
     EXPECT_TRUE(region.permits(at(240, 155)));
-    EXPECT_EQ(region.reason(at(200, 3)).toStdString(), "elevation 3.0° below the horizon 25.0° at azimuth 200.0°");
-    EXPECT_EQ(region.reason(at(20, 177)).toStdString(), "elevation 3.0° below the horizon 25.0° at azimuth 200.0°");
+    EXPECT_EQ(region.reason(at(200, 3)).toStdString(), "200.0° / 3.0° lies below the horizon (25.0°)");
+    EXPECT_EQ(region.reason(at(20, 177)).toStdString(), "200.0° / 3.0° lies below the horizon (25.0°)");
     EXPECT_EQ(region.obstacle(at(200, 3)).toStdString(), "the horizon");
 }
 

@@ -169,7 +169,7 @@ TEST(Route, SaysWhatIsInTheWayWhenThereIsNone)
               "there is no way from 290.0° 10.0° to 340.0° 5.0°: the keep-out \"routeMast\" is in between");
     const auto inside = route(wall, at(290, 10), at(315, 10), kSpeed);
     ASSERT_FALSE(inside);
-    EXPECT_EQ(textOf(inside.error()), "azimuth 315.0° elevation 10.0° is in the keep-out \"routeMast\"");
+    EXPECT_EQ(textOf(inside.error()), "315.0° / 10.0° lies in keep-out \"routeMast\"");
 }
 
 TEST(Route, LeadsOutOfAForbiddenPlaceFirst)

@@ -142,7 +142,7 @@ TEST(CrossCheck, TheMountParksWhereItMayBe)
     profile.limits.keepOuts = {{"mast", 350_deg, 10_deg, 20_deg, 40_deg}};
     const auto problems = crossCheck(profile);
     ASSERT_EQ(keysOf(problems), std::vector<std::string>{"park.elevation_deg"});
-    EXPECT_NE(problems.front().text.toStdString().find("is in the keep-out \"mast\""), std::string::npos)
+    EXPECT_NE(problems.front().text.toStdString().find("lies in keep-out \"mast\""), std::string::npos)
         << problems.front().text.toStdString();
     profile.limits.keepOuts.front().elevationMin = 30_deg;
     EXPECT_TRUE(crossCheck(profile).empty()) << "its edge is permitted";
@@ -159,7 +159,7 @@ TEST(CrossCheck, TheMountParksWhereTheBeamMayBe)
     profile.pointing.azimuthOffset = 37.4_deg;
     const auto problems = crossCheck(profile);
     ASSERT_EQ(keysOf(problems), std::vector<std::string>{"park.elevation_deg"});
-    EXPECT_EQ(problems.front().text.toStdString(), "azimuth 37.4° elevation 20.0° is in the keep-out \"mast\"");
+    EXPECT_EQ(problems.front().text.toStdString(), "37.4° / 20.0° lies in keep-out \"mast\"");
 }
 
 TEST(CrossCheck, AHorizonHasNoMorePointsThanCanBeChecked)

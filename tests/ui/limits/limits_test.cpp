@@ -352,6 +352,23 @@ TEST_F(LimitsTest, TheBarSaysWhyAPickedPlaceIsForbiddenAndOffersNoWayThere)
     EXPECT_TRUE(named<CommandButton>("Go here")->isEnabled());
 }
 
+// REQ-UI-712: For a place that is not allowed the menu of the plot offers the nearest one that is, as a direction from
+// 0° to 360°.
+TEST(Forbidden, TheNearestAllowedIsADirection)
+{
+    const StationStatus status = samples::bounded();
+    EXPECT_FALSE(nearestAllowed(status, {20_deg, 60_deg})) << "allowed itself";
+    for (const SkyPointing& place : {SkyPointing{300_deg, 25_deg}, SkyPointing{180_deg, 20_deg}}) {
+        EXPECT_NE(whyForbidden(status, place), QString());
+        const auto nearest = nearestAllowed(status, place);
+        ASSERT_TRUE(nearest);
+        EXPECT_EQ(whyForbidden(status, *nearest), QString());
+        EXPECT_GE(nearest->azimuth, 0_deg);
+        EXPECT_LT(nearest->azimuth, 360_deg);
+        EXPECT_LT(abs(nearest->elevation - place.elevation), 15_deg);
+    }
+}
+
 // As the station obeys them. Story: "Go here" was refused by the limits of an elevation that the mount does not have.
 // REQ-MOUNT-04
 TEST(Forbidden, OfAMissingAxisOnlyAKeepOutIsLeftAndHoldsForAllOfIt)

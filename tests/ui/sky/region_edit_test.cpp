@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sky/region_edit.h"
 
+#include "core/pointing/skyline.h"
+
 #include <gtest/gtest.h>
 
 namespace boresight::ui {
@@ -134,7 +136,7 @@ TEST(RegionDrag, SidesAndWholeOfAKeepOut)
 TEST(RegionEdit, AddsWithFreeAzimuthsAndNamesAndRemoves)
 {
     Region region = sample();
-    EXPECT_EQ(addHorizonPoint(region, {100.1_deg, 5_deg}), 2u);
+    EXPECT_EQ(addHorizonPoint(region, kTravel, {100.1_deg, 5_deg}), 2u);
     EXPECT_EQ(region.horizon[2], (HorizonPoint{100.5_deg, 5_deg}));
     EXPECT_EQ(addKeepOut(region, {5_deg, 85_deg}), 1u);
     EXPECT_EQ(addKeepOut(region, {5_deg, 3_deg}), 2u);
@@ -148,9 +150,64 @@ TEST(RegionEdit, AddsWithFreeAzimuthsAndNamesAndRemoves)
     EXPECT_EQ(region.horizon, sample().horizon);
 }
 
+Angle heightAt(const Region& region, Angle azimuth)
+{
+    return pointing::Skyline(region.horizon).at(azimuth);
+}
+
+// Story: the first point of a horizon raised it all round, and the park position lay below it.
+// REQ-UI-710: A new point of a level horizon changes it within 15° only. A sky without a horizon is level at 0°, or at
+// the lowest elevation that the beam reaches.
+TEST(RegionEdit, AFirstHorizonPointIsAHill)
+{
+    Region region;
+    const std::size_t peak = addHorizonPoint(region, kTravel, {180_deg, 14.5_deg});
+    EXPECT_EQ(region.horizon, (std::vector<HorizonPoint>{{165_deg, 0_deg}, {180_deg, 14.5_deg}, {195_deg, 0_deg}}));
+    EXPECT_EQ(peak, 1U);
+    for (const Angle azimuth : {0_deg, 90_deg, 160_deg, 200_deg, 300_deg}) {
+        EXPECT_EQ(heightAt(region, azimuth), 0_deg);
+    }
+    // The next hill does not touch the first one.
+    addHorizonPoint(region, kTravel, {5_deg, 20_deg});
+    EXPECT_EQ(region.horizon.size(), 6U);
+    EXPECT_EQ(heightAt(region, 5_deg), 20_deg);
+    EXPECT_EQ(heightAt(region, 350_deg), 0_deg);
+    EXPECT_EQ(heightAt(region, 100_deg), 0_deg);
+    EXPECT_EQ(heightAt(region, 180_deg), 14.5_deg);
+}
+
+// REQ-UI-710
+TEST(RegionEdit, AHorizonPointOnASlopeOrBesideAnotherAddsNoFeet)
+{
+    Region region;
+    addHorizonPoint(region, kTravel, {180_deg, 20_deg});
+    EXPECT_EQ(addHorizonPoint(region, kTravel, {170_deg, 18_deg}), 1U);
+    EXPECT_EQ(region.horizon.size(), 4U);
+    addHorizonPoint(region, kTravel, {200_deg, 10_deg});  // 5° beside the foot at 195°
+    EXPECT_EQ(region.horizon.size(), 6U);
+    EXPECT_EQ(heightAt(region, 215_deg), 0_deg);
+    EXPECT_EQ(heightAt(region, 195_deg), 0_deg);
+}
+
+// REQ-UI-710
+TEST(RegionEdit, AFirstHorizonPointLeavesWhatTheBeamReachesBelowZero)
+{
+    Region region;
+    addHorizonPoint(region, {{-90_deg, 450_deg}, {-5.5_deg, 90_deg}}, {180_deg, 20_deg});
+    EXPECT_EQ(heightAt(region, 0_deg), -6_deg);
+    Region limited;
+    limited.elevation.min = 10_deg;
+    addHorizonPoint(limited, kTravel, {180_deg, 20_deg});
+    EXPECT_EQ(heightAt(limited, 0_deg), 0_deg);
+    const Travel leaning{kTravel.azimuth, kTravel.elevation, pointing::PointingModel({.tiltNorth = 0.6_deg})};
+    Region tilted;
+    addHorizonPoint(tilted, leaning, {90_deg, 20_deg});
+    EXPECT_EQ(heightAt(tilted, 270_deg), -1_deg) << "the axes at 0° look below the horizon on one side";
+}
+
 TEST(RegionEdit, SaysWhatIsHeld)
 {
-    EXPECT_EQ(describe(sample(), kTravel, {RegionPart::AzimuthMax}), QStringLiteral("azimuth limit\nto 450.0°"));
+    EXPECT_EQ(describe(sample(), kTravel, {RegionPart::AzimuthMax}), QStringLiteral("azimuth axis limit\nto 450.0°"));
     EXPECT_EQ(describe(sample(), kTravel, {RegionPart::HorizonPoint, 1}),
               QStringLiteral("horizon\naz 100.0°\nel 20.0°"));
     EXPECT_EQ(describe(sample(), kTravel, {RegionPart::KeepOut, 0}),
@@ -184,7 +241,7 @@ TEST(RegionDrag, LimitsOfAMountThatLeansAreHeldWhereTheyLook)
     EXPECT_EQ(RegionDrag(region, leaning, point, {30_deg, 10_deg}).to({40.1_deg, 12.1_deg}, 0.5_deg).horizon[0],
               (HorizonPoint{40_deg, 12_deg}));
     EXPECT_EQ(describe(region, leaning, {RegionPart::AzimuthMax}),
-              QStringLiteral("azimuth limit\nto 300.0°\nof the axis"));
+              QStringLiteral("azimuth axis limit\nto 300.0°\nof the axis"));
 }
 
 }  // namespace

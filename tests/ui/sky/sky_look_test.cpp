@@ -1,0 +1,429 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/units/angle_between.h"
+#include "tests/ui/event_loop.h"
+#include "tests/ui/sample_status.h"
+#include "ui/kit/value_label.h"
+#include "ui/sky/cable_words.h"
+#include "ui/sky/plot_tools.h"
+#include "ui/sky/polar_plot.h"
+#include "ui/sky/slew_way.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QContextMenuEvent>
+#include <QDir>
+#include <QMenu>
+#include <QPainter>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace boresight::ui {
+namespace {
+
+constexpr ThemeKind kEachTheme[] = {ThemeKind::Day, ThemeKind::Night, ThemeKind::Red};
+constexpr int kSquares[] = {489, 660, 1000};  // discs of 440, 590 and 900 px
+
+bool alike(const QColor& one, const QColor& other)
+{
+    return std::abs(one.red() - other.red()) <= 8 && std::abs(one.green() - other.green()) <= 8 &&
+           std::abs(one.blue() - other.blue()) <= 8;
+}
+
+// A pass over a mast, with all that the plot can show.
+StationStatus everything()
+{
+    StationStatus status = samples::bounded();
+    status.bodies = {{ephemeris::Body::Sun, {220_deg, 35_deg}}, {ephemeris::Body::Moon, {120_deg, 40_deg}}};
+    status.sensor.direction = SkyPointing{22_deg, 44_deg};
+    return status;
+}
+
+// From 20° to 250° on the same wrap: the long way, because the cable does not allow the short one.
+StationStatus unwrapping()
+{
+    StationStatus status = everything();
+    status.state = StationState::Slew;
+    status.slew = SlewProgress{.remaining = Seconds(9.0), .done = 0.3};
+    status.target = SkyPointing{250_deg, 30_deg};
+    status.azimuth.target = 250_deg;
+    status.azimuth.beam = {.actual = 20_deg, .commanded = 20_deg, .target = 250_deg};
+    status.elevation.beam = {.actual = 45_deg, .commanded = 45_deg, .target = 30_deg};
+    return status;
+}
+
+class SkyLook : public ::testing::Test
+{
+protected:
+    SkyLook() : draft(desk), plot(draft)
+    {
+        plot.resize(660, 660);
+        plot.show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&plot, kPatienceMs));
+    }
+    ~SkyLook() override { applyTheme(ThemeKind::Day); }
+
+    void show(const StationStatus& status)
+    {
+        draft.showStatus(status);
+        plot.showStatus(status);
+    }
+    static void paintIn(ThemeKind theme)
+    {
+        applyTheme(theme);
+        QApplication::processEvents();  // widgets get their palette by an event
+    }
+    QColor pixelAt(QPointF at) { return plot.grab().toImage().pixelColor(at.toPoint()); }
+    QColor skyPixel(const SkyPointing& at) { return pixelAt(plot.markers().projection().toPixel(at)); }
+    QString words(const char* name)
+    {
+        for (const ValueLabel* const label : plot.findChildren<ValueLabel*>()) {
+            if (label->accessibleName() == QLatin1String(name)) {
+                return label->text();
+            }
+        }
+        return {};
+    }
+    void look(const QString& scene)
+    {
+        QDir().mkpath(QStringLiteral("pictures"));
+        for (const ThemeKind theme : kEachTheme) {
+            paintIn(theme);
+            for (const int side : kSquares) {
+                plot.resize(side, side);
+                plot.grab().save(QStringLiteral("pictures/sky-%1-%2-%3.png").arg(scene, name(theme)).arg(side));
+            }
+        }
+    }
+    QMenu* openedMenu() { return plot.findChild<QMenu*>(); }
+    QAction* entry(const char* begin)
+    {
+        for (QAction* const action : openedMenu()->actions()) {
+            if (action->text().startsWith(QString::fromUtf8(begin))) {
+                return action;
+            }
+        }
+        return nullptr;
+    }
+    void rightClick(const SkyPointing& at)
+    {
+        auto& markers = *plot.findChild<SkyMarkers*>();
+        const QPoint place = markers.projection().toPixel(at).toPoint();
+        QContextMenuEvent event(QContextMenuEvent::Mouse, place, markers.mapToGlobal(place));
+        QApplication::sendEvent(&markers, &event);
+    }
+
+    RequestDesk desk;
+    ProfileDraft draft;
+    PolarPlot plot;
+};
+
+// REQ-UI-700: The disc of the sky is nine tenths of its square. Tools, distance, legend and cable stand in the free
+// corners and overlap neither the disc nor its ring and labels, at 440 px of disc and more.
+TEST_F(SkyLook, TheDiscIsNineTenthsAndTheCornersAreFree)
+{
+    show(unwrapping());
+    for (const int side : kSquares) {
+        plot.resize(side, side);
+        EXPECT_GE(2.0 * plot.frame().sky().radius, 0.9 * side - 0.5) << side;
+        for (const QWidget* const one : plot.tools().corners()) {
+            EXPECT_TRUE(plot.frame().isFree(one->geometry())) << side << one->accessibleName().toStdString();
+            EXPECT_TRUE(plot.rect().contains(one->geometry())) << side;
+        }
+    }
+    plot.resize(489, 489);
+    EXPECT_GE(plot.frame().sky().radius, 220.0);
+    plot.resize(660, 660);
+    EXPECT_GE(plot.frame().sky().radius, 295.0);
+}
+
+TEST_F(SkyLook, WhatIsInACornerIsWhole)
+{
+    StationStatus status = everything();
+    status.cableEnd = CableEnd{.end = 450_deg, .in = Seconds(27.0)};
+    show(status);
+    for (const QWidget* const one : plot.tools().corners()) {
+        if (const auto* const label = qobject_cast<const ValueLabel*>(one)) {
+            EXPECT_FALSE(label->isElided()) << label->text().toStdString();
+        }
+        EXPECT_FALSE(one->accessibleName().isEmpty());
+    }
+}
+
+// REQ-UI-701: The plot shows how far the mount is off its target, as an angle on the sky.
+TEST_F(SkyLook, OffByIsAnAngleOnTheSky)
+{
+    StationStatus status = samples::bounded();
+    status.actual = SkyPointing{20_deg, 60_deg};
+    status.target = SkyPointing{22_deg, 60_deg};
+    show(status);
+    EXPECT_EQ(words("Off by"), QStringLiteral("1.00°"));  // 2° of azimuth at 60°
+    show(samples::withAge(status, std::chrono::milliseconds(900)));
+    EXPECT_EQ(words("Off by"), QString()) << "an old place is no error";
+}
+
+// REQ-UI-702: The tone of the sky goes from the rim to the zenith, and the land below the horizon is filled, in every
+// theme.
+TEST_F(SkyLook, TheSkyHasATone)
+{
+    show(samples::bounded());
+    for (const ThemeKind theme : kEachTheme) {
+        paintIn(theme);
+        EXPECT_TRUE(alike(skyPixel({135_deg, 88_deg}), currentTheme().skyZenith)) << int(theme);
+        EXPECT_EQ(skyPixel({175_deg, 13_deg}), currentTheme().land) << int(theme);
+        EXPECT_NE(currentTheme().land, currentTheme().skyRim);
+    }
+}
+
+// REQ-UI-703: The azimuth cable is a ring around the sky, and a spiral where its travel exceeds a turn. It shows the
+// used part, both ends, a warning zone before each, and where the axis is.
+TEST_F(SkyLook, TheCableIsASpiralWithItsUsedPart)
+{
+    StationStatus status = samples::bounded();  // travel -90° to 450°
+    status.azimuth.actual = 335_deg;
+    show(status);
+    const CableRing ring(plot.frame(), status.azimuth.travel);
+    EXPECT_TRUE(ring.isSpiral());
+    for (const ThemeKind theme : kEachTheme) {
+        paintIn(theme);
+        const Theme& colours = currentTheme();
+        EXPECT_TRUE(alike(pixelAt(ring.pixel(100_deg)), colours.accent)) << int(theme);
+        EXPECT_TRUE(alike(pixelAt(ring.pixel(335_deg)), colours.accent)) << int(theme);
+        EXPECT_TRUE(alike(pixelAt(ring.pixel(380_deg)), colours.grid)) << "a turn on from the used part";
+        EXPECT_TRUE(alike(pixelAt(ring.pixel(-20_deg)), colours.grid));
+        EXPECT_TRUE(alike(pixelAt(ring.pixel(-75_deg)), colours.warning));
+        EXPECT_TRUE(alike(pixelAt(ring.pixel(435_deg)), colours.warning));
+    }
+    EXPECT_EQ(words("Azimuth cable"), QStringLiteral("cable 335°"));
+    EXPECT_EQ(words("Travel of the azimuth cable"), QStringLiteral("travel -90…450°"));
+}
+
+// REQ-UI-703
+TEST_F(SkyLook, TheCableIsAPlainRingWithoutOverlap)
+{
+    StationStatus status = samples::bounded();
+    status.azimuth.travel = {0_deg, 360_deg};
+    status.azimuth.actual = 90_deg;
+    show(status);
+    const CableRing ring(plot.frame(), status.azimuth.travel);
+    EXPECT_FALSE(ring.isSpiral());
+    const auto distance = [&](Angle angle) {
+        const QPointF away = ring.pixel(angle) - plot.frame().sky().zenith;
+        return std::hypot(away.x(), away.y());
+    };
+    EXPECT_NEAR(distance(10_deg), distance(350_deg), 1e-9);
+    EXPECT_TRUE(alike(pixelAt(ring.pixel(60_deg)), currentTheme().accent));
+    EXPECT_TRUE(alike(pixelAt(ring.pixel(200_deg)), currentTheme().grid));
+}
+
+// REQ-UI-704: While the wrap of the azimuth is unknown the ring shows no used part and the words say so. A screen
+// reader gets the cable in sentences.
+TEST_F(SkyLook, AnUnknownWrapShowsNoUsedPart)
+{
+    StationStatus status = samples::asking(Axis::Azimuth, 3, 360_deg / 2.0, false);
+    show(status);
+    EXPECT_FALSE(plot.markers().cable().actual);
+    EXPECT_EQ(words("Azimuth cable"), QStringLiteral("cable ---°"));
+    EXPECT_EQ(words("Travel of the azimuth cable"), QStringLiteral("wrap unknown"));
+    EXPECT_TRUE(cableWords(status).isWarning);
+    plot.describe(status);
+    EXPECT_TRUE(plot.accessibleDescription().contains(QStringLiteral("The cable wrap is unknown.")));
+    status = samples::bounded();
+    status.azimuth.actual = 397_deg;
+    status.cableEnd = CableEnd{.end = 450_deg, .in = Seconds(27.0)};
+    show(status);
+    EXPECT_EQ(words("Travel of the azimuth cable"), QStringLiteral("end 450° in 27 s"));
+    plot.describe(status);
+    EXPECT_TRUE(plot.accessibleDescription().endsWith(
+        QStringLiteral("The azimuth cable is at 397°. Its travel is from -90° to 450°. The nearer end is 53° away. It "
+                       "ends at 450° in 27 s.")))
+        << plot.accessibleDescription().toStdString();
+}
+
+TEST_F(SkyLook, AMountWithoutAnAzimuthHasNoCable)
+{
+    StationStatus status = samples::bounded();
+    status.capabilities.axes[index(Axis::Azimuth)].reset();
+    status.azimuth.travel = {};
+    show(status);
+    EXPECT_EQ(words("Azimuth cable"), QString());
+    EXPECT_FALSE(plot.markers().cable().isThere());
+}
+
+// REQ-UI-705: A slew shows the way the mount will go, with the time of arrival at its end. The long way round is drawn
+// as such.
+TEST_F(SkyLook, TheWayOfASlewIsTheWayOfTheAxes)
+{
+    show(unwrapping());
+    const std::vector<SkyPointing>& way = plot.markers().markers().way;
+    ASSERT_GT(way.size(), 100U);
+    EXPECT_NEAR(way.front().azimuth.degrees(), 20.0, 1e-9);
+    EXPECT_NEAR(way.back().azimuth.degrees(), 250.0, 1e-9);
+    EXPECT_NEAR(way.back().elevation.degrees(), 30.0, 1e-9);
+    bool throughSouth = false;
+    for (const SkyPointing& place : way) {
+        throughSouth = throughSouth || abs(place.azimuth - 180_deg) < 1_deg;
+    }
+    EXPECT_TRUE(throughSouth);
+    EXPECT_TRUE(plot.markers().markers().targetLabel.endsWith(QStringLiteral(", in 9 s")));
+    show(everything());
+    EXPECT_TRUE(plot.markers().markers().way.empty()) << "no slew, no way";
+}
+
+// REQ-UI-706: The warning colour is for an error that nobody planned: the rest of a slew is no error.
+TEST_F(SkyLook, APlannedWayIsNoError)
+{
+    StationStatus status = unwrapping();
+    show(status);
+    EXPECT_FALSE(plot.markers().markers().offTarget);
+    status.actual = SkyPointing{30_deg, 45_deg};  // 7° beside the set-point
+    show(status);
+    EXPECT_TRUE(plot.markers().markers().offTarget);
+    EXPECT_EQ(plot.markers().markers().expected, status.commanded);
+    status = everything();
+    status.actual = SkyPointing{30_deg, 45_deg};
+    show(status);
+    EXPECT_TRUE(plot.markers().markers().offTarget);
+    EXPECT_EQ(plot.markers().markers().expected, status.target);
+}
+
+// REQ-UI-707: Sun and Moon are drawn where they are while they are above the horizon.
+TEST_F(SkyLook, SunAndMoonAreWhereTheyAre)
+{
+    show(everything());
+    for (const ThemeKind theme : kEachTheme) {
+        paintIn(theme);
+        EXPECT_TRUE(alike(skyPixel({220_deg, 35_deg}), currentTheme().sun)) << int(theme);
+    }
+    ASSERT_EQ(plot.markers().bodies().size(), 2U);
+    StationStatus status = everything();
+    status.bodies[0].direction.azimuth += 0.01_deg;
+    show(status);
+    EXPECT_EQ(plot.markers().bodies()[0].direction.azimuth, 220_deg) << "not painted again for a part of a pixel";
+    status.bodies[0].direction.elevation = -1_deg;
+    show(status);
+    ASSERT_EQ(plot.markers().bodies().size(), 1U);
+    EXPECT_EQ(plot.markers().bodies()[0].body, ephemeris::Body::Moon);
+}
+
+// REQ-UI-708: The trail of the mount fades over a minute to a faint line.
+TEST(SkyTrail, FadesOverAMinute)
+{
+    SkyTrail trail;
+    trail.setSky({QPointF(300, 300), 290.0});
+    const UtcTime begin = samples::idle().utc;
+    for (int second = 0; second <= 90; second += 10) {
+        trail.add({Angle::fromDegrees(second / 5.0), 45_deg}, begin + std::chrono::seconds(second));
+        trail.age(begin + std::chrono::seconds(second));
+    }
+    EXPECT_NEAR(trail.strength(begin + std::chrono::seconds(90)), 1.0, 1e-9);
+    EXPECT_LT(trail.strength(begin + std::chrono::seconds(60)), 0.7);
+    EXPECT_NEAR(trail.strength(begin), trail.strength(begin + std::chrono::seconds(30)), 1e-9) << "no fainter";
+    EXPECT_GT(trail.strength(begin), 0.1);
+    EXPECT_FALSE(trail.age(begin + std::chrono::seconds(92)).isEmpty()) << "it fades also while the mount stands";
+    EXPECT_TRUE(trail.age(begin + std::chrono::seconds(92)).isEmpty());
+}
+
+// REQ-UI-709: A right click offers Go here, Add horizon point and Keep-out here. The last two are edits of the draft
+// and open the editing. What cannot be done is disabled with its reason. Opening the menu moves and changes nothing.
+TEST_F(SkyLook, TheMenuOffersWhatCanBeDoneThere)
+{
+    show(everything());
+    std::vector<SkyPointing> gone;
+    QObject::connect(&plot, &PolarPlot::goHereWanted, &plot, [&](const SkyPointing& at) { gone.push_back(at); });
+    plot.setAdviser([](const SkyPointing& at) {
+        return at.elevation < 20_deg ? PlotMenu::Advice{.whyNot = QStringLiteral("the horizon is in the way"),
+                                                        .nearest = SkyPointing{300_deg, 20_deg}}
+                                     : PlotMenu::Advice{};
+    });
+    rightClick({300_deg, 60_deg});
+    ASSERT_NE(openedMenu(), nullptr);
+    EXPECT_TRUE(gone.empty());
+    EXPECT_FALSE(draft.hasEdits());
+    entry("Go here")->trigger();
+    ASSERT_EQ(gone.size(), 1U);
+    EXPECT_LT(angleBetween(gone[0], {300_deg, 60_deg}), 0.5_deg);
+    delete openedMenu();
+    rightClick({300_deg, 10_deg});
+    EXPECT_FALSE(entry("Go here")->isEnabled());
+    EXPECT_TRUE(entry("Go here")->text().contains(QStringLiteral("the horizon is in the way")));
+    entry("Go to the nearest allowed: az 300.0°  el 20.0°")->trigger();
+    EXPECT_EQ(gone.back(), (SkyPointing{300_deg, 20_deg}));
+    delete openedMenu();
+    plot.setAdviser({});
+    rightClick({300_deg, 60_deg});
+    EXPECT_FALSE(plot.editor().isEditing());
+    entry("Keep-out here")->trigger();
+    EXPECT_TRUE(plot.editor().isEditing());
+    EXPECT_EQ(draft.edited().limits.keepOuts.size(), 3U);
+}
+
+// REQ-UI-709
+TEST_F(SkyLook, TheMenuAddsAHorizonPointAndIsReachedByKey)
+{
+    show(everything());
+    plot.setPicked(SkyPointing{300_deg, 60_deg});
+    QContextMenuEvent byKey(QContextMenuEvent::Keyboard, QPoint(1, 1), plot.mapToGlobal(QPoint(1, 1)));
+    QApplication::sendEvent(&plot, &byKey);
+    ASSERT_NE(openedMenu(), nullptr);
+    entry("Add horizon point")->trigger();
+    EXPECT_TRUE(plot.editor().isEditing());
+    const auto& horizon = draft.edited().limits.horizon;
+    EXPECT_NE(std::ranges::find(horizon, pointing::HorizonPoint{300_deg, 60_deg}), horizon.end());
+    EXPECT_NE(plot.focusPolicy() & Qt::TabFocus, 0);
+}
+
+TEST_F(SkyLook, TooManyKeepOutsAreRefusedInTheMenu)
+{
+    StationStatus status = everything();
+    profile::Profile full = *status.profile;
+    while (full.limits.keepOuts.size() < profile::kMaxKeepOuts) {
+        full.limits.keepOuts.push_back(
+            {"k" + std::to_string(full.limits.keepOuts.size()), 10_deg, 12_deg, 70_deg, 71_deg});
+    }
+    status.profile = std::make_shared<const profile::Profile>(full);
+    show(status);
+    rightClick({300_deg, 60_deg});
+    EXPECT_FALSE(entry("Keep-out here")->isEnabled());
+    EXPECT_TRUE(entry("Add horizon point")->isEnabled());
+}
+
+TEST_F(SkyLook, APictureHasTheWordsOfTheCorners)
+{
+    show(everything());
+    QImage picture(plot.size(), QImage::Format_RGB32);
+    QPainter painter(&picture);
+    plot.paintPicture(painter);
+    painter.end();
+    const QRect words = plot.tools().corners().back()->geometry();
+    int inked = 0;
+    for (int x = words.left(); x < words.right(); ++x) {
+        inked += picture.pixelColor(x, words.center().y()) != currentTheme().window ? 1 : 0;
+    }
+    EXPECT_GT(inked, 5);
+}
+
+// For the eye: pictures/sky-*.png of the folder it runs in.
+TEST_F(SkyLook, Pictures)
+{
+    StationStatus pass = everything();
+    for (int second = 0; second < 300; ++second) {
+        pass.utc += std::chrono::seconds(1);
+        pass.actual = SkyPointing{Angle::fromDegrees(330.0 + 0.15 * second).wrapped360(),
+                                  Angle::fromDegrees(45.0 + 0.05 * second)};
+        pass.azimuth.actual = Angle::fromDegrees(330.0 + 0.15 * second);
+        pass.commanded = pass.actual;
+        pass.target = pass.actual;
+        show(pass);
+    }
+    look(QStringLiteral("pass"));
+    show(unwrapping());
+    look(QStringLiteral("slew"));
+    show(samples::asking(Axis::Azimuth, 3, 360_deg / 2.0, false));
+    look(QStringLiteral("unknown"));
+}
+
+}  // namespace
+}  // namespace boresight::ui

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/sky/cable_words.h"
+
+#include "core/base/numbers.h"
+#include "ui/kit/axes.h"
+#include "ui/kit/format.h"
+#include "ui/kit/widest.h"
+#include "ui/sky/cable_ring.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace boresight::ui {
+
+namespace {
+
+class CableText
+{
+    Q_DECLARE_TR_FUNCTIONS(CableText)
+};
+
+QString travelText(const TravelRange& travel)
+{
+    return CableText::tr("travel %1…%2")
+        .arg(QString::fromStdString(formatFixed(travel.min.degrees(), 0)), angleText(travel.max, 0));
+}
+
+QString unknownPlace()
+{
+    return CableText::tr("cable %1").arg(QStringLiteral("---°"));
+}
+
+QString endText(Angle end, const QString& wait)
+{
+    return CableText::tr("end %1 in %2").arg(angleText(end, 0), wait);
+}
+
+QString rangeSentence(const TravelRange& travel)
+{
+    return CableText::tr("Its travel is from %1 to %2.").arg(angleText(travel.min, 0), angleText(travel.max, 0));
+}
+
+}  // namespace
+
+CableWords cableWords(const StationStatus& status)
+{
+    const CableState cable = cableOf(status);
+    CableWords words;
+    if (!cable.isThere()) {
+        return words;
+    }
+    words.travel = travelText(cable.travel);
+    words.tone = cable.actual && !cable.late ? Tone::Normal : Tone::Secondary;
+    if (!cable.wrapKnown && !isTurnAwaited(status, Axis::Azimuth)) {
+        words.place = unknownPlace();
+        words.travel = CableText::tr("wrap unknown");
+        words.isWarning = true;
+        words.sentence = CableText::tr("The cable wrap is unknown.") + u' ' + rangeSentence(cable.travel);
+    } else if (!cable.actual) {
+        words.place = unknownPlace();
+        words.sentence = CableText::tr("The position of the cable is unknown.") + u' ' + rangeSentence(cable.travel);
+    } else {
+        const Angle left = std::min(*cable.actual - cable.travel.min, cable.travel.max - *cable.actual);
+        words.place = CableText::tr("cable %1").arg(angleText(*cable.actual, 0));
+        words.sentence = CableText::tr("The azimuth cable is at %1.").arg(angleText(*cable.actual, 0)) + u' ' +
+                         rangeSentence(cable.travel) + u' ' +
+                         CableText::tr("The nearer end is %1 away.").arg(angleText(std::max(left, 0_deg), 0));
+    }
+    if (cable.actual && status.cableEnd) {
+        words.isWarning = true;
+        words.tone = Tone::Warning;
+        words.travel = endText(status.cableEnd->end, waitText(status.cableEnd->in));
+        words.sentence += u' ' + CableText::tr("It ends at %1 in %2.")
+                                     .arg(angleText(status.cableEnd->end, 0), waitText(status.cableEnd->in));
+    }
+    return words;
+}
+
+CableWords widestCableWords()
+{
+    const TravelRange wide{Angle::fromDegrees(-888.0), Angle::fromDegrees(888.0)};
+    return {.place = CableText::tr("cable %1").arg(angleText(wide.min, 0)),
+            .travel = widest(fonts::label(), {travelText(wide), endText(wide.min, waitText(Seconds(99.0))),
+                                              CableText::tr("wrap unknown")}),
+            .sentence = {}};
+}
+
+}  // namespace boresight::ui

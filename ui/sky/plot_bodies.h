@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/messages/station_status.h"
+#include "ui/sky/sky_projection.h"
+
+#include <QRectF>
+
+class QPainter;
+
+// The Sun and the Moon on the plot: a disc with rays and a crescent, each with its name. Pixels are the widget's own.
+namespace boresight::ui {
+
+// Those above the horizon. A place is kept while it moves by less than a pixel, so that nothing is painted for it.
+[[nodiscard]] std::vector<BodyPlace> bodiesInTheSky(const std::vector<BodyPlace>& shown,
+                                                    const std::vector<BodyPlace>& now);
+[[nodiscard]] QRectF bodyBox(const BodyPlace& body, const SkyProjection& sky);  // symbol and name
+void paintBody(QPainter& painter, const BodyPlace& body, const SkyProjection& sky);
+
+}  // namespace boresight::ui

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/sky/plot_menu.h"
+
+#include "core/profile/setting.h"
+#include "ui/kit/format.h"
+#include "ui/link/profile_draft.h"
+#include "ui/sky/region_edit.h"
+
+#include <QMenu>
+
+namespace boresight::ui {
+
+namespace {
+
+QAction* addEntry(QMenu& menu, const QString& text, const QString& whyNot)
+{
+    QAction* const entry = menu.addAction(whyNot.isEmpty() ? text : PlotMenu::tr("%1 (%2)").arg(text, whyNot));
+    entry->setEnabled(whyNot.isEmpty());
+    entry->setToolTip(whyNot);
+    return entry;
+}
+
+}  // namespace
+
+PlotMenu::PlotMenu(const ProfileDraft& draft, QWidget* parent) : QObject(parent), m_draft(draft), m_plot(*parent) {}
+
+QString PlotMenu::whyNoPoint() const
+{
+    const std::size_t points = m_draft.edited().limits.horizon.size();
+    return points + kPointsOfAHill <= profile::kMaxHorizonPoints
+               ? QString()
+               : tr("the horizon has %1 points, which is the most").arg(points);
+}
+
+QString PlotMenu::whyNoKeepOut() const
+{
+    const std::size_t keepOuts = m_draft.edited().limits.keepOuts.size();
+    return keepOuts < profile::kMaxKeepOuts ? QString() : tr("there are %1 keep-outs, which is the most").arg(keepOuts);
+}
+
+void PlotMenu::open(const SkyPointing& place, const QPoint& globalPos)
+{
+    auto* const menu = new QMenu(&m_plot);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setToolTipsVisible(true);
+    menu->addSection(directionText(place));
+    const Advice advice = m_adviser ? m_adviser(place) : Advice{.whyNot = tr("no station")};
+    connect(addEntry(*menu, tr("Go here"), advice.whyNot), &QAction::triggered, this,
+            [this, place] { Q_EMIT goHereWanted(place); });
+    if (advice.nearest) {
+        connect(addEntry(*menu, tr("Go to the nearest allowed: %1").arg(directionText(*advice.nearest)), {}),
+                &QAction::triggered, this, [this, there = *advice.nearest] { Q_EMIT goHereWanted(there); });
+    }
+    connect(addEntry(*menu, tr("Add horizon point"), whyNoPoint()), &QAction::triggered, this,
+            [this, place] { Q_EMIT horizonPointWanted(place); });
+    connect(addEntry(*menu, tr("Keep-out here"), whyNoKeepOut()), &QAction::triggered, this,
+            [this, place] { Q_EMIT keepOutWanted(place); });
+    menu->popup(globalPos);
+}
+
+}  // namespace boresight::ui
+
+#include "moc_plot_menu.cpp"

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QRectF>
+#include <QString>
+
+class QPainter;
+
+namespace boresight::ui {
+
+// A text that is read over lines and hatching: the colour of the ground surrounds its letters.
+void drawOutlinedText(QPainter& painter, const QRectF& box, const QString& text, const QColor& colour,
+                      const QColor& ground);
+
+}  // namespace boresight::ui
