@@ -8,7 +8,7 @@
 #include "core/orientation/judge.h"
 #include "core/orientation_stream/sensor_source.h"
 #include "core/profile/in_force.h"
-#include "core/witness/current_link.h"
+#include "core/witness/ampere_link.h"
 #include "core/witness/sensor_comparison.h"
 #include "core/witness/site_declination.h"
 
@@ -103,7 +103,7 @@ private:
     std::optional<calibration::SensorMounting> m_proposed;
     SensorComparison m_afterApply;  // what m_inForce would say after Apply
     SourceInUse m_source;
-    CurrentLink m_currentLink;
+    AmpereLink m_currentLink;
     std::uint64_t m_breaks = 0;  // of the course, besides those that the judge sees
     bool m_disagreed = false;
     bool m_currentTold = false;

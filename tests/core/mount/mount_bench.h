@@ -32,6 +32,14 @@ inline profile::Profile slowProfile(profile::AxisDriver azimuth = profile::AxisD
     return profile;
 }
 
+inline const QString kUnfit = QStringLiteral("The gear of the drive is not the one of the profile.");
+inline const QString kOtherBoard = QStringLiteral("b0000000-0000-0000-0000-000000000003");
+
+inline Result<> fitness(bool fit)
+{
+    return fit ? Result<>{} : failure(ErrorCode::Refused, kUnfit);
+}
+
 inline Angle of(Axis axis, const AxisPosition& place)
 {
     return axis == Axis::Azimuth ? place.azimuth : place.elevation;
@@ -48,6 +56,10 @@ public:
     [[nodiscard]] virtual AxisPosition truth() = 0;  // where the axes really are
     [[nodiscard]] virtual bool ordered() = 0;        // anything but questions was heard so far
     virtual void setLine(bool connected) = 0;
+    // The driver finds its hardware unfit to be moved, or fit again; false: such a rotator is always fit.
+    [[nodiscard]] virtual bool setFit(bool /*fit*/) { return false; }
+    // While the line is off, another device takes the place of its own; false: such a rotator does not say who it is.
+    [[nodiscard]] virtual bool exchangeDevice() { return false; }
 
     [[nodiscard]] Capabilities can() { return control().mount().capabilities(); }
     [[nodiscard]] bool has(Axis axis) { return can().has(axis); }
@@ -111,6 +123,18 @@ public:
     }
     bool ordered() override { return m_rig.commands() > 0; }
     void setLine(bool connected) override { m_rig.azimuth.silent = m_rig.elevation.silent = !connected; }
+    bool setFit(bool fit) override
+    {
+        m_rig.mount.setFitness(fitness(fit));
+        return true;
+    }
+    bool exchangeDevice() override
+    {
+        const Axis axis = someAxis();
+        m_rig.facts[index(axis)].uuid = kOtherBoard;
+        m_rig.learn(axis, m_rig.facts[index(axis)]);
+        return true;
+    }
 
 private:
     StationRig m_rig;
@@ -228,6 +252,17 @@ public:
         drive().silent = !connected;
         m_box.setPower(connected, m_clock.now());
     }
+    bool setFit(bool fit) override
+    {
+        m_moteus.setFitness(fitness(fit));
+        return true;
+    }
+    bool exchangeDevice() override
+    {
+        m_uuid = kOtherBoard;
+        learn();
+        return true;
+    }
     [[nodiscard]] QString lastLog() const { return m_log.since(0, 1).back().text; }
     void setBoxLine(bool connected) { m_box.setPower(connected, m_clock.now()); }
     void setMoteusLine(bool connected) { drive().silent = !connected; }
@@ -246,7 +281,7 @@ private:
     void learn()
     {
         m_moteus.learn(m_axis, survey::DriveFacts{
-                                   .uuid = QStringLiteral("a0000000-0000-0000-0000-000000000001"),
+                                   .uuid = m_uuid,
                                    .bootedAt = m_clock.now() - std::chrono::hours(1),
                                    .outputEncoder = false,
                                    .rotorToOutputRatio = 0.01,
@@ -256,6 +291,7 @@ private:
     }
 
     const Axis m_axis;  // of the moteus
+    QString m_uuid = QStringLiteral("a0000000-0000-0000-0000-000000000001");
     const profile::InForce m_profile{
         slowProfile(m_axis == Axis::Azimuth ? profile::AxisDriver::Moteus : profile::AxisDriver::Simple,
                     m_axis == Axis::Azimuth ? profile::AxisDriver::Simple : profile::AxisDriver::Moteus)};

@@ -142,6 +142,73 @@ TEST_P(MountPromises, NothingMovesAfterAFaultWithoutARearm)
     EXPECT_TRUE(bench->stands(Seconds(3.0))) << "a re-arm moves nothing either";
 }
 
+// REQ-MOUNT-600: A mount that its driver finds unfit is not ordered to move. The refusal states
+// the reason. A motion under way ends, and does not go on by itself when the mount is fit again.
+TEST_P(MountPromises, AnUnfitMountIsNeverOrderedAndSaysWhy)
+{
+    bench->run(Seconds(1.0));
+    EXPECT_TRUE(bench->control().mount().fitness());
+    if (!bench->setFit(false)) {
+        return;
+    }
+    const AxisPosition before = bench->truth();
+    for (const auto& refused : {bench->goTo(60.0, 45.0), bench->ask(request::Move{{.azimuth = 1_deg_s}}),
+                                bench->ask(request::Move{{.elevation = 1_deg_s}})}) {
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().text, kUnfit);
+    }
+    bench->run(Seconds(3.0));
+    EXPECT_FALSE(bench->ordered());
+    EXPECT_EQ(bench->truth(), before);
+
+    ASSERT_TRUE(bench->setFit(true));
+    ASSERT_TRUE(bench->goTo(60.0, 45.0));
+    bench->run(Seconds(25.0));
+    bench->expectAt({60_deg, 45_deg}, before, bench->resolution());
+}
+
+// REQ-MOUNT-600
+TEST_P(MountPromises, AMountThatBecomesUnfitEndsItsMotion)
+{
+    bench->run(Seconds(1.0));
+    ASSERT_TRUE(bench->goTo(90.0, 60.0));
+    bench->run(Seconds(3.0));
+    if (!bench->setFit(false)) {
+        bench->run(Seconds(25.0));
+        EXPECT_TRUE(bench->control().mount().fitness()) << "it is fit also in motion";
+        return;
+    }
+    bench->run(Seconds(2.0));
+    EXPECT_TRUE(bench->stands(Seconds(3.0)));
+    EXPECT_LT(bench->truth().azimuth, 60_deg) << "far from where it was sent";
+    EXPECT_FALSE(bench->goTo(90.0, 60.0));
+    ASSERT_TRUE(bench->setFit(true));
+    EXPECT_TRUE(bench->stands(Seconds(3.0)));
+    EXPECT_TRUE(bench->goTo(90.0, 60.0));
+}
+
+// REQ-MOUNT-601: A device that was exchanged for another one is not ordered before the
+// operator has said where it stands. A device that does not say who it is has no identity in the report.
+TEST_P(MountPromises, AnotherDeviceIsNeverOrdered)
+{
+    bench->run(Seconds(1.0));
+    bench->setLine(false);
+    bench->run(Seconds(2.0));
+    if (!bench->exchangeDevice()) {
+        bench->setLine(true);
+        bench->run(Seconds(2.0));
+        EXPECT_EQ(bench->control().mount().identity(bench->someAxis()), QString());
+        return;
+    }
+    bench->setLine(true);
+    bench->run(Seconds(2.0));
+    const AxisPosition before = bench->truth();
+    EXPECT_FALSE(bench->goTo(60.0, 45.0));
+    bench->run(Seconds(3.0));
+    EXPECT_FALSE(bench->ordered());
+    EXPECT_EQ(bench->truth(), before);
+}
+
 TEST_P(MountPromises, TheEndOfTheProgramLeavesItStanding)
 {
     bench->run(Seconds(1.0));

@@ -17,7 +17,7 @@ struct CurrentCorrelation
     Angle perAmpere;
 };
 
-class CurrentLink
+class AmpereLink
 {
 public:
     static constexpr Seconds kSpan{60.0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/witness/current_link.h"
+#include "core/witness/ampere_link.h"
 
 #include "tests/fakes/manual_clock.h"
 
@@ -16,7 +16,7 @@ std::optional<CurrentCorrelation> after(double seconds, double amperes,
                                         const std::function<double(double amperes, double second)>& degrees)
 {
     fakes::ManualClock clock;
-    CurrentLink link;
+    AmpereLink link;
     std::mt19937 random(5);
     std::normal_distribution<double> noise(0.0, 0.5);
     const auto at = [amperes](double second) { return static_cast<int>(second / 10.0) % 2 == 0 ? 0.2 : amperes; };
@@ -32,10 +32,10 @@ std::optional<CurrentCorrelation> after(double seconds, double amperes,
     return link.correlation();
 }
 
-// REQ-WITNESS-45 (CurrentLink.*): A difference that goes with the motors' current is reported as such, with degrees
+// REQ-WITNESS-45 (AmpereLink.*): A difference that goes with the motors' current is reported as such, with degrees
 // per ampere, when the last minute shows it beyond doubt: 15 values, a current that rose and fell, a correlation of
 // 0.8. It moves and stores nothing.
-TEST(CurrentLink, ADisturbanceThatGoesWithTheCurrentIsFound)
+TEST(AmpereLink, ADisturbanceThatGoesWithTheCurrentIsFound)
 {
     const auto found = after(60.0, 3.2, [](double amperes, double) { return 2.0 + 5.0 * amperes; });
     ASSERT_TRUE(found);
@@ -46,24 +46,24 @@ TEST(CurrentLink, ADisturbanceThatGoesWithTheCurrentIsFound)
     EXPECT_LT(backwards->coefficient, -0.95);
 }
 
-TEST(CurrentLink, WhatDoesNotGoWithItIsNot)
+TEST(AmpereLink, WhatDoesNotGoWithItIsNot)
 {
     EXPECT_FALSE(after(60.0, 3.2, [](double, double) { return 14.0; })) << "only noise changes";
     EXPECT_FALSE(after(60.0, 3.2, [](double, double second) { return second > 30.0 ? 14.0 : 0.0; })) << "steel";
     EXPECT_FALSE(after(60.0, 3.2, [](double, double second) { return second / 3.0; })) << "a drift";
 }
 
-TEST(CurrentLink, OneRiseOfTheCurrentProvesNothing)
+TEST(AmpereLink, OneRiseOfTheCurrentProvesNothing)
 {
     EXPECT_FALSE(after(20.0, 3.2, [](double amperes, double) { return 5.0 * amperes; })) << "the motion may be it";
 }
 
-TEST(CurrentLink, ACurrentThatHardlyChangesProvesNothing)
+TEST(AmpereLink, ACurrentThatHardlyChangesProvesNothing)
 {
     EXPECT_FALSE(after(60.0, 0.4, [](double amperes, double) { return 50.0 * amperes; }));
 }
 
-TEST(CurrentLink, TheLastMinuteCounts)
+TEST(AmpereLink, TheLastMinuteCounts)
 {
     const auto early = [](double amperes, double second) { return second < 60.0 ? 5.0 * amperes : 0.0; };
     EXPECT_TRUE(after(60.0, 3.2, early));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/witness/current_link.h"
+#include "core/witness/ampere_link.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ SteadyTime later(SteadyTime time, Seconds by)
 
 }  // namespace
 
-void CurrentLink::note(SteadyTime now, double amperes)
+void AmpereLink::note(SteadyTime now, double amperes)
 {
     m_notes.push_back({now, amperes});
     while (now - m_notes.front().time > kNotesKept) {
@@ -31,7 +31,7 @@ void CurrentLink::note(SteadyTime now, double amperes)
     }
 }
 
-void CurrentLink::take(SteadyTime middle, Seconds width, Angle difference)
+void AmpereLink::take(SteadyTime middle, Seconds width, Angle difference)
 {
     const auto first = std::ranges::lower_bound(m_notes, later(middle, -width / 2.0), {}, &Note::time);
     const auto last = std::ranges::upper_bound(m_notes, later(middle, width / 2.0), {}, &Note::time);
@@ -46,7 +46,7 @@ void CurrentLink::take(SteadyTime middle, Seconds width, Angle difference)
 }
 
 // How often the current went from the lowest quarter of its range to the highest, or back.
-int CurrentLink::changes(double low, double high) const
+int AmpereLink::changes(double low, double high) const
 {
     const double quarter = (high - low) / 4.0;
     int changes = 0;
@@ -61,7 +61,7 @@ int CurrentLink::changes(double low, double high) const
     return changes;
 }
 
-std::optional<CurrentCorrelation> CurrentLink::correlation() const
+std::optional<CurrentCorrelation> AmpereLink::correlation() const
 {
     if (m_pairs.size() < kFewest) {
         return std::nullopt;
