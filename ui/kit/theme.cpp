@@ -104,12 +104,13 @@ QColor scaled(const QColor& colour, double factor)
 // Grounds lose more than words: what is read keeps its contrast. Warnings and alarms stay as bright as they are.
 Theme dimmed(Theme theme, double grounds, double words)
 {
-    for (QColor* const ground : {&theme.window, &theme.card, &theme.plotGround, &theme.band, &theme.button, &theme.grid,
-                                 &theme.hairline, &theme.accentSoft, &theme.onAccent, &theme.stop}) {
+    for (QColor* const ground :
+         {&theme.window, &theme.card, &theme.plotGround, &theme.band, &theme.button, &theme.grid, &theme.hairline,
+          &theme.accentSoft, &theme.onAccent, &theme.stop, &theme.skyZenith, &theme.skyRim, &theme.land}) {
         *ground = scaled(*ground, grounds);
     }
     for (QColor* const word : {&theme.text, &theme.secondary, &theme.accent, &theme.sensor, &theme.advisory,
-                               &theme.stopText, &theme.stopOutline}) {
+                               &theme.stopText, &theme.stopOutline, &theme.sun}) {
         *word = scaled(*word, words);
     }
     return theme;

@@ -10,7 +10,6 @@
 #include "ui/sky/plot_tools.h"
 #include "ui/sky/sky_items.h"
 #include "ui/sky/sky_legend.h"
-#include "ui/sky/slew_way.h"
 
 #include <QContextMenuEvent>
 #include <QEvent>
@@ -36,7 +35,7 @@ constexpr int kWheelStep = 120;  // eighths of a degree of a mouse wheel's notch
 // Where the mount should be now. On the way to a fixed target that is the set-point: the rest of the way is planned.
 std::optional<SkyPointing> expectedPlace(const StationStatus& status)
 {
-    return isSlewing(status) || !status.route.empty() ? status.commanded : status.target;
+    return status.slew || !status.route.empty() ? status.commanded : status.target;
 }
 
 std::optional<Angle> distanceTo(const StationStatus& status, const std::optional<SkyPointing>& place)
@@ -415,7 +414,7 @@ void PolarPlot::showMarkers(const StationStatus& status)
         m_hasSensor = !m_hasSensor;
         drawGround();
     }
-    markers.way = markers.commanded ? slewWay(status) : std::vector<SkyPointing>();
+    markers.way = markers.commanded ? status.route : std::vector<SkyPointing>();
     markers.expected = expectedPlace(status);
     markers.missing = missingAxis(status);
     markers.targetLabel = targetLabel(status);
