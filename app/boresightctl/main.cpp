@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// boresightctl: simulate, find and understand moteus controllers, check profiles, predict satellites, Sun and Moon.
-// Never moves a real axis.
+// boresightctl: simulate, find and understand moteus controllers, check profiles, predict satellites, Sun and Moon, ask
+// a running station. Commands no drive itself.
 #include "app/boresightctl/subcommand.h"
 #include "app/log_output.h"
 #include "core/base/text.h"
@@ -18,9 +18,9 @@ namespace {
 using namespace boresight;
 using namespace boresight::ctl;
 
-constexpr std::array kSubcommands{&kSimulateCommand,  &kScanCommand,    &kDecodeCommand,
-                                  &kCheckCommand,     &kProfileCommand, &kConfirmDirectionsCommand,
-                                  &kEphemerisCommand, &kPassesCommand};
+constexpr std::array kSubcommands{
+    &kSimulateCommand,  &kScanCommand,   &kDecodeCommand, &kCheckCommand, &kProfileCommand, &kConfirmDirectionsCommand,
+    &kEphemerisCommand, &kPassesCommand, &kGotoCommand,   &kStopCommand,  &kParkCommand,    &kStatusCommand};
 constexpr std::size_t kNameWidth = 20;
 
 const Subcommand* findSubcommand(const std::string& name)
@@ -38,7 +38,7 @@ std::string overview()
     }
     return text +
            "\n\"boresightctl help SUBCOMMAND\" explains it. BUS is fdcanusb:PATH, socketcan:IFACE or simulated.\n"
-           "Exit status: 0 in order, 1 something is wrong, 2 the command line makes no sense.\n";
+           "Exit status: 0 in order, 1 something is wrong, 2 the command line makes no sense,\n3 no station answers.\n";
 }
 
 std::string helpText(const Subcommand& subcommand)

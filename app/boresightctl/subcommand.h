@@ -13,8 +13,9 @@ namespace boresight::ctl {
 enum ExitStatus : int
 {
     kDone = 0,
-    kFoundWrong = 1,  // the work was done, or tried, and something is wrong
-    kUsage = 2,       // the command line makes no sense
+    kFoundWrong = 1,    // the work was done, or tried, and something is wrong
+    kUsage = 2,         // the command line makes no sense
+    kNoConnection = 3,  // no station answers
 };
 
 using Arguments = std::span<const std::string>;  // behind the subcommand's name
@@ -36,6 +37,10 @@ extern const Subcommand kProfileCommand;
 extern const Subcommand kConfirmDirectionsCommand;
 extern const Subcommand kEphemerisCommand;
 extern const Subcommand kPassesCommand;
+extern const Subcommand kGotoCommand;
+extern const Subcommand kStopCommand;
+extern const Subcommand kParkCommand;
+extern const Subcommand kStatusCommand;
 
 // Standard output, at once, also into a pipe: what programs may read, and tables and help of a fixed width.
 void print(const std::string& text);

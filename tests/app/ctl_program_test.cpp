@@ -18,8 +18,8 @@ TEST(Boresightctl, ExplainsItselfAndEverySubcommandWithAnExample)
 {
     const Outcome all = ctl({QStringLiteral("help")});
     EXPECT_EQ(all.status, 0);
-    for (const char* name :
-         {"simulate", "scan", "decode", "check", "profile", "confirm-directions", "ephemeris", "passes"}) {
+    for (const char* name : {"simulate", "scan", "decode", "check", "profile", "confirm-directions", "ephemeris",
+                             "passes", "goto", "stop", "park", "status"}) {
         EXPECT_THAT(all.output, HasSubstr(name));
         const Outcome help = ctl({QStringLiteral("help"), QString::fromUtf8(name)});
         EXPECT_EQ(help.status, 0);

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/rotctld_client.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+
+#include <QList>
+
+#include <optional>
+
+namespace boresight::ctl {
+namespace {
+
+constexpr qsizetype kLongestReply = 4096;
+
+// The protocol gives a number only: core/rotctld/README.md.
+QString refusalText(int code)
+{
+    switch (code) {
+        case -1:
+            return QStringLiteral("The station does not permit this position (RPRT -1).");
+        case -6:
+            return QStringLiteral("The station has no position of the mount: bus or drive silent (RPRT -6).");
+        case -9:
+            return QStringLiteral(
+                "STOP is latched, a fault is not re-armed, or somebody else has the control (RPRT -9). "
+                "The log of the station has the reason.");
+        default:
+            return QStringLiteral("The station refused this (RPRT %1).").arg(code);
+    }
+}
+
+// The number of the last line, "RPRT -9"; empty while the reply is not complete.
+std::optional<int> codeOf(const QByteArray& reply)
+{
+    const qsizetype place = reply.lastIndexOf("RPRT ");
+    if (place < 0 || !reply.endsWith('\n')) {
+        return std::nullopt;
+    }
+    bool isNumber = false;
+    const int code = reply.mid(place + 5).trimmed().toInt(&isNumber);
+    return isNumber ? std::optional(code) : std::nullopt;
+}
+
+// What stands behind "LABEL: " in an extended reply.
+QByteArray valueOf(const QByteArray& reply, const QByteArray& label)
+{
+    for (const QByteArray& line : reply.split('\n')) {
+        if (line.startsWith(label + ": ")) {
+            return line.mid(label.size() + 2).trimmed();
+        }
+    }
+    return {};
+}
+
+QJsonValue directionIn(const QByteArray& reply)
+{
+    const auto azimuth = parseFinite(valueOf(reply, "Azimuth").toStdString());
+    const auto elevation = parseFinite(valueOf(reply, "Elevation").toStdString());
+    return azimuth && elevation ? QJsonValue(QJsonObject{{QStringLiteral("azimuth"), *azimuth},
+                                                         {QStringLiteral("elevation"), *elevation}})
+                                : QJsonValue();
+}
+
+}  // namespace
+
+Result<> RotctldClient::connect(const profile::ListenAddress& station)
+{
+    m_name = QStringLiteral("%1:%2").arg(toQString(station.host)).arg(station.port);
+    m_socket.connectToHost(toQString(station.host), station.port);
+    if (!m_socket.waitForConnected(static_cast<int>(m_deadline.remainingTime()))) {
+        return failure(ErrorCode::NoAnswer,
+                       QStringLiteral("No station answers on %1: %2.").arg(m_name, m_socket.errorString()));
+    }
+    return {};
+}
+
+Result<QByteArray> RotctldClient::ask(const QByteArray& command)
+{
+    m_socket.write("+" + command + "\n");
+    QByteArray reply;
+    while (!codeOf(reply) && reply.size() < kLongestReply) {
+        if (!m_socket.waitForReadyRead(static_cast<int>(m_deadline.remainingTime()))) {
+            return failure(
+                ErrorCode::NoAnswer,
+                QStringLiteral("%1 does not answer like a rotctld: %2.").arg(m_name, m_socket.errorString()));
+        }
+        reply += m_socket.readAll();
+    }
+    const int code = codeOf(reply).value_or(-8);
+    return code == 0 ? Result<QByteArray>(reply) : failure(ErrorCode::Refused, refusalText(code));
+}
+
+Result<> RotctldClient::order(const QByteArray& command)
+{
+    return ask(command).map([](const QByteArray&) {});
+}
+
+Result<> RotctldClient::pointTo(const SkyPointing& direction)
+{
+    return order("P " + QByteArray::fromStdString(formatFixed(direction.azimuth.degrees(), 4)) + " " +
+                 QByteArray::fromStdString(formatFixed(direction.elevation.degrees(), 4)));
+}
+
+Result<> RotctldClient::park()
+{
+    return order("K");
+}
+
+Result<> RotctldClient::hold()
+{
+    return order("S");
+}
+
+Result<QJsonObject> RotctldClient::status()
+{
+    const auto info = ask("_");
+    if (!info) {
+        return tl::unexpected(info.error());
+    }
+    const auto flags = ask("\\get_status");
+    if (!flags) {
+        return tl::unexpected(flags.error());
+    }
+    const auto position = ask("p");
+    if (!position && position.error().code != ErrorCode::Refused) {
+        return tl::unexpected(position.error());
+    }
+    const bool moves = flags->contains("MOVING");
+    return QJsonObject{
+        {QStringLiteral("station"), QString::fromUtf8(valueOf(*info, "Info"))},
+        {QStringLiteral("state"), moves ? QStringLiteral("MOVING") : QStringLiteral("NOT MOVING")},
+        {QStringLiteral("actual"), position ? directionIn(*position) : QJsonValue()},
+    };
+}
+
+}  // namespace boresight::ctl

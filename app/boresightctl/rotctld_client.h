@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/profile/profile.h"
+#include "core/units/sky.h"
+
+#include <QDeadlineTimer>
+#include <QJsonObject>
+#include <QTcpSocket>
+
+#include <chrono>
+
+// A station as a client of its rotctld server asks it, one question after the other. Waits for the answers, together
+// at most kPatience: for a program that does nothing else. Error codes: Refused, or NoAnswer when nobody answers.
+namespace boresight::ctl {
+
+inline constexpr std::chrono::seconds kPatience{2};
+
+class RotctldClient
+{
+public:
+    [[nodiscard]] Result<> connect(const profile::ListenAddress& station);
+
+    [[nodiscard]] Result<> pointTo(const SkyPointing& direction);
+    [[nodiscard]] Result<> park();
+    // Ends the motion. The protocol has no STOP that latches.
+    [[nodiscard]] Result<> hold();
+    // The keys of station_report.h, as far as the protocol knows them.
+    [[nodiscard]] Result<QJsonObject> status();
+
+private:
+    [[nodiscard]] Result<QByteArray> ask(const QByteArray& command);
+    [[nodiscard]] Result<> order(const QByteArray& command);
+
+    QTcpSocket m_socket;
+    QDeadlineTimer m_deadline{kPatience};
+    QString m_name;  // "127.0.0.1:4533"
+};
+
+}  // namespace boresight::ctl

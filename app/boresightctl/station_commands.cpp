@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/rotctld_client.h"
+#include "app/boresightctl/station_options.h"
+#include "app/boresightctl/station_report.h"
+#include "app/boresightctl/subcommand.h"
+
+#include <QJsonDocument>
+
+namespace boresight::ctl {
+namespace {
+
+const std::string kExitStatus =
+    "Exit status: 0 done, 1 the station refused it, 2 the command line makes no sense, 3 no station answered in 2 s.\n";
+
+const std::string kWhichStation =
+    R"(  --station HOST:PORT  the rotctld port of the station; 127.0.0.1:4533 without it
+)";
+
+ExitStatus failedBy(const Subcommand& subcommand, const Error& error)
+{
+    if (error.code == ErrorCode::NoAnswer) {
+        complain(subcommand, error.text);
+        return kNoConnection;
+    }
+    complain(subcommand, QStringLiteral("refused: ") + error.text);
+    return kFoundWrong;
+}
+
+// Asks `station` for one thing; `done` is told when it agrees.
+template <class Ask>
+ExitStatus orderOf(const Subcommand& subcommand, const StationOptions& options, const Ask& ask, const QString& done)
+{
+    RotctldClient station;
+    const Result<> answer =
+        station.connect(options.station.value_or(profile::ListenAddress{})).and_then([&] { return ask(station); });
+    if (!answer) {
+        return failedBy(subcommand, answer.error());
+    }
+    printLine(done);
+    return kDone;
+}
+
+ExitStatus runGoto(Arguments arguments)
+{
+    const auto options = parseStationOptions(arguments, 2);
+    if (!options) {
+        return usageError(kGotoCommand, options.error().text);
+    }
+    const auto direction = parseDirection(options->places[0], options->places[1]);
+    if (!direction) {
+        return usageError(kGotoCommand, direction.error().text);
+    }
+    return orderOf(
+        kGotoCommand, *options, [&](RotctldClient& station) { return station.pointTo(*direction); },
+        QStringLiteral("The station accepted the target azimuth %1°, elevation %2°.")
+            .arg(direction->azimuth.degrees(), 0, 'f', 2)
+            .arg(direction->elevation.degrees(), 0, 'f', 2));
+}
+
+ExitStatus runStop(Arguments arguments)
+{
+    const auto options = parseStationOptions(arguments, 0);
+    return options
+               ? orderOf(
+                     kStopCommand, *options, [](RotctldClient& station) { return station.hold(); },
+                     QStringLiteral("The motion has ended. STOP is not latched: a client can move the mount again."))
+               : usageError(kStopCommand, options.error().text);
+}
+
+ExitStatus runPark(Arguments arguments)
+{
+    const auto options = parseStationOptions(arguments, 0);
+    return options ? orderOf(
+                         kParkCommand, *options, [](RotctldClient& station) { return station.park(); },
+                         QStringLiteral("The station accepted the park position as the target."))
+                   : usageError(kParkCommand, options.error().text);
+}
+
+ExitStatus runStatus(Arguments arguments)
+{
+    const auto options = parseStationOptions(arguments, 0);
+    if (!options) {
+        return usageError(kStatusCommand, options.error().text);
+    }
+    RotctldClient station;
+    const auto report =
+        station.connect(options->station.value_or(profile::ListenAddress{})).and_then([&] { return station.status(); });
+    if (!report) {
+        return failedBy(kStatusCommand, report.error());
+    }
+    print(options->json ? QJsonDocument(*report).toJson().toStdString() : reportText(*report).toStdString());
+    return kDone;
+}
+
+}  // namespace
+
+const Subcommand kGotoCommand{.name = "goto",
+                              .arguments = "AZ EL [--station HOST:PORT]",
+                              .summary = "Send the mount of a running station to a direction",
+                              .details = kWhichStation +
+                                         R"(
+AZ and EL are true degrees. The command ends when the station has accepted the target. The motion goes on.
+The station treats it like the same command of any client. It refuses it while STOP is latched or while somebody else
+has the control. Of a direction outside the limits the profile says whether it is refused or the nearest permitted one
+is driven.
+)" + kExitStatus + R"(
+Example:
+  boresightctl goto 113 10
+)",
+                              .run = runGoto};
+
+const Subcommand kStopCommand{.name = "stop",
+                              .arguments = "[--station HOST:PORT]",
+                              .summary = "End the motion of the mount of a running station",
+                              .details = kWhichStation +
+                                         R"(
+The mount slows down and holds. STOP does not latch: rotctld has no such command, so the next target of a client moves the
+mount again. Use the STOP button of the window, or switch off the power of the drives, before you go to the mount.
+)" + kExitStatus + R"(
+Example:
+  boresightctl stop
+)",
+                              .run = runStop};
+
+const Subcommand kParkCommand{.name = "park",
+                              .arguments = "[--station HOST:PORT]",
+                              .summary = "Send the mount of a running station to its park position",
+                              .details = kWhichStation +
+                                         R"(
+The command ends when the station has accepted it. The motion goes on.
+)" + kExitStatus + R"(
+Example:
+  boresightctl park --station mast.example:4533
+)",
+                              .run = runPark};
+
+const Subcommand kStatusCommand{.name = "status",
+                                .arguments = "[--station HOST:PORT] [--format text|json]",
+                                .summary = "Show what the mount of a running station does",
+                                .details = kWhichStation +
+                                           R"(  --format text|json   text without it
+
+Station, state, actual direction, target, who has the control, alarms. rotctld reports only whether the mount moves, and
+where it points. The rest is "not reported", and not in the JSON.
+)" + kExitStatus + R"(
+Example:
+  boresightctl status --format json
+)",
+                                .run = runStatus};
+
+}  // namespace boresight::ctl
