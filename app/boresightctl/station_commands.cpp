@@ -140,8 +140,7 @@ const Subcommand kStatusCommand{.name = "status",
                                 .details = kWhichStation +
                                            R"(  --format text|json   text without it
 
-Station, state, actual direction, target, who has the control, alarms. rotctld reports only whether the mount moves, and
-where it points. The rest is "not reported", and not in the JSON.
+Prints the station, whether the mount moves, and where it points. rotctld reports no more.
 )" + kExitStatus + R"(
 Example:
   boresightctl status --format json

@@ -5,11 +5,9 @@
 #include <QString>
 
 // What a station answers to `status`, as an object with these keys:
-//   station, state, reason, control, target_text   text
-//   actual, target      {azimuth, elevation} in degrees, or null: unknown
-//   stop_latched, simulated
-//   alarms              a list of {severity, what, action, remedy}
-// A key that is missing is not known to the protocol: rotctld gives station, state and actual.
+//   station, state      text
+//   actual              {azimuth, elevation} in degrees, or null: unknown
+// rotctld reports no more: target, control and alarms are in the window and in the log of the station.
 namespace boresight::ctl {
 
 // One line for each, for a person.

@@ -44,7 +44,7 @@ TEST_F(CtlStation, IsSentStoppedAndParked)
     const Outcome status = ask("status --format json");
     EXPECT_EQ(status.status, 0);
     EXPECT_THAT(status.output, HasSubstr("\"azimuth\""));
-    EXPECT_THAT(ask("status").output, HasSubstr("control:  not reported over rotctld\n"));
+    EXPECT_THAT(ask("status").output, HasSubstr("actual:   azimuth "));
     const Outcome stop = ask("stop");
     EXPECT_EQ(stop.status, 0) << stop.errors;
     EXPECT_THAT(stop.output, HasSubstr("STOP is not latched"));

@@ -209,7 +209,7 @@ TEST_F(StationSlew, UnwrappingIsAWholeTurn)
     expectTrueToTheEnd(rig);
 }
 
-// REQ-CONTROL-401: This holds in the middle of a stream, too.
+// REQ-CONTROL-407: A stream that turns back in the middle shows its way and its time, too.
 TEST_F(StationSlew, AStreamThatTurnsBackShowsItsWayAndItsTime)
 {
     StationRig rig(settings());
