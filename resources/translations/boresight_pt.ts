@@ -21,6 +21,49 @@
     </message>
 </context>
 <context>
+    <name>CableText</name>
+    <message>
+        <source>travel %1…%2</source>
+        <translation>curso %1…%2</translation>
+    </message>
+    <message>
+        <source>cable %1</source>
+        <translation>cabo %1</translation>
+    </message>
+    <message>
+        <source>end %1 in %2</source>
+        <translation>fim %1 em %2</translation>
+    </message>
+    <message>
+        <source>Its travel is from %1 to %2.</source>
+        <translation>O seu curso vai de %1 a %2.</translation>
+    </message>
+    <message>
+        <source>wrap unknown</source>
+        <translation>volta desconhecida</translation>
+    </message>
+    <message>
+        <source>The cable wrap is unknown.</source>
+        <translation>A volta do cabo é desconhecida.</translation>
+    </message>
+    <message>
+        <source>The position of the cable is unknown.</source>
+        <translation>A posição do cabo é desconhecida.</translation>
+    </message>
+    <message>
+        <source>The azimuth cable is at %1.</source>
+        <translation>O cabo de azimute está em %1.</translation>
+    </message>
+    <message>
+        <source>The nearer end is %1 away.</source>
+        <translation>O fim mais próximo está a %1.</translation>
+    </message>
+    <message>
+        <source>It ends at %1 in %2.</source>
+        <translation>Termina em %1 dentro de %2.</translation>
+    </message>
+</context>
+<context>
     <name>CalibrationWords</name>
     <message>
         <source>North %1: %2 of it from the readings, %3 that no swing can see.</source>
@@ -311,6 +354,17 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     </message>
 </context>
 <context>
+    <name>ParkWords</name>
+    <message>
+        <source>Move park to %1</source>
+        <translation>Mover o estacionamento para %1</translation>
+    </message>
+    <message>
+        <source>Move park to %1 / %2</source>
+        <translation>Mover o estacionamento para %1 / %2</translation>
+    </message>
+</context>
+<context>
     <name>PlotPicture</name>
     <message>
         <source>Sky plot</source>
@@ -333,18 +387,6 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <message>
         <source>keep-out %1</source>
         <translation>zona proibida %1</translation>
-    </message>
-    <message>
-        <source>azimuth limit
-from %1</source>
-        <translation>limite de azimute
-desde %1</translation>
-    </message>
-    <message>
-        <source>azimuth limit
-to %1</source>
-        <translation>limite de azimute
-até %1</translation>
     </message>
     <message>
         <source>lowest elevation
@@ -379,6 +421,18 @@ el %3</translation>
 of the axis</source>
         <translation>%1
 do eixo</translation>
+    </message>
+    <message>
+        <source>azimuth axis limit
+from %1</source>
+        <translation>limite do eixo de azimute
+desde %1</translation>
+    </message>
+    <message>
+        <source>azimuth axis limit
+to %1</source>
+        <translation>limite do eixo de azimute
+até %1</translation>
     </message>
 </context>
 <context>
@@ -497,15 +551,45 @@ do eixo</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a whole number.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;%1&quot; não é um número inteiro.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a number. Type it with a decimal point, for example 113.5.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;%1&quot; não é um número. Escreva-o com ponto decimal, por exemplo 113.5.</translation>
+    </message>
+    <message>
+        <source>park azimuth</source>
+        <translation>azimute de estacionamento</translation>
+    </message>
+    <message>
+        <source>park elevation</source>
+        <translation>elevação de estacionamento</translation>
+    </message>
+</context>
+<context>
+    <name>SkyBodies</name>
+    <message>
+        <source>Sun</source>
+        <translation>Sol</translation>
+    </message>
+    <message>
+        <source>Moon</source>
+        <translation>Lua</translation>
     </message>
 </context>
 <context>
     <name>SkyItems</name>
+    <message>
+        <source>az %1</source>
+        <translation>az %1</translation>
+    </message>
+    <message>
+        <source>MAGNIFIED ×%1</source>
+        <translation>AMPLIADO ×%1</translation>
+    </message>
+</context>
+<context>
+    <name>SkyLabels</name>
     <message>
         <source>N</source>
         <translation>N</translation>
@@ -522,10 +606,9 @@ do eixo</translation>
         <source>W</source>
         <translation>O</translation>
     </message>
-    <message>
-        <source>az %1</source>
-        <translation>az %1</translation>
-    </message>
+</context>
+<context>
+    <name>SkyLegend</name>
     <message>
         <source>actual</source>
         <translation>real</translation>
@@ -537,10 +620,6 @@ do eixo</translation>
     <message>
         <source>target</source>
         <translation>alvo</translation>
-    </message>
-    <message>
-        <source>MAGNIFIED ×%1</source>
-        <translation>AMPLIADO ×%1</translation>
     </message>
     <message>
         <source>sensor</source>
@@ -1285,14 +1364,6 @@ do eixo</translation>
     <message>
         <source>elevation %1 outside limits %2…%3</source>
         <translation>elevação %1 fora dos limites %2…%3</translation>
-    </message>
-    <message>
-        <source>azimuth %1 elevation %2 is in the keep-out &quot;%3&quot;</source>
-        <translation>azimute %1 elevação %2 está na zona proibida &quot;%3&quot;</translation>
-    </message>
-    <message>
-        <source>elevation %1 below the horizon %2 at azimuth %3</source>
-        <translation>elevação %1 abaixo do horizonte %2 no azimute %3</translation>
     </message>
     <message>
         <source>the elevation limit %1</source>
@@ -4774,10 +4845,6 @@ do eixo</translation>
         <translation>A montagem está a caminho de um alvo, e a alteração movê-lo-ia. Espere até chegar, ou prima Manter.</translation>
     </message>
     <message>
-        <source>%1. The nearest permitted position is %2.</source>
-        <translation>%1. A posição permitida mais próxima é %2.</translation>
-    </message>
-    <message>
         <source>The travel and the limits of the axes do not reach it over the top.</source>
         <translation>O curso e os limites dos eixos não o alcançam por cima do topo.</translation>
     </message>
@@ -5151,1479 +5218,1495 @@ do eixo</translation>
     </message>
     <message>
         <source>%1 Then press Re-arm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Depois prima Rearmar</translation>
     </message>
     <message>
         <source>Re-arm</source>
-        <translation type="unfinished"></translation>
+        <translation>Rearmar</translation>
     </message>
     <message>
         <source>Reset stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Repor STOP</translation>
     </message>
     <message>
         <source>Unwrap now</source>
-        <translation type="unfinished"></translation>
+        <translation>Desenrolar já</translation>
     </message>
     <message>
         <source>Reconnect</source>
-        <translation type="unfinished"></translation>
+        <translation>Reconectar</translation>
     </message>
     <message>
         <source>Move park</source>
-        <translation type="unfinished"></translation>
+        <translation>Mover estacionamento</translation>
     </message>
     <message>
         <source>Open Protection</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir Proteção</translation>
     </message>
     <message>
         <source>Open Drives</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir Acionamentos</translation>
     </message>
     <message>
         <source>Open Clients</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir Clientes</translation>
     </message>
     <message>
         <source>Open Limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir Limites</translation>
     </message>
     <message>
         <source>Open North</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir Norte</translation>
     </message>
     <message>
         <source>Open Profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir Perfil</translation>
     </message>
     <message>
         <source>Enter position</source>
-        <translation type="unfinished"></translation>
+        <translation>Indicar posição</translation>
     </message>
     <message>
         <source>Look for wind, ice or a tight cable. If there is none, lower the acceleration or check the gains.</source>
-        <translation type="unfinished"></translation>
+        <translation>Procure vento, gelo ou um cabo esticado. Se não houver, baixe a aceleração ou verifique os ganhos.</translation>
     </message>
     <message>
         <source>Look for a cable, a lock, ice or a slipping coupling that blocks the axis. Free the axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Procure um cabo, um bloqueio, gelo ou um acoplamento que patina e bloqueia o eixo. Liberte o eixo.</translation>
     </message>
     <message>
         <source>Calibrate the motor again. Check its phases and the encoder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibre o motor de novo. Verifique as fases e o codificador.</translation>
     </message>
     <message>
         <source>Compare the shown angle with the antenna. Check the encoder, its wiring and other programs on the bus.</source>
-        <translation type="unfinished"></translation>
+        <translation>Compare o ângulo mostrado com a antena. Verifique o codificador, a sua cablagem e outros programas no barramento.</translation>
     </message>
     <message>
         <source>Check the supply, the battery and the cable. Lower the acceleration if they are right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verifique a alimentação, a bateria e o cabo. Se estiverem bem, baixe a aceleração.</translation>
     </message>
     <message>
         <source>Cool and shade the board, or move less. At its limit the drive switches itself off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrefeça e proteja a placa do sol, ou mova menos. No seu limite o acionamento desliga-se.</translation>
     </message>
     <message>
         <source>Look whether the cable is wrapped around the mount. Jog the other way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veja se o cabo está enrolado na montagem. Mova à mão no outro sentido.</translation>
     </message>
     <message>
         <source>The %1 reports fault %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>O %1 comunica a falha %2: %3</translation>
     </message>
     <message>
         <source>The drive switched its output off. The other axis holds if its drive can</source>
-        <translation type="unfinished"></translation>
+        <translation>O acionamento desligou a sua saída. O outro eixo segura, se o seu acionamento puder</translation>
     </message>
     <message>
         <source>The %1 is in fault without a fault code</source>
-        <translation type="unfinished"></translation>
+        <translation>O %1 está em falha sem código de falha</translation>
     </message>
     <message>
         <source>Read its fault with boresightctl scan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Leia a falha com boresightctl scan.</translation>
     </message>
     <message>
         <source>in fault without a fault code</source>
-        <translation type="unfinished"></translation>
+        <translation>em falha sem código de falha</translation>
     </message>
     <message>
         <source>Check the bus and the load of this computer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verifique o barramento e a carga deste computador.</translation>
     </message>
     <message>
         <source>Check its supply. Look for another program that stopped the drive.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verifique a alimentação. Procure outro programa que tenha parado o acionamento.</translation>
     </message>
     <message>
         <source>Check its encoder and the CAN cable.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verifique o codificador e o cabo CAN.</translation>
     </message>
     <message>
         <source>Check its mode and fault. Look for another program that commands the drive.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verifique o modo e a falha. Procure outro programa que comande o acionamento.</translation>
     </message>
     <message>
         <source>The %1 does not reply</source>
-        <translation type="unfinished"></translation>
+        <translation>O %1 não responde</translation>
     </message>
     <message>
         <source>Look for a loose plug, a worn cable or a weak supply.</source>
-        <translation type="unfinished"></translation>
+        <translation>Procure uma ficha solta, um cabo gasto ou uma alimentação fraca.</translation>
     </message>
     <message>
         <source>The %1 reports limit %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>O %1 comunica o limite %2: %3</translation>
     </message>
     <message>
         <source>limit %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>limite %2: %3</translation>
     </message>
     <message>
         <source>The %1 is active (mode: %2) without a command from Boresight</source>
-        <translation type="unfinished"></translation>
+        <translation>O %1 está ativo (modo: %2) sem comando do Boresight</translation>
     </message>
     <message>
         <source>End the other program that commands the drive. An old command without a watchdog ends with STOP</source>
-        <translation type="unfinished"></translation>
+        <translation>Termine o outro programa que comanda o acionamento. Um comando antigo sem watchdog termina com STOP</translation>
     </message>
     <message>
         <source>The cable wrap of the %1 is unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>A volta do cabo do %1 é desconhecida</translation>
     </message>
     <message>
         <source>Look at the mount and its cable. Then enter the position of the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Olhe para a montagem e o cabo. Depois indique a posição do eixo</translation>
     </message>
     <message>
         <source>Enter the position of the axis in the window. Without a window, restart with the present position and time</source>
-        <translation type="unfinished"></translation>
+        <translation>Indique a posição do eixo na janela. Sem janela, reinicie com a posição e a hora presentes</translation>
     </message>
     <message>
         <source>The orientation sensor (%1) sends no data</source>
-        <translation type="unfinished"></translation>
+        <translation>O sensor de orientação (%1) não envia dados</translation>
     </message>
     <message>
         <source>Check the wires between its BNO055 and its board. Then switch the sensor off and on</source>
-        <translation type="unfinished"></translation>
+        <translation>Verifique os fios entre o BNO055 e a sua placa. Depois desligue e ligue o sensor</translation>
     </message>
     <message>
         <source>North is not set: the orientation sensor and the axes differ by %1 in azimuth</source>
-        <translation type="unfinished"></translation>
+        <translation>O norte não está definido: o sensor de orientação e os eixos diferem %1 em azimute</translation>
     </message>
     <message>
         <source>Find north on the page North. If the axis zero is north, check the mounting of the sensor and the coupling</source>
-        <translation type="unfinished"></translation>
+        <translation>Encontre o norte na página Norte. Se o zero do eixo for o norte, verifique a montagem do sensor e o acoplamento</translation>
     </message>
     <message>
         <source>Move the mount away, or wait until the Sun has passed. The setting keep_away (Sun) turns this rule off</source>
-        <translation type="unfinished"></translation>
+        <translation>Afaste a montagem, ou espere até o Sol passar. O parâmetro keep_away (Sol) desliga esta regra</translation>
     </message>
     <message>
         <source>Synchronise the clock by NTP or GPS. If its time is right, set clock (Sun) to trusted on the page Profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Sincronize o relógio por NTP ou GPS. Se a hora estiver certa, ponha clock (Sol) em trusted na página Perfil</translation>
     </message>
     <message>
         <source>The antenna points at the Sun, or moves to it</source>
-        <translation type="unfinished"></translation>
+        <translation>A antena aponta para o Sol, ou move-se para ele</translation>
     </message>
     <message>
         <source>Never look along the beam or a sight tube without a solar filter. Protect the feed of a dish from the heat</source>
-        <translation type="unfinished"></translation>
+        <translation>Nunca olhe ao longo do feixe ou de um tubo de mira sem filtro solar. Proteja do calor o alimentador de um prato</translation>
     </message>
     <message>
         <source>The compass swing waits for its sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>O giro da bússola espera pelo sensor</translation>
     </message>
     <message>
         <source>The mount stands still. It moves again BY ITSELF if sensor data returns before %1</source>
-        <translation type="unfinished"></translation>
+        <translation>A montagem está parada. Volta a mover-se POR SI se os dados do sensor voltarem antes das %1</translation>
     </message>
     <message>
         <source>The model stays in force. Boresight moves nothing because of this</source>
-        <translation type="unfinished"></translation>
+        <translation>O modelo continua em vigor. O Boresight não move nada por causa disto</translation>
     </message>
     <message>
         <source>Find north again on the page North and apply it, or undo the calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Encontre o norte de novo na página Norte e aplique-o, ou anule a calibração</translation>
     </message>
     <message>
         <source>The history of the calibration is not stored: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>O histórico da calibração não está guardado: %1</translation>
     </message>
     <message>
         <source>Check the disk, or choose another folder with --state-dir. After a restart Undo is not possible</source>
-        <translation type="unfinished"></translation>
+        <translation>Verifique o disco, ou escolha outra pasta com --state-dir. Depois de um reinício não é possível anular</translation>
     </message>
     <message>
         <source>The points on the page Sun/Moon were taken with another drive</source>
-        <translation type="unfinished"></translation>
+        <translation>Os pontos na página Sol/Lua foram tomados com outro acionamento</translation>
     </message>
     <message>
         <source>Open the page North, drop the points and take new ones. On its page Model you can use a point again that is still right</source>
-        <translation type="unfinished"></translation>
+        <translation>Abra a página Norte, retire os pontos e tome novos. Na página Modelo pode voltar a usar um ponto que ainda esteja certo</translation>
     </message>
     <message>
         <source>The points on the page Sun/Moon were taken at another site</source>
-        <translation type="unfinished"></translation>
+        <translation>Os pontos na página Sol/Lua foram tomados noutro local</translation>
     </message>
     <message>
         <source>The CAN bus is down: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>O barramento CAN está em baixo: %1</translation>
     </message>
     <message>
         <source>Boresight can command nothing. It tries to open the bus again each second</source>
-        <translation type="unfinished"></translation>
+        <translation>O Boresight não pode comandar nada. Tenta abrir o barramento de novo a cada segundo</translation>
     </message>
     <message>
         <source>Remove the fault. If this is the wrong adapter, choose another one in the guide or on the page Profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Elimine a falha. Se este for o adaptador errado, escolha outro no guia ou na página Perfil</translation>
     </message>
     <message>
         <source>The CAN bus is closed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>O barramento CAN está fechado: %1</translation>
     </message>
     <message>
         <source>Boresight can command nothing. It sends nothing more to this port</source>
-        <translation type="unfinished"></translation>
+        <translation>O Boresight não pode comandar nada. Não envia mais nada a esta porta</translation>
     </message>
     <message>
         <source>Remove the fault, then press Reconnect. If this is the wrong port, choose another one in the guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Elimine a falha e prima Reconectar. Se esta for a porta errada, escolha outra no guia</translation>
     </message>
     <message>
         <source>The CAN bus is disturbed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>O barramento CAN está perturbado: %1</translation>
     </message>
     <message>
         <source>This computer stalled for %1 s, so the watchdogs stopped the drives</source>
-        <translation type="unfinished"></translation>
+        <translation>Este computador parou %1 s, por isso os watchdogs pararam os acionamentos</translation>
     </message>
     <message>
         <source>Boresight takes the drives over again and resumes the motion</source>
-        <translation type="unfinished"></translation>
+        <translation>O Boresight volta a assumir os acionamentos e retoma o movimento</translation>
     </message>
     <message>
         <source>Nothing to do. If this happens often, reduce the load of this computer</source>
-        <translation type="unfinished"></translation>
+        <translation>Nada a fazer. Se acontecer muitas vezes, reduza a carga deste computador</translation>
     </message>
     <message>
         <source>Clients cannot connect: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Os clientes não podem conectar-se: %1</translation>
     </message>
     <message>
         <source>Boresight does everything else without clients</source>
-        <translation type="unfinished"></translation>
+        <translation>O Boresight faz tudo o resto sem clientes</translation>
     </message>
     <message>
         <source>End the other program, or choose another port (rotctld.listen on the page Profile). Then restart Boresight</source>
-        <translation type="unfinished"></translation>
+        <translation>Termine o outro programa, ou escolha outra porta (rotctld.listen na página Perfil). Depois reinicie o Boresight</translation>
     </message>
     <message>
         <source>Every computer that reaches %1 can move the mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Qualquer computador que alcance %1 pode mover a montagem</translation>
     </message>
     <message>
         <source>Enter the addresses that may connect on the page Profile (rotctld.allow), or listen on 127.0.0.1</source>
-        <translation type="unfinished"></translation>
+        <translation>Indique na página Perfil os endereços que podem conectar-se (rotctld.allow), ou escute em 127.0.0.1</translation>
     </message>
     <message>
         <source>Boresight commands nothing and accepts no client</source>
-        <translation type="unfinished"></translation>
+        <translation>O Boresight não comanda nada e não aceita clientes</translation>
     </message>
     <message>
         <source>End the other program, then press Reconnect. If it is another mount, give this one another name</source>
-        <translation type="unfinished"></translation>
+        <translation>Termine o outro programa e prima Reconectar. Se for outra montagem, dê outro nome a esta</translation>
     </message>
     <message>
         <source>The position journal is not stored: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>O diário de posição não está guardado: %1</translation>
     </message>
     <message>
         <source>Check the disk, or choose another folder with --state-dir. After a restart the cable wrap may be unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>Verifique o disco, ou escolha outra pasta com --state-dir. Depois de um reinício a volta do cabo pode ser desconhecida</translation>
     </message>
     <message>
         <source>The log is not stored: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>O registo não está guardado: %1</translation>
     </message>
     <message>
         <source>Keep its power switch in reach. If Boresight or the cable fails, the rotator still ends its last step</source>
-        <translation type="unfinished"></translation>
+        <translation>Tenha o interruptor de alimentação ao alcance. Se o Boresight ou o cabo falhar, o rotor ainda termina o último passo</translation>
     </message>
     <message>
         <source>The target is outside the limits</source>
-        <translation type="unfinished"></translation>
+        <translation>O alvo está fora dos limites</translation>
     </message>
     <message>
         <source>Nothing to do. Tracking resumes when the target comes inside the limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Nada a fazer. O seguimento continua quando o alvo voltar a estar dentro dos limites</translation>
     </message>
     <message>
         <source>The azimuth reaches its cable end (%1) at %2</source>
-        <translation type="unfinished"></translation>
+        <translation>O azimute chega ao fim do cabo (%1) às %2</translation>
     </message>
     <message>
         <source>Boresight will unwrap the cable by 360° there. The target is lost for %3</source>
-        <translation type="unfinished"></translation>
+        <translation>O Boresight desenrola aí o cabo 360°. O alvo perde-se durante %3</translation>
     </message>
     <message>
         <source>Press Unwrap now to choose the moment. Then hand control back to the clients</source>
-        <translation type="unfinished"></translation>
+        <translation>Prima Desenrolar já para escolher o momento. Depois devolva o controlo aos clientes</translation>
     </message>
     <message>
         <source>reaches its cable end (%1) at %2</source>
-        <translation type="unfinished"></translation>
+        <translation>chega ao fim do cabo (%1) às %2</translation>
     </message>
     <message>
         <source>Boresight will hold there until the mount can reach the target again</source>
-        <translation type="unfinished"></translation>
+        <translation>O Boresight segura aí até a montagem poder alcançar de novo o alvo</translation>
     </message>
     <message>
         <source>Widen the limits if the cable allows it, or track another target</source>
-        <translation type="unfinished"></translation>
+        <translation>Alargue os limites se o cabo o permitir, ou siga outro alvo</translation>
     </message>
     <message>
         <source>Boresight looks for the board every 2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>O Boresight procura a placa a cada 2 s</translation>
     </message>
     <message>
         <source>Boresight does not use this board</source>
-        <translation type="unfinished"></translation>
+        <translation>O Boresight não usa esta placa</translation>
     </message>
     <message>
         <source>Boresight treats the cable wrap of this axis as unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>O Boresight trata a volta do cabo deste eixo como desconhecida</translation>
     </message>
     <message>
         <source>Boresight reads the settings again every 2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>O Boresight lê os parâmetros de novo a cada 2 s</translation>
     </message>
     <message>
         <source>The mount may still move</source>
-        <translation type="unfinished"></translation>
+        <translation>A montagem ainda pode mover-se</translation>
     </message>
     <message>
         <source>The station has sent no status for %1</source>
-        <translation type="unfinished"></translation>
+        <translation>A estação não envia estado há %1</translation>
     </message>
     <message>
         <source>The window sent STOP, but the status does not show it</source>
-        <translation type="unfinished"></translation>
+        <translation>A janela enviou STOP, mas o estado não o mostra</translation>
     </message>
     <message>
         <source>STOP is latched</source>
-        <translation type="unfinished"></translation>
+        <translation>STOP está retido</translation>
     </message>
     <message>
         <source>Boresight holds the mount and refuses every motion</source>
-        <translation type="unfinished"></translation>
+        <translation>O Boresight segura a montagem e recusa qualquer movimento</translation>
     </message>
     <message>
         <source>Press Reset stop when the mount may move again</source>
-        <translation type="unfinished"></translation>
+        <translation>Prima Repor STOP quando a montagem puder voltar a mover-se</translation>
     </message>
     <message>
         <source>turns back by %1 because the cable ends at axis %2</source>
-        <translation type="unfinished"></translation>
+        <translation>volta atrás %1 porque o cabo termina no eixo em %2</translation>
     </message>
     <message>
         <source>there in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>lá dentro de %1</translation>
     </message>
     <message>
         <source>takes control from %1, and Boresight refuses motion commands of clients</source>
-        <translation type="unfinished"></translation>
+        <translation>tira o controlo a %1, e o Boresight recusa comandos de movimento de clientes</translation>
     </message>
     <message>
         <source>Likely cause: %1. %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Causa provável: %1. %2</translation>
     </message>
     <message>
         <source>%1. Then press Re-arm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. Depois prima Rearmar</translation>
     </message>
     <message>
         <source>Check the supply, the CAN cable and the adapter. Then press Re-arm</source>
-        <translation type="unfinished"></translation>
+        <translation>Verifique a alimentação, o cabo CAN e o adaptador. Depois prima Rearmar</translation>
     </message>
     <message>
         <source>Check the supply, the CAN cable, the adapter and the id of the drive. The page Drives lists the drives</source>
-        <translation type="unfinished"></translation>
+        <translation>Verifique a alimentação, o cabo CAN, o adaptador e o id do acionamento. A página Acionamentos mostra a lista</translation>
     </message>
     <message>
         <source>switches the %1 off, so nothing holds its axis</source>
-        <translation type="unfinished"></translation>
+        <translation>desliga o %1, por isso nada segura o seu eixo</translation>
     </message>
     <message>
         <source>azimuth axis %1 below limit %2</source>
-        <translation type="unfinished"></translation>
+        <translation>eixo de azimute %1 abaixo do limite %2</translation>
     </message>
     <message>
         <source>azimuth axis %1 above limit %2</source>
-        <translation type="unfinished"></translation>
+        <translation>eixo de azimute %1 acima do limite %2</translation>
     </message>
     <message>
         <source>azimuth %1 outside travel (axis %2…%3)</source>
-        <translation type="unfinished"></translation>
+        <translation>azimute %1 fora do curso (eixo %2…%3)</translation>
     </message>
     <message>
         <source>azimuth %1 outside limits (axis %2…%3)</source>
-        <translation type="unfinished"></translation>
+        <translation>azimute %1 fora dos limites (eixo %2…%3)</translation>
     </message>
     <message>
         <source>azimuth axis %1 outside limits %2…%3</source>
-        <translation type="unfinished"></translation>
+        <translation>eixo de azimute %1 fora dos limites %2…%3</translation>
     </message>
     <message>
         <source>the azimuth axis limit %1</source>
-        <translation type="unfinished"></translation>
+        <translation>limite do eixo de azimute %1</translation>
     </message>
     <message>
         <source>Broker</source>
-        <translation type="unfinished"></translation>
+        <translation>Broker</translation>
     </message>
     <message>
         <source>Name or address of the MQTT broker, for the sensor and for publishing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome ou endereço do broker MQTT, para o sensor e para publicar.</translation>
     </message>
     <message>
         <source>Port</source>
-        <translation type="unfinished"></translation>
+        <translation>Porta</translation>
     </message>
     <message>
         <source>Port of the broker: usually 1883, with TLS 8883.</source>
-        <translation type="unfinished"></translation>
+        <translation>Porta do broker: normalmente 1883, com TLS 8883.</translation>
     </message>
     <message>
         <source>User</source>
-        <translation type="unfinished"></translation>
+        <translation>Utilizador</translation>
     </message>
     <message>
         <source>User name at the broker. Empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome de utilizador no broker. Vazio: nenhum.</translation>
     </message>
     <message>
         <source>Password</source>
-        <translation type="unfinished"></translation>
+        <translation>Palavra-passe</translation>
     </message>
     <message>
         <source>Password at the broker. This file contains it as plain text, so only its owner may read the file. No log contains it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Palavra-passe no broker. Este ficheiro contém-na em texto simples, por isso só o dono o pode ler. Nenhum registo a contém.</translation>
     </message>
     <message>
         <source>TLS</source>
-        <translation type="unfinished"></translation>
+        <translation>TLS</translation>
     </message>
     <message>
         <source>Encrypt the connection, and accept only a broker with a valid certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cifrar a ligação, e aceitar só um broker com certificado válido.</translation>
     </message>
     <message>
         <source>Certificate authority</source>
-        <translation type="unfinished"></translation>
+        <translation>Autoridade de certificação</translation>
     </message>
     <message>
         <source>With TLS: PEM file of the authority that signed the broker&apos;s certificate. Empty: the authorities that this computer trusts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Com TLS: ficheiro PEM da autoridade que assinou o certificado do broker. Vazio: as autoridades em que este computador confia.</translation>
     </message>
     <message>
         <source>Client id</source>
-        <translation type="unfinished"></translation>
+        <translation>Id do cliente</translation>
     </message>
     <message>
         <source>Name of this program at the broker. A broker disconnects the first of two clients with one name. Empty: a new name at every start.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome deste programa no broker. Um broker desliga o primeiro de dois clientes com o mesmo nome. Vazio: um nome novo em cada arranque.</translation>
     </message>
     <message>
         <source>Publish</source>
-        <translation type="unfinished"></translation>
+        <translation>Publicar</translation>
     </message>
     <message>
         <source>Whether Boresight sends the position and the state of the mount to the broker each second.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se o Boresight envia a posição e o estado da montagem ao broker a cada segundo.</translation>
     </message>
     <message>
         <source>Topic prefix</source>
-        <translation type="unfinished"></translation>
+        <translation>Prefixo dos tópicos</translation>
     </message>
     <message>
         <source>Beginning of the topics &quot;state&quot; and &quot;availability&quot; that Boresight publishes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Início dos tópicos &quot;state&quot; e &quot;availability&quot; que o Boresight publica.</translation>
     </message>
     <message>
         <source>is the same as azimuth.id. Each controller needs its own id.</source>
-        <translation type="unfinished"></translation>
+        <translation>é igual a azimuth.id. Cada controlador precisa do seu id.</translation>
     </message>
     <message>
         <source>North offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Desvio do norte</translation>
     </message>
     <message>
         <source>True azimuth of the beam when the azimuth axis shows 0°. The North panel finds it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Azimute verdadeiro do feixe quando o eixo de azimute mostra 0°. O painel Norte encontra-o.</translation>
     </message>
     <message>
         <source>Elevation offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Desvio de elevação</translation>
     </message>
     <message>
         <source>True elevation of the beam when the elevation axis shows 0°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Elevação verdadeira do feixe quando o eixo de elevação mostra 0°.</translation>
     </message>
     <message>
         <source>Tilt to the north</source>
-        <translation type="unfinished"></translation>
+        <translation>Inclinação para norte</translation>
     </message>
     <message>
         <source>How far the azimuth axis leans to the north. A negative value leans to the south.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quanto o eixo de azimute se inclina para norte. Um valor negativo inclina-se para sul.</translation>
     </message>
     <message>
         <source>Tilt to the east</source>
-        <translation type="unfinished"></translation>
+        <translation>Inclinação para leste</translation>
     </message>
     <message>
         <source>How far the azimuth axis leans to the east. A negative value leans to the west.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quanto o eixo de azimute se inclina para leste. Um valor negativo inclina-se para oeste.</translation>
     </message>
     <message>
         <source>Collimation</source>
-        <translation type="unfinished"></translation>
+        <translation>Colimação</translation>
     </message>
     <message>
         <source>Angle of the beam from the right angle to the elevation axis, clockwise, at any elevation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ângulo do feixe em relação à perpendicular ao eixo de elevação, no sentido horário, em qualquer elevação.</translation>
     </message>
     <message>
         <source>Axes not at a right angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Eixos não perpendiculares</translation>
     </message>
     <message>
         <source>How far the elevation axis is off the right angle to the azimuth axis. A raised beam then points clockwise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quanto o eixo de elevação se afasta da perpendicular ao eixo de azimute. Um feixe levantado aponta então no sentido horário.</translation>
     </message>
     <message>
         <source>Sag</source>
-        <translation type="unfinished"></translation>
+        <translation>Flexão</translation>
     </message>
     <message>
         <source>Source</source>
-        <translation type="unfinished"></translation>
+        <translation>Origem</translation>
     </message>
     <message>
         <source>Whether a receiver reports the received power for the cross scan, one number in dB per line. &quot;udp&quot; listens for it, &quot;tcp&quot; connects to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se um recetor comunica a potência recebida para o varrimento em cruz, um número em dB por linha. &quot;udp&quot; escuta, &quot;tcp&quot; conecta-se a ele.</translation>
     </message>
     <message>
         <source>Host</source>
-        <translation type="unfinished"></translation>
+        <translation>Anfitrião</translation>
     </message>
     <message>
         <source>UDP: the address of this computer to listen on; 127.0.0.1 receives from this computer only, 0.0.0.0 from all. TCP: name or address of the receiver&apos;s program.</source>
-        <translation type="unfinished"></translation>
+        <translation>UDP: o endereço deste computador em que escuta; 127.0.0.1 recebe só deste computador, 0.0.0.0 de todos. TCP: nome ou endereço do programa do recetor.</translation>
     </message>
     <message>
         <source>missing: %1. The keys of this table are only valid together.</source>
-        <translation type="unfinished"></translation>
+        <translation>falta: %1. As chaves desta tabela só valem juntas.</translation>
     </message>
     <message>
         <source>%1 has several profiles, and %2 names none of them. Choose one with --profile.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tem vários perfis, e %2 não indica nenhum deles. Escolha um com --profile.</translation>
     </message>
     <message>
         <source>%1: The folder cannot be created.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Não é possível criar a pasta.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is the mount in use. Switch to another mount first.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;%1&quot; é a montagem em uso. Mude primeiro para outra montagem.</translation>
     </message>
     <message>
         <source>A mount &quot;%1&quot; already exists (%2). Give this mount another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Já existe uma montagem &quot;%1&quot; (%2). Dê outro nome a esta montagem.</translation>
     </message>
     <message>
         <source>The limits %1…%2 do not overlap the travel %3…%4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os limites %1…%2 não se sobrepõem ao curso %3…%4.</translation>
     </message>
     <message>
         <source>%1 points are too many. The most is %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pontos são de mais. O máximo é %2.</translation>
     </message>
     <message>
         <source>Azimuth %1 does not follow %2. The azimuths must ascend, each once.</source>
-        <translation type="unfinished"></translation>
+        <translation>O azimute %1 não vem depois de %2. Os azimutes têm de ser crescentes, cada um uma vez.</translation>
     </message>
     <message>
         <source>The name &quot;%1&quot; is used twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>O nome &quot;%1&quot; é usado duas vezes.</translation>
     </message>
     <message>
         <source>%1 keep-outs are too many. The most is %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 zonas proibidas são de mais. O máximo é %2.</translation>
     </message>
     <message>
         <source>is the same as azimuth_from_deg, so the keep-out has no width</source>
-        <translation type="unfinished"></translation>
+        <translation>é igual a azimuth_from_deg, por isso a zona proibida não tem largura</translation>
     </message>
     <message>
         <source>The site is not set. Boresight cannot compute the position of the Sun without it.</source>
-        <translation type="unfinished"></translation>
+        <translation>O local não está definido. Sem ele o Boresight não pode calcular a posição do Sol.</translation>
     </message>
     <message>
         <source>Azimuth</source>
-        <translation type="unfinished"></translation>
+        <translation>Azimute</translation>
     </message>
     <message>
         <source>Elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>Elevação</translation>
     </message>
     <message>
         <source>Lowest elevation of the beam at this azimuth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Menor elevação do feixe neste azimute.</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome</translation>
     </message>
     <message>
         <source>Name of the keep-out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome da zona proibida.</translation>
     </message>
     <message>
         <source>Azimuth from</source>
-        <translation type="unfinished"></translation>
+        <translation>Azimute desde</translation>
     </message>
     <message>
         <source>Azimuth to</source>
-        <translation type="unfinished"></translation>
+        <translation>Azimute até</translation>
     </message>
     <message>
         <source>Its clockwise side. From 350 to 10 it passes through north.</source>
-        <translation type="unfinished"></translation>
+        <translation>O seu lado horário. De 350 a 10 passa pelo norte.</translation>
     </message>
     <message>
         <source>Elevation from</source>
-        <translation type="unfinished"></translation>
+        <translation>Elevação desde</translation>
     </message>
     <message>
         <source>Elevation to</source>
-        <translation type="unfinished"></translation>
+        <translation>Elevação até</translation>
     </message>
     <message>
         <source>Name of the preset.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome da predefinição.</translation>
     </message>
     <message>
         <source>Elevation. A value above 90 points over the top.</source>
-        <translation type="unfinished"></translation>
+        <translation>Elevação. Um valor acima de 90 aponta para além do zénite.</translation>
     </message>
     <message>
         <source>Lowest azimuth</source>
-        <translation type="unfinished"></translation>
+        <translation>Menor azimute</translation>
     </message>
     <message>
         <source>Lowest azimuth in operation, as an axis angle. The travel limits the axis, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Menor azimute em operação, como ângulo do eixo. O curso também limita o eixo.</translation>
     </message>
     <message>
         <source>Highest azimuth</source>
-        <translation type="unfinished"></translation>
+        <translation>Maior azimute</translation>
     </message>
     <message>
         <source>Highest azimuth in operation, as an axis angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maior azimute em operação, como ângulo do eixo.</translation>
     </message>
     <message>
         <source>Lowest elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>Menor elevação</translation>
     </message>
     <message>
         <source>Lowest elevation in operation, as an axis angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Menor elevação em operação, como ângulo do eixo.</translation>
     </message>
     <message>
         <source>Highest elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>Maior elevação</translation>
     </message>
     <message>
         <source>Highest elevation in operation, as an axis angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maior elevação em operação, como ângulo do eixo.</translation>
     </message>
     <message>
         <source>Latitude</source>
-        <translation type="unfinished"></translation>
+        <translation>Latitude</translation>
     </message>
     <message>
         <source>Latitude of the mount. North is positive.</source>
-        <translation type="unfinished"></translation>
+        <translation>Latitude da montagem. O norte é positivo.</translation>
     </message>
     <message>
         <source>Longitude</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitude</translation>
     </message>
     <message>
         <source>Longitude of the mount. East is positive.</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitude da montagem. O leste é positivo.</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Altitude</translation>
     </message>
     <message>
         <source>Height of the mount above sea level.</source>
-        <translation type="unfinished"></translation>
+        <translation>Altitude da montagem acima do nível do mar.</translation>
     </message>
     <message>
         <source>Folder of Gpredict</source>
-        <translation type="unfinished"></translation>
+        <translation>Pasta do Gpredict</translation>
     </message>
     <message>
         <source>Folder with the stations and satellite data of Gpredict. Empty: the folder that Gpredict uses for this user.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pasta com as estações e os dados de satélites do Gpredict. Vazio: a pasta que o Gpredict usa para este utilizador.</translation>
     </message>
     <message>
         <source>Keep away from the Sun</source>
-        <translation type="unfinished"></translation>
+        <translation>Manter longe do Sol</translation>
     </message>
     <message>
         <source>Whether the beam stays away from the Sun, whatever moves the mount. This needs the site.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se o feixe fica longe do Sol, seja o que for que mova a montagem. Isto precisa do local.</translation>
     </message>
     <message>
         <source>Clock for the Sun</source>
-        <translation type="unfinished"></translation>
+        <translation>Relógio para o Sol</translation>
     </message>
     <message>
         <source>Distance from the Sun</source>
-        <translation type="unfinished"></translation>
+        <translation>Distância ao Sol</translation>
     </message>
     <message>
         <source>The beam stays this far from the middle of the Sun.</source>
-        <translation type="unfinished"></translation>
+        <translation>O feixe fica a esta distância do meio do Sol.</translation>
     </message>
     <message>
         <source>Whether an independent orientation sensor is on the antenna, and how Boresight reads it. &quot;simulated&quot; is the sensor of the simulated mount.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se há um sensor de orientação independente na antena, e como o Boresight o lê. &quot;simulated&quot; é o sensor da montagem simulada.</translation>
     </message>
     <message>
         <source>Serial port</source>
-        <translation type="unfinished"></translation>
+        <translation>Porta série</translation>
     </message>
     <message>
         <source>Device of the serial port of the sensor. A name in /dev/serial/by-id stays the same in every socket.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dispositivo da porta série do sensor. Um nome em /dev/serial/by-id é o mesmo em qualquer tomada.</translation>
     </message>
     <message>
         <source>Baud rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidade (baud)</translation>
     </message>
     <message>
         <source>Speed of the serial port of the sensor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidade da porta série do sensor.</translation>
     </message>
     <message>
         <source>Topic of the orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>Tópico da orientação</translation>
     </message>
     <message>
         <source>MQTT topic of the azimuth and the elevation of the sensor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tópico MQTT do azimute e da elevação do sensor.</translation>
     </message>
     <message>
         <source>Topic of the status</source>
-        <translation type="unfinished"></translation>
+        <translation>Tópico do estado</translation>
     </message>
     <message>
         <source>MQTT topic of the temperature and the firmware of the sensor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tópico MQTT da temperatura e do firmware do sensor.</translation>
     </message>
     <message>
         <source>Topic of the calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Tópico da calibração</translation>
     </message>
     <message>
         <source>Azimuth direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Sentido do azimute</translation>
     </message>
     <message>
         <source>The direction in which the sensor&apos;s azimuth grows, seen from above. It depends on the mounting. Turn the mount and watch the value.</source>
-        <translation type="unfinished"></translation>
+        <translation>O sentido em que o azimute do sensor cresce, visto de cima. Depende da instalação do sensor. Gire a montagem e observe o valor.</translation>
     </message>
     <message>
         <source>Azimuth offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Desvio do azimute</translation>
     </message>
     <message>
         <source>True azimuth of the beam when the sensor points north.</source>
-        <translation type="unfinished"></translation>
+        <translation>Azimute verdadeiro do feixe quando o sensor aponta para norte.</translation>
     </message>
     <message>
         <source>Elevation of the beam when the sensor reports 0°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Elevação do feixe quando o sensor indica 0°.</translation>
     </message>
     <message>
         <source>Uncertainty of north</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza do norte</translation>
     </message>
     <message>
         <source>1 sigma of the north that was found with the compass error. 0: unknown.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 sigma do norte achado com o erro da bússola. 0: desconhecido.</translation>
     </message>
     <message>
         <source>Elevation of the swing</source>
-        <translation type="unfinished"></translation>
+        <translation>Elevação do giro</translation>
     </message>
     <message>
         <source>Elevation of the boom during the compass swing. The measured error holds best there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Elevação da lança durante o giro da bússola. É aí que o erro medido é mais exato.</translation>
     </message>
     <message>
         <source>Unreliable headings</source>
-        <translation type="unfinished"></translation>
+        <translation>Rumos não fiáveis</translation>
     </message>
     <message>
         <source>True headings at which steel disturbs the compass, clockwise, for example &quot;40-80, 350-20&quot;. Its azimuth is no evidence there. Empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rumos verdadeiros em que o aço perturba a bússola, em sentido horário, por exemplo &quot;40-80, 350-20&quot;. O azimute dela não serve aí de prova. Vazio: nenhum.</translation>
     </message>
     <message>
         <source>Compass error: sine</source>
-        <translation type="unfinished"></translation>
+        <translation>Erro da bússola: seno</translation>
     </message>
     <message>
         <source>Error of the compass, as a swing measures it: the part that follows the sine of the true heading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erro da bússola, medido por um giro: a parte que segue o seno do rumo verdadeiro.</translation>
     </message>
     <message>
         <source>Compass error: cosine</source>
-        <translation type="unfinished"></translation>
+        <translation>Erro da bússola: cosseno</translation>
     </message>
     <message>
         <source>The part that follows the cosine of the true heading.</source>
-        <translation type="unfinished"></translation>
+        <translation>A parte que segue o cosseno do rumo verdadeiro.</translation>
     </message>
     <message>
         <source>Compass error: sine of twice</source>
-        <translation type="unfinished"></translation>
+        <translation>Erro da bússola: seno do dobro</translation>
     </message>
     <message>
         <source>The part that follows the sine of twice the true heading.</source>
-        <translation type="unfinished"></translation>
+        <translation>A parte que segue o seno do dobro do rumo verdadeiro.</translation>
     </message>
     <message>
         <source>Compass error: cosine of twice</source>
-        <translation type="unfinished"></translation>
+        <translation>Erro da bússola: cosseno do dobro</translation>
     </message>
     <message>
         <source>The part that follows the cosine of twice the true heading.</source>
-        <translation type="unfinished"></translation>
+        <translation>A parte que segue o cosseno do dobro do rumo verdadeiro.</translation>
     </message>
     <message>
         <source>Declination applied by</source>
-        <translation type="unfinished"></translation>
+        <translation>Declinação aplicada por</translation>
     </message>
     <message>
         <source>Where the magnetic declination is applied: in the sensor alone, in Boresight alone (for the site, in place of the sensor&apos;s value), or nowhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Onde se aplica a declinação magnética: só no sensor, só no Boresight (para o local, em vez do valor do sensor), ou em lado nenhum.</translation>
     </message>
     <message>
         <source>Declination in the firmware</source>
-        <translation type="unfinished"></translation>
+        <translation>Declinação no firmware</translation>
     </message>
     <message>
         <source>The sensor&apos;s firmware adds this angle to its azimuth: 5.07° as delivered, for Berlin.</source>
-        <translation type="unfinished"></translation>
+        <translation>O firmware do sensor soma este ângulo ao seu azimute: 5.07° de fábrica, para Berlim.</translation>
     </message>
     <message>
         <source>Declination of the site</source>
-        <translation type="unfinished"></translation>
+        <translation>Declinação do local</translation>
     </message>
     <message>
         <source>Magnetic declination of the site, east positive. It is used while the file below is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Declinação magnética do local, positiva para leste. Usa-se enquanto o ficheiro abaixo estiver vazio.</translation>
     </message>
     <message>
         <source>Magnetic model</source>
-        <translation type="unfinished"></translation>
+        <translation>Modelo magnético</translation>
     </message>
     <message>
         <source>Coefficients of the World Magnetic Model (.COF). Boresight computes the declination of the site from them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficientes do World Magnetic Model (.COF). O Boresight calcula com eles a declinação do local.</translation>
     </message>
     <message>
         <source>Lost after</source>
-        <translation type="unfinished"></translation>
+        <translation>Perdido após</translation>
     </message>
     <message>
         <source>The sensor counts as lost after this time without a value. Its last values are then not used.</source>
-        <translation type="unfinished"></translation>
+        <translation>O sensor conta como perdido após este tempo sem um valor. Os seus últimos valores deixam então de ser usados.</translation>
     </message>
     <message>
         <source>Latency</source>
-        <translation type="unfinished"></translation>
+        <translation>Latência</translation>
     </message>
     <message>
         <source>Age of the sensor&apos;s azimuth on arrival. It counts from the middle of the averaging in the firmware.</source>
-        <translation type="unfinished"></translation>
+        <translation>Idade do azimute do sensor à chegada. Conta desde o meio da média feita no firmware.</translation>
     </message>
     <message>
         <source>Averaging time</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo de média</translation>
     </message>
     <message>
         <source>Disagreement: warn</source>
-        <translation type="unfinished"></translation>
+        <translation>Discordância: avisar</translation>
     </message>
     <message>
         <source>Warn when sensor and axes differ by this angle for the time below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avisar quando sensor e eixos diferem deste ângulo durante o tempo abaixo.</translation>
     </message>
     <message>
         <source>Disagreement: time</source>
-        <translation type="unfinished"></translation>
+        <translation>Discordância: tempo</translation>
     </message>
     <message>
         <source>Current limit, standing</source>
-        <translation type="unfinished"></translation>
+        <translation>Limite de corrente, parado</translation>
     </message>
     <message>
         <source>North is not averaged while a motor current is higher. The field of the motor disturbs the compass.</source>
-        <translation type="unfinished"></translation>
+        <translation>Não se faz a média do norte enquanto a corrente de um motor for mais alta. O campo do motor perturba a bússola.</translation>
     </message>
     <message>
         <source>Current limit, swinging</source>
-        <translation type="unfinished"></translation>
+        <translation>Limite de corrente, no giro</translation>
     </message>
     <message>
         <source>A compass swing ignores readings taken at a higher motor current. Turning needs some current.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um giro da bússola ignora leituras tomadas com uma corrente do motor mais alta. Girar precisa de alguma corrente.</translation>
     </message>
     <message>
         <source>Name of the mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome da montagem</translation>
     </message>
     <message>
         <source>The name of this mount for clients and in the window. Its position journal is kept under this name.</source>
-        <translation type="unfinished"></translation>
+        <translation>O nome desta montagem para os clientes e na janela. O seu diário de posição é guardado com este nome.</translation>
     </message>
     <message>
         <source>Beam width</source>
-        <translation type="unfinished"></translation>
+        <translation>Largura do feixe</translation>
     </message>
     <message>
         <source>Half-power beam width of the antenna. The sky shows it as a circle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Largura do feixe da antena a meia potência. O céu mostra-a como um círculo.</translation>
     </message>
     <message>
         <source>Directions confirmed</source>
-        <translation type="unfinished"></translation>
+        <translation>Sentidos confirmados</translation>
     </message>
     <message>
         <source>Whether a person has seen each axis turn the way this file says. Until then every motion is short and slow. Without this key a real mount is unconfirmed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se uma pessoa viu cada eixo girar como este ficheiro diz. Até lá, todos os movimentos são curtos e lentos. Sem esta chave, uma montagem real não está confirmada.</translation>
     </message>
     <message>
         <source>Bus</source>
-        <translation type="unfinished"></translation>
+        <translation>Barramento</translation>
     </message>
     <message>
         <source>How Boresight reaches the drives: &quot;fdcanusb:PATH&quot;, &quot;socketcan:INTERFACE&quot; or &quot;simulated&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Como o Boresight chega aos acionamentos: &quot;fdcanusb:PATH&quot;, &quot;socketcan:INTERFACE&quot; ou &quot;simulated&quot;.</translation>
     </message>
     <message>
         <source>Driver</source>
-        <translation type="unfinished"></translation>
+        <translation>Driver</translation>
     </message>
     <message>
         <source>What turns the axis. Each axis may have its own driver. &quot;simple&quot; is simulated only: a rotator of whole degrees without a watchdog. With &quot;none&quot; the mount has no such axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>O que gira o eixo. Cada eixo pode ter o seu próprio driver. &quot;simple&quot; só existe simulado: um rotor de graus inteiros sem watchdog. Com &quot;none&quot; a montagem não tem esse eixo.</translation>
     </message>
     <message>
         <source>CAN id</source>
-        <translation type="unfinished"></translation>
+        <translation>Id CAN</translation>
     </message>
     <message>
         <source>CAN id of the moteus controller of this axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Id CAN do controlador moteus deste eixo.</translation>
     </message>
     <message>
         <source>Motor direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Sentido do motor</translation>
     </message>
     <message>
         <source>1, or -1 if the motor counts down while the axis angle grows. 0 is refused.</source>
-        <translation type="unfinished"></translation>
+        <translation>1, ou -1 se o motor conta para baixo enquanto o ângulo do eixo cresce. 0 é recusado.</translation>
     </message>
     <message>
         <source>Axis zero offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Desvio do zero do eixo</translation>
     </message>
     <message>
         <source>Gear ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>Redução</translation>
     </message>
     <message>
         <source>Turns of the motor for one turn of the axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Voltas do motor para uma volta do eixo.</translation>
     </message>
     <message>
         <source>Gear ratio applied in</source>
-        <translation type="unfinished"></translation>
+        <translation>Redução aplicada em</translation>
     </message>
     <message>
         <source>Where the gear ratio is applied. With &quot;drive&quot; the controller already counts turns of the axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Onde se aplica a redução. Com &quot;drive&quot; o controlador já conta voltas do eixo.</translation>
     </message>
     <message>
         <source>Travel from</source>
-        <translation type="unfinished"></translation>
+        <translation>Curso de</translation>
     </message>
     <message>
         <source>Lower end of the permitted travel, as an axis angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fim inferior do curso permitido, como ângulo do eixo.</translation>
     </message>
     <message>
         <source>Travel to</source>
-        <translation type="unfinished"></translation>
+        <translation>Curso até</translation>
     </message>
     <message>
         <source>Upper end of the permitted travel, as an axis angle: 370° is not 10°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fim superior do curso permitido, como ângulo do eixo: 370° não é 10°.</translation>
     </message>
     <message>
         <source>Top speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidade máxima</translation>
     </message>
     <message>
         <source>The axis never moves faster.</source>
-        <translation type="unfinished"></translation>
+        <translation>O eixo nunca se move mais depressa.</translation>
     </message>
     <message>
         <source>Acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>Aceleração</translation>
     </message>
     <message>
         <source>Largest change of speed, also in a stop.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maior variação da velocidade, também numa paragem.</translation>
     </message>
     <message>
         <source>Jerk</source>
-        <translation type="unfinished"></translation>
+        <translation>Jerk</translation>
     </message>
     <message>
         <source>Largest change of acceleration. Every stop takes 2 × acceleration / jerk seconds longer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maior variação da aceleração. Cada paragem demora mais 2 × aceleração / jerk segundos.</translation>
     </message>
     <message>
         <source>Largest torque</source>
-        <translation type="unfinished"></translation>
+        <translation>Torque máximo</translation>
     </message>
     <message>
         <source>The drive uses no more torque, as its controller measures it.</source>
-        <translation type="unfinished"></translation>
+        <translation>O acionamento não usa mais torque, medido pelo seu controlador.</translation>
     </message>
     <message>
         <source>Position after power-up</source>
-        <translation type="unfinished"></translation>
+        <translation>Posição após ligar</translation>
     </message>
     <message>
         <source>&quot;trusted&quot; if the position after power-up is always right: an encoder on the axis and a travel below one turn. Otherwise the axis points only while the drive reports a referenced output.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;trusted&quot; se a posição após ligar está sempre certa: um encoder no eixo e um curso inferior a uma volta. Senão, o eixo só aponta enquanto o acionamento comunicar uma saída referenciada.</translation>
     </message>
     <message>
         <source>If commands stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Se os comandos cessarem</translation>
     </message>
     <message>
         <source>Set-points per second</source>
-        <translation type="unfinished"></translation>
+        <translation>Referências por segundo</translation>
     </message>
     <message>
         <source>How often each drive gets a new set-point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quantas vezes cada acionamento recebe uma nova referência.</translation>
     </message>
     <message>
         <source>Drive watchdog</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How the axes arrive at the end of a slew: &quot;separate&quot; lets each axis arrive as soon as it can, &quot;together&quot; slows the faster axis so that both arrive at the same time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Watchdog do acionamento</translation>
     </message>
     <message>
         <source>After a stall</source>
-        <translation type="unfinished"></translation>
+        <translation>Após bloqueio do PC</translation>
     </message>
     <message>
         <source>What follows when this computer stalled for up to 2 s and the watchdogs stopped the drives: resume the motion, or wait for a re-arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>O que se segue quando este computador esteve bloqueado até 2 s e os watchdogs pararam os acionamentos: retomar o movimento, ou esperar que se rearme.</translation>
     </message>
     <message>
         <source>At program end</source>
-        <translation type="unfinished"></translation>
+        <translation>No fim do programa</translation>
     </message>
     <message>
         <source>The state of the drives after the program ends. &quot;hold&quot; needs servo.timeout_mode 10 in the drives. Without it they only damp.</source>
-        <translation type="unfinished"></translation>
+        <translation>O estado dos acionamentos depois de o programa terminar. &quot;hold&quot; precisa de servo.timeout_mode 10 nos acionamentos. Sem isso, só amortecem.</translation>
     </message>
     <message>
         <source>Margin of the drives&apos; own limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Margem dos limites dos acionamentos</translation>
     </message>
     <message>
         <source>The position limits in the drives lie this far beyond the travel. They hold without this program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os limites de posição nos acionamentos ficam a esta distância além do curso. Valem sem este programa.</translation>
     </message>
     <message>
         <source>Park azimuth</source>
-        <translation type="unfinished"></translation>
+        <translation>Estacionar: azimute</translation>
     </message>
     <message>
         <source>Azimuth of the park position, as an axis angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Azimute da posição de estacionamento, como ângulo do eixo.</translation>
     </message>
     <message>
         <source>Park elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>Estacionar: elevação</translation>
     </message>
     <message>
         <source>Elevation of the park position, as an axis angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Elevação da posição de estacionamento, como ângulo do eixo.</translation>
     </message>
     <message>
         <source>Slow jog rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Vel. manual lenta</translation>
     </message>
     <message>
         <source>The lowest jog rate of the slider.</source>
-        <translation type="unfinished"></translation>
+        <translation>A menor velocidade manual do cursor.</translation>
     </message>
     <message>
         <source>Normal jog rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Vel. manual normal</translation>
     </message>
     <message>
         <source>The jog rate at the start.</source>
-        <translation type="unfinished"></translation>
+        <translation>A velocidade manual no início.</translation>
     </message>
     <message>
         <source>Fast jog rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Vel. manual rápida</translation>
     </message>
     <message>
         <source>The highest jog rate of the slider, and the rate of Shift + arrow.</source>
-        <translation type="unfinished"></translation>
+        <translation>A maior velocidade manual do cursor, e a velocidade de Shift + seta.</translation>
     </message>
     <message>
         <source>Jog rate while the wrap is unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>Vel. manual com volta desconhecida</translation>
     </message>
     <message>
         <source>The highest jog rate while the cable wrap of an axis is unknown.</source>
-        <translation type="unfinished"></translation>
+        <translation>A maior velocidade manual enquanto a volta do cabo de um eixo for desconhecida.</translation>
     </message>
     <message>
         <source>Listen on</source>
-        <translation type="unfinished"></translation>
+        <translation>Escutar em</translation>
     </message>
     <message>
         <source>HOST:PORT for rotctld clients. Port 0 takes any free port. 127.0.0.1 admits this computer only.</source>
-        <translation type="unfinished"></translation>
+        <translation>HOST:PORT para clientes rotctld. A porta 0 usa qualquer porta livre. 127.0.0.1 só admite este computador.</translation>
     </message>
     <message>
         <source>Allowed addresses</source>
-        <translation type="unfinished"></translation>
+        <translation>Endereços permitidos</translation>
     </message>
     <message>
         <source>Addresses and networks that may connect, for example &quot;192.168.1.7&quot; or &quot;10.0.0.0/8&quot;. Empty: every client that reaches the port.</source>
-        <translation type="unfinished"></translation>
+        <translation>Endereços e redes que podem ligar-se, por exemplo &quot;192.168.1.7&quot; ou &quot;10.0.0.0/8&quot;. Vazio: qualquer cliente que chegue à porta.</translation>
     </message>
     <message>
         <source>Control goes to</source>
-        <translation type="unfinished"></translation>
+        <translation>Controlo vai para</translation>
     </message>
     <message>
         <source>Which client moves the mount: the &quot;first&quot; until it has sent no motion command for 10 s, the latest (&quot;last&quot;, as Hamlib), or the one that control is &quot;locked&quot; to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Que cliente move a montagem: o primeiro (&quot;first&quot;) até não enviar comandos de movimento durante 10 s, o último (&quot;last&quot;, como o Hamlib), ou aquele a que o controlo está reservado (&quot;locked&quot;).</translation>
     </message>
     <message>
         <source>Locked to</source>
-        <translation type="unfinished"></translation>
+        <translation>Reservado a</translation>
     </message>
     <message>
         <source>Address of the only client that may move the mount while control is &quot;locked&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Endereço do único cliente que pode mover a montagem enquanto o controlo está reservado (&quot;locked&quot;).</translation>
     </message>
     <message>
         <source>Target outside the limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Alvo fora dos limites</translation>
     </message>
     <message>
         <source>Go to the nearest permitted point, or refuse the command.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ir para o ponto permitido mais próximo, ou recusar o comando.</translation>
     </message>
     <message>
         <source>Azimuth for clients</source>
-        <translation type="unfinished"></translation>
+        <translation>Azimute para clientes</translation>
     </message>
     <message>
         <source>The form of the reported azimuth. &quot;continuous&quot; counts the turns of the axis: 370° is not 10°.</source>
-        <translation type="unfinished"></translation>
+        <translation>A forma do azimute comunicado. &quot;continuous&quot; conta as voltas do eixo: 370° não é 10°.</translation>
     </message>
     <message>
         <source>Form of the state dump</source>
-        <translation type="unfinished"></translation>
+        <translation>Forma do dump de estado</translation>
     </message>
     <message>
         <source>Most clients</source>
-        <translation type="unfinished"></translation>
+        <translation>Máximo de clientes</translation>
     </message>
     <message>
         <source>The largest number of connections at the same time.</source>
-        <translation type="unfinished"></translation>
+        <translation>O maior número de ligações ao mesmo tempo.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not one of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;%1&quot; não é um de %2</translation>
     </message>
     <message>
         <source>Following error: warn</source>
-        <translation type="unfinished"></translation>
+        <translation>Erro de seguimento: avisar</translation>
     </message>
     <message>
         <source>Warn when set-point and axis differ by this angle for the time below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avisar quando referência e eixo diferem deste ângulo durante o tempo abaixo.</translation>
     </message>
     <message>
         <source>Following error: stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Erro de seguimento: parar</translation>
     </message>
     <message>
         <source>Stop the mount when set-point and axis differ by this angle for the time below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parar a montagem quando referência e eixo diferem deste ângulo durante o tempo abaixo.</translation>
     </message>
     <message>
         <source>Following error: time</source>
-        <translation type="unfinished"></translation>
+        <translation>Erro de seguimento: tempo</translation>
     </message>
     <message>
         <source>Blocked axis: time</source>
-        <translation type="unfinished"></translation>
+        <translation>Eixo bloqueado: tempo</translation>
     </message>
     <message>
         <source>Stop the mount when an axis has not moved for this time although it is commanded to move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parar a montagem quando um eixo não se moveu durante este tempo, embora tenha ordem para se mover.</translation>
     </message>
     <message>
         <source>Motion without a command</source>
-        <translation type="unfinished"></translation>
+        <translation>Movimento sem comando</translation>
     </message>
     <message>
         <source>Stop the mount when an axis that should stand still has moved by this angle. Warn only while its drive is off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parar a montagem quando um eixo que devia estar parado se moveu deste ângulo. Só avisar enquanto o seu acionamento estiver desligado.</translation>
     </message>
     <message>
         <source>Jump of the position</source>
-        <translation type="unfinished"></translation>
+        <translation>Salto da posição</translation>
     </message>
     <message>
         <source>Stop the mount when an angle changes between two replies by this much more than the axis can turn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parar a montagem quando um ângulo muda entre duas respostas este tanto mais do que o eixo pode girar.</translation>
     </message>
     <message>
         <source>Beyond the travel: warn</source>
-        <translation type="unfinished"></translation>
+        <translation>Além do curso: avisar</translation>
     </message>
     <message>
         <source>Warn when an axis is this far beyond its travel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avisar quando um eixo está a esta distância além do seu curso.</translation>
     </message>
     <message>
         <source>Beyond the travel: stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Além do curso: parar</translation>
     </message>
     <message>
         <source>Stop the mount when an axis is this far beyond its travel and moves farther out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parar a montagem quando um eixo está a esta distância além do seu curso e se afasta mais.</translation>
     </message>
     <message>
         <source>High torque: warn</source>
-        <translation type="unfinished"></translation>
+        <translation>Torque alto: avisar</translation>
     </message>
     <message>
         <source>Warn when an axis needs this share of its largest torque for 2 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avisar quando um eixo precisa desta parte do seu torque máximo durante 2 s.</translation>
     </message>
     <message>
         <source>Torque while standing: warn</source>
-        <translation type="unfinished"></translation>
+        <translation>Torque parado: avisar</translation>
     </message>
     <message>
         <source>Warn when an axis that stands still needs this share of its largest torque for 2 s. Set it a little above the share that weight and friction need.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avisar quando um eixo parado precisa desta parte do seu torque máximo durante 2 s. Defina-a um pouco acima da parte de que o peso e o atrito precisam.</translation>
     </message>
     <message>
         <source>Torque while the wrap is unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>Torque com volta desconhecida</translation>
     </message>
     <message>
         <source>While the cable wrap of an axis is unknown, stop the mount at this share of the largest torque. A cable may pull.</source>
-        <translation type="unfinished"></translation>
+        <translation>Enquanto a volta do cabo de um eixo for desconhecida, parar a montagem a esta parte do torque máximo. Um cabo pode estar a puxar.</translation>
     </message>
     <message>
         <source>Late reply: warn</source>
-        <translation type="unfinished"></translation>
+        <translation>Resposta tardia: avisar</translation>
     </message>
     <message>
         <source>Warn when the last reply of a drive is older.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avisar quando a última resposta de um acionamento é mais antiga.</translation>
     </message>
     <message>
         <source>Low supply: warn</source>
-        <translation type="unfinished"></translation>
+        <translation>Alimentação baixa: avisar</translation>
     </message>
     <message>
         <source>Warn below this supply voltage.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avisar abaixo desta tensão de alimentação.</translation>
     </message>
     <message>
         <source>Low supply: stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Alimentação baixa: parar</translation>
     </message>
     <message>
         <source>Stop the mount below this supply voltage, while the drives still can.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parar a montagem abaixo desta tensão de alimentação, enquanto os acionamentos ainda podem.</translation>
     </message>
     <message>
         <source>High supply: warn</source>
-        <translation type="unfinished"></translation>
+        <translation>Alimentação alta: avisar</translation>
     </message>
     <message>
         <source>Warn above this supply voltage. A stop would brake and raise the voltage further.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avisar acima desta tensão de alimentação. Uma paragem travaria e subiria ainda mais a tensão.</translation>
     </message>
     <message>
         <source>Drive board: warn</source>
-        <translation type="unfinished"></translation>
+        <translation>Placa: avisar</translation>
     </message>
     <message>
         <source>Warn above this drive-board temperature.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avisar acima desta temperatura da placa do acionamento.</translation>
     </message>
     <message>
         <source>Drive board: limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Placa: limite</translation>
     </message>
     <message>
         <source>Temperature at which the drive reports fault 38 (servo.fault_temperature). Trends are computed up to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatura a que o acionamento comunica a falha 38 (servo.fault_temperature). As tendências calculam-se até ela.</translation>
     </message>
     <message>
         <source>Motor: warn</source>
-        <translation type="unfinished"></translation>
+        <translation>Motor: avisar</translation>
     </message>
     <message>
         <source>Warn above this temperature of a motor with a sensor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avisar acima desta temperatura de um motor com sensor.</translation>
     </message>
     <message>
         <source>Trend: look ahead</source>
-        <translation type="unfinished"></translation>
+        <translation>Tendência: antecipação</translation>
     </message>
     <message>
         <source>Warn when supply or temperature will reach the limit within this time if they change as in the last minute.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avisar quando a alimentação ou a temperatura chegarão ao limite dentro deste tempo, se mudarem como no último minuto.</translation>
     </message>
     <message>
         <source>Re-arm after overheating</source>
-        <translation type="unfinished"></translation>
+        <translation>Rearmar após sobreaquecimento</translation>
     </message>
     <message>
         <source>Re-arm without a person when an overheated drive (fault 38) has cooled down by 5 °C.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rearmar sem uma pessoa quando um acionamento sobreaquecido (falha 38) arrefeceu 5 °C.</translation>
     </message>
     <message>
         <source>Re-arm after a supply fault</source>
-        <translation type="unfinished"></translation>
+        <translation>Rearmar após falha de alimentação</translation>
     </message>
     <message>
         <source>Re-arm without a person when the supply voltage (faults 34, 40) is back in its range.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rearmar sem uma pessoa quando a tensão de alimentação (falhas 34, 40) volta à sua gama.</translation>
     </message>
     <message>
         <source>Re-arm after silence</source>
-        <translation type="unfinished"></translation>
+        <translation>Rearmar após silêncio</translation>
     </message>
     <message>
         <source>Re-arm without a person when silent or timed-out drives reply again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rearmar sem uma pessoa quando acionamentos calados ou com tempo esgotado voltam a responder.</translation>
     </message>
     <message>
         <source>Time between attempts</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo entre tentativas</translation>
     </message>
     <message>
         <source>Time from a fault, or from the last attempt, to the next attempt to re-arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo desde uma falha, ou desde a última tentativa, até à próxima tentativa de rearmar.</translation>
     </message>
     <message>
         <source>go to azimuth %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ir ao azimute %1</translation>
     </message>
     <message>
         <source>go to elevation %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ir à elevação %1</translation>
     </message>
     <message>
         <source>unwrap the cable, azimuth axis to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>desenrolar o cabo, eixo de azimute até %1</translation>
     </message>
     <message>
         <source>named by the command line or the profile</source>
-        <translation type="unfinished"></translation>
+        <translation>da linha de comandos ou do perfil</translation>
     </message>
     <message>
         <source>%1 was %2 away from its set-point for %3 (set-point %4, axis %5)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 esteve a %2 da sua referência durante %3 (referência %4, eixo %5)</translation>
     </message>
     <message>
         <source>the supply of %1 fell to %2 V, below %3 V</source>
-        <translation type="unfinished"></translation>
+        <translation>a alimentação (%1) caiu para %2 V, abaixo de %3 V</translation>
     </message>
     <message>
         <source>the supply of %1 rose to %2 V, above %3 V</source>
-        <translation type="unfinished"></translation>
+        <translation>a alimentação (%1) subiu para %2 V, acima de %3 V</translation>
     </message>
     <message>
         <source>%1 reached %2 °C and switches off at %3 °C</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 chegou a %2 °C e desliga-se a %3 °C</translation>
     </message>
     <message>
         <source>%1 reached %2 °C</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 chegou a %2 °C</translation>
     </message>
     <message>
         <source>%1 reached %2 %3 and, rising by %4 %3/min, reaches %5 %3 at %6</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 chegou a %2 %3 e, a subir %4 %3/min, chega a %5 %3 às %6</translation>
     </message>
     <message>
         <source>%1 fell to %2 %3 and, falling by %4 %3/min, reaches %5 %3 at %6</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 caiu para %2 %3 e, a descer %4 %3/min, chega a %5 %3 às %6</translation>
     </message>
     <message>
         <source>The drive check has not run yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>A verificação dos acionamentos ainda não foi feita.</translation>
     </message>
     <message>
         <source>The drive check is running. Wait some seconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>A verificação dos acionamentos está em curso. Espere alguns segundos.</translation>
     </message>
     <message>
         <source>Settings are being written to the drives.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os parâmetros estão a ser escritos nos acionamentos.</translation>
+    </message>
+    <message>
+        <source>%1. Nearest allowed: %2.</source>
+        <translation>%1. Mais próximo permitido: %2.</translation>
+    </message>
+    <message>
+        <source>%1 lies in keep-out &quot;%2&quot;</source>
+        <translation>%1 fica na zona proibida &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>%1 lies below the horizon (%2)</source>
+        <translation>%1 fica abaixo do horizonte (%2)</translation>
+    </message>
+    <message>
+        <source>Arrival of the axes</source>
+        <translation>Chegada dos eixos</translation>
+    </message>
+    <message>
+        <source>How the axes arrive at the end of a slew. &quot;separate&quot;: each axis arrives as soon as it can. &quot;together&quot;: the faster axis slows down so that both arrive at the same time.</source>
+        <translation>Como os eixos chegam ao fim de uma deslocação. &quot;separate&quot;: cada eixo chega assim que pode. &quot;together&quot;: o eixo mais rápido abranda para que ambos cheguem ao mesmo tempo.</translation>
     </message>
 </context>
 <context>
@@ -6642,106 +6725,107 @@ do eixo</translation>
     </message>
     <message>
         <source>Medium</source>
-        <translation type="unfinished"></translation>
+        <translation>Médio</translation>
     </message>
     <message>
         <source>Low</source>
-        <translation type="unfinished"></translation>
+        <translation>Baixo</translation>
     </message>
     <message>
         <source>High</source>
-        <translation type="unfinished"></translation>
+        <translation>Alto</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::AboutPage</name>
     <message>
         <source>About Boresight</source>
-        <translation type="unfinished"></translation>
+        <translation>Acerca do Boresight</translation>
     </message>
     <message>
         <source>Boresight %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Boresight %1</translation>
     </message>
     <message>
         <source>The controller of an antenna mount.</source>
-        <translation type="unfinished"></translation>
+        <translation>O controlador de uma montagem de antena.</translation>
     </message>
     <message>
         <source>Licence</source>
-        <translation type="unfinished"></translation>
+        <translation>Licença</translation>
     </message>
     <message>
         <source>GNU General Public License, version 3 or later. There is no warranty.</source>
-        <translation type="unfinished"></translation>
+        <translation>GNU General Public License, versão 3 ou posterior. Não há garantia.</translation>
     </message>
     <message>
         <source>Libraries</source>
-        <translation type="unfinished"></translation>
+        <translation>Bibliotecas</translation>
     </message>
     <message>
         <source>Qt %1, Qwt, Eigen, ERFA, libarchive, libexpected, libmosquitto, OpenSSL,
 SDL 2, toml++</source>
-        <translation type="unfinished"></translation>
+        <translation>Qt %1, Qwt, Eigen, ERFA, libarchive, libexpected, libmosquitto, OpenSSL,
+SDL 2, toml++</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::AlarmCard</name>
     <message>
         <source>, cleared</source>
-        <translation type="unfinished"></translation>
+        <translation>, terminado</translation>
     </message>
     <message>
         <source>Worst alarm</source>
-        <translation type="unfinished"></translation>
+        <translation>Pior alarme</translation>
     </message>
     <message>
         <source>What was done and what to do</source>
-        <translation type="unfinished"></translation>
+        <translation>O que foi feito e o que fazer</translation>
     </message>
     <message>
         <source>Refused</source>
-        <translation type="unfinished"></translation>
+        <translation>Recusado</translation>
     </message>
     <message>
         <source>When the alarm came</source>
-        <translation type="unfinished"></translation>
+        <translation>Quando veio o alarme</translation>
     </message>
     <message>
         <source>Acknowledge</source>
-        <translation type="unfinished"></translation>
+        <translation>Reconhecer</translation>
     </message>
     <message>
         <source>Acknowledge all alarms (F8)</source>
-        <translation type="unfinished"></translation>
+        <translation>Reconhecer todos os alarmes (F8)</translation>
     </message>
     <message>
         <source>All alarms</source>
-        <translation type="unfinished"></translation>
+        <translation>Todos os alarmes</translation>
     </message>
     <message>
         <source>Open the list of alarms</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir a lista de alarmes</translation>
     </message>
     <message>
         <source>Cleared: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Terminado: %1</translation>
     </message>
     <message>
         <source>Clear the drive fault. The mount then stands in STANDBY. Nothing moves by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Limpar a falha do acionamento. A montagem fica então em STANDBY. Nada se move por si.</translation>
     </message>
     <message>
         <source>Release STOP. The mount then stands in STANDBY. Nothing moves by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Libertar STOP. A montagem fica então em STANDBY. Nada se move por si.</translation>
     </message>
     <message>
         <source>1 of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>1 de %1</translation>
     </message>
     <message>
         <source>Open the list of alarms. Not acknowledged: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir a lista de alarmes. Por reconhecer: %1</translation>
     </message>
 </context>
 <context>
@@ -6878,26 +6962,26 @@ SDL 2, toml++</source>
     </message>
     <message>
         <source>Close the question. Nothing is done.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fechar a pergunta. Nada é feito.</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::AuthorityButton</name>
     <message>
         <source>Give to clients</source>
-        <translation type="unfinished"></translation>
+        <translation>Dar aos clientes</translation>
     </message>
     <message>
         <source>Take control</source>
-        <translation type="unfinished"></translation>
+        <translation>Tomar controlo</translation>
     </message>
     <message>
         <source>Let rotctld clients move the mount again</source>
-        <translation type="unfinished"></translation>
+        <translation>Deixar os clientes rotctld mover de novo a montagem</translation>
     </message>
     <message>
         <source>Keep the mount for the operator: motion commands of clients are refused</source>
-        <translation type="unfinished"></translation>
+        <translation>Reservar a montagem para o operador: os comandos de movimento dos clientes são recusados</translation>
     </message>
 </context>
 <context>
@@ -7866,31 +7950,31 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
     </message>
     <message>
         <source>%1 in degrees, for example 113.5 (Ctrl+G, then Enter to go)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 em graus, por exemplo 113.5 (Ctrl+G, depois Enter para ir)</translation>
     </message>
     <message>
         <source>Go to this direction by the shortest way (Enter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ir para esta direção pelo caminho mais curto (Enter)</translation>
     </message>
     <message>
         <source>Copy a recent direction into the fields. Nothing moves before Go.</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar uma direção recente para os campos. Nada se move antes de Ir.</translation>
     </message>
     <message>
         <source>Go to</source>
-        <translation type="unfinished"></translation>
+        <translation>Ir a</translation>
     </message>
     <message>
         <source>Go: The azimuth is not a number. Type it with a decimal point, for example 113.5.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ir: O azimute não é um número. Escreva-o com ponto decimal, por exemplo 113.5.</translation>
     </message>
     <message>
         <source>Go: The elevation is not a number. Type it with a decimal point, for example 10.5.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ir: A elevação não é um número. Escreva-a com ponto decimal, por exemplo 10.5.</translation>
     </message>
     <message>
         <source>Go: Enter an azimuth, an elevation or both.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ir: Indique um azimute, uma elevação ou ambos.</translation>
     </message>
 </context>
 <context>
@@ -8020,11 +8104,11 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
     </message>
     <message>
         <source>%1 (simulated)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (simulado)</translation>
     </message>
     <message>
         <source>SIMULATED  ·  %1</source>
-        <translation type="unfinished"></translation>
+        <translation>SIMULADO  ·  %1</translation>
     </message>
 </context>
 <context>
@@ -8591,27 +8675,27 @@ trocar os motores</translation>
     <name>boresight::ui::HandBackPrompt</name>
     <message>
         <source>Clients are waiting</source>
-        <translation type="unfinished"></translation>
+        <translation>Há clientes à espera</translation>
     </message>
     <message>
         <source>Clients are waiting. Hand back?</source>
-        <translation type="unfinished"></translation>
+        <translation>Há clientes à espera. Devolver?</translation>
     </message>
     <message>
         <source>Hand back</source>
-        <translation type="unfinished"></translation>
+        <translation>Devolver</translation>
     </message>
     <message>
         <source>Clients move the mount from now on</source>
-        <translation type="unfinished"></translation>
+        <translation>A partir de agora os clientes movem a montagem</translation>
     </message>
     <message>
         <source>Keep control</source>
-        <translation type="unfinished"></translation>
+        <translation>Manter controlo</translation>
     </message>
     <message>
         <source>The clients stay refused. The Clients page hands over later</source>
-        <translation type="unfinished"></translation>
+        <translation>Os clientes continuam recusados. A página Clientes entrega mais tarde</translation>
     </message>
 </context>
 <context>
@@ -8780,35 +8864,35 @@ trocar os motores</translation>
     </message>
     <message>
         <source>there in %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>lá dentro de %1 s</translation>
     </message>
     <message>
         <source>by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>por %1</translation>
     </message>
     <message>
         <source>clients</source>
-        <translation type="unfinished"></translation>
+        <translation>clientes</translation>
     </message>
     <message>
         <source>you</source>
-        <translation type="unfinished"></translation>
+        <translation>você</translation>
     </message>
     <message>
         <source>Control: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Controlo: %1</translation>
     </message>
     <message>
         <source>Control: %1, %2 waiting</source>
-        <translation type="unfinished"></translation>
+        <translation>Controlo: %1, %2 à espera</translation>
     </message>
     <message>
         <source>Menu</source>
-        <translation type="unfinished"></translation>
+        <translation>Menu</translation>
     </message>
     <message>
         <source>Menu: theme, full screen, language, guide, keys, diagnostics (F10 or Alt)</source>
-        <translation type="unfinished"></translation>
+        <translation>Menu: tema, ecrã inteiro, idioma, guia, teclas, diagnóstico (F10 ou Alt)</translation>
     </message>
 </context>
 <context>
@@ -8915,108 +8999,109 @@ trocar os motores</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Parar</translation>
     </message>
     <message>
         <source>leave a field, list, menu or question. The next Esc is STOP</source>
-        <translation type="unfinished"></translation>
+        <translation>sair de um campo, lista, menu ou pergunta. O Esc seguinte é STOP</translation>
     </message>
     <message>
         <source>Move by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Mover à mão</translation>
     </message>
     <message>
         <source>move while held, once the pad is armed (click it, or press Enter)</source>
-        <translation type="unfinished"></translation>
+        <translation>mover enquanto premida, com o painel armado (clique nele, ou prima Enter)</translation>
     </message>
     <message>
         <source>move at the fast rate</source>
-        <translation type="unfinished"></translation>
+        <translation>mover à velocidade rápida</translation>
     </message>
     <message>
         <source>move one step, or trim the target of a client</source>
-        <translation type="unfinished"></translation>
+        <translation>mover um passo, ou corrigir o alvo de um cliente</translation>
     </message>
     <message>
         <source>change the jog rate (on the slider; also arrows, Home, End)</source>
-        <translation type="unfinished"></translation>
+        <translation>mudar a velocidade manual (no cursor; também setas, Home, End)</translation>
     </message>
     <message>
         <source>hold LB or RB and move the left stick; B is STOP</source>
-        <translation type="unfinished"></translation>
+        <translation>segurar LB ou RB e mover a alavanca esquerda; B é STOP</translation>
     </message>
     <message>
         <source>go to the Az field; Enter starts the move</source>
-        <translation type="unfinished"></translation>
+        <translation>ir ao campo Az; Enter inicia o movimento</translation>
     </message>
     <message>
         <source>Ctrl+H, Ctrl+P</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+H, Ctrl+P</translation>
     </message>
     <message>
         <source>hold the position, park</source>
-        <translation type="unfinished"></translation>
+        <translation>segurar a posição, estacionar</translation>
     </message>
     <message>
         <source>Panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Painéis</translation>
     </message>
     <message>
         <source>Jog, Charts, Limits, Clients, Log</source>
-        <translation type="unfinished"></translation>
+        <translation>Manual, Gráficos, Limites, Clientes, Registo</translation>
     </message>
     <message>
         <source>Mount: Drives, Protection, Profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Montagem: Acionamentos, Proteção, Perfil</translation>
     </message>
     <message>
         <source>North, or the question about the cable wrap</source>
-        <translation type="unfinished"></translation>
+        <translation>Norte, ou a pergunta sobre a volta do cabo</translation>
     </message>
     <message>
         <source>commissioning guide, its steps</source>
-        <translation type="unfinished"></translation>
+        <translation>guia de instalação, os seus passos</translation>
     </message>
     <message>
         <source>Sky and charts</source>
-        <translation type="unfinished"></translation>
+        <translation>Céu e gráficos</translation>
     </message>
     <message>
         <source>edit the limits on the sky: drag (Shift: 0.1°), + adds, Del removes</source>
-        <translation type="unfinished"></translation>
+        <translation>editar os limites no céu: arrastar (Shift: 0.1°), + acrescenta, Del retira</translation>
     </message>
     <message>
         <source>magnify the sky around the target (also the wheel)</source>
-        <translation type="unfinished"></translation>
+        <translation>ampliar o céu em torno do alvo (também a roda)</translation>
     </message>
     <message>
         <source>Window</source>
-        <translation type="unfinished"></translation>
+        <translation>Janela</translation>
     </message>
     <message>
         <source>F10, Alt</source>
-        <translation type="unfinished"></translation>
+        <translation>F10, Alt</translation>
     </message>
     <message>
         <source>open the menu</source>
-        <translation type="unfinished"></translation>
+        <translation>abrir o menu</translation>
     </message>
     <message>
         <source>next theme: day, night, red</source>
-        <translation type="unfinished"></translation>
+        <translation>tema seguinte: dia, noite, vermelho</translation>
     </message>
     <message>
         <source>F1, Shift+F1</source>
-        <translation type="unfinished"></translation>
+        <translation>F1, Shift+F1</translation>
     </message>
     <message>
         <source>manual, this page</source>
-        <translation type="unfinished"></translation>
+        <translation>manual, esta página</translation>
     </message>
     <message>
         <source>STOP is a function of this program: the mount slows down and holds its position.
 It does not replace the hard-wired emergency stop beside the mast.</source>
-        <translation type="unfinished"></translation>
+        <translation>STOP é uma função deste programa: a montagem abranda e segura a posição.
+Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     </message>
 </context>
 <context>
@@ -9170,19 +9255,19 @@ It does not replace the hard-wired emergency stop beside the mast.</source>
     </message>
     <message>
         <source>Rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidade</translation>
     </message>
     <message>
         <source>at most %1</source>
-        <translation type="unfinished"></translation>
+        <translation>no máximo %1</translation>
     </message>
     <message>
         <source>Jog rate from %1 to %2 (arrow keys, Page Up, Page Down). Shift + arrow on the pad jogs at the fast rate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidade manual de %1 a %2 (setas, Page Up, Page Down). Shift + seta no painel move à velocidade rápida.</translation>
     </message>
     <message>
         <source>The rate is at most %1 until the cable wraps are known and the directions are confirmed.</source>
-        <translation type="unfinished"></translation>
+        <translation>A velocidade é no máximo %1 até se conhecerem as voltas do cabo e os sentidos estarem confirmados.</translation>
     </message>
 </context>
 <context>
@@ -9233,27 +9318,27 @@ It does not replace the hard-wired emergency stop beside the mast.</source>
     </message>
     <message>
         <source>Stop the motion and hold the position (Ctrl+H)</source>
-        <translation type="unfinished"></translation>
+        <translation>Parar o movimento e segurar a posição (Ctrl+H)</translation>
     </message>
     <message>
         <source>Press Enter to arm the arrow keys. An armed arrow key moves the mount while it is held.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prima Enter para armar as setas. Uma seta armada move a montagem enquanto estiver premida.</translation>
     </message>
     <message>
         <source>ARMED: hold an arrow key to move</source>
-        <translation type="unfinished"></translation>
+        <translation>ARMADO: segure uma seta para mover</translation>
     </message>
     <message>
         <source>A step trims the target (Ctrl + arrow)</source>
-        <translation type="unfinished"></translation>
+        <translation>Um passo corrige o alvo (Ctrl + seta)</translation>
     </message>
     <message>
         <source>Click to arm the arrow keys, or hold LB or RB</source>
-        <translation type="unfinished"></translation>
+        <translation>Clique para armar as setas, ou segure LB ou RB</translation>
     </message>
     <message>
         <source>%1: hold LB or RB and move the left stick to jog. Button B is STOP.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: segure LB ou RB e mova a alavanca esquerda. O botão B é STOP.</translation>
     </message>
 </context>
 <context>
@@ -9296,59 +9381,59 @@ It does not replace the hard-wired emergency stop beside the mast.</source>
     </message>
     <message>
         <source>Go to elevation 0°, or the lowest permitted, at the entered azimuth. Without one the azimuth stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Ir à elevação 0°, ou à menor permitida, no azimute indicado. Sem ele o azimute fica</translation>
     </message>
     <message>
         <source>Trim</source>
-        <translation type="unfinished"></translation>
+        <translation>Correção</translation>
     </message>
     <message>
         <source>Unwrap</source>
-        <translation type="unfinished"></translation>
+        <translation>Desenrolar</translation>
     </message>
     <message>
         <source>Unwrap the cable: go back by whole turns to the same direction where the cable is least wound</source>
-        <translation type="unfinished"></translation>
+        <translation>Desenrolar o cabo: recuar voltas inteiras até à mesma direção onde o cabo está menos enrolado</translation>
     </message>
     <message>
         <source>Presets ▾</source>
-        <translation type="unfinished"></translation>
+        <translation>Predefinições ▾</translation>
     </message>
     <message>
         <source>Presets, home, horizon, unwrap</source>
-        <translation type="unfinished"></translation>
+        <translation>Predefinições, início, horizonte, desenrolar</translation>
     </message>
     <message>
         <source>Show or hide the presets, Home, Horizon and Unwrap</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar ou ocultar as predefinições, Início, Horizonte e Desenrolar</translation>
     </message>
     <message>
         <source>Move by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Mover à mão</translation>
     </message>
     <message>
         <source>Leave PARKED and hold this position. Nothing moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sair de ESTACIONADO e segurar esta posição. Nada se move.</translation>
     </message>
     <message>
         <source>Trim: AZ %1 EL %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Correção: AZ %1 EL %2</translation>
     </message>
     <message>
         <source>No trim</source>
-        <translation type="unfinished"></translation>
+        <translation>Sem correção</translation>
     </message>
     <message>
         <source>The target has no trim.</source>
-        <translation type="unfinished"></translation>
+        <translation>O alvo não tem correção.</translation>
     </message>
     <message>
         <source>%1. Your steps are added to the targets of the clients.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. Os seus passos somam-se aos alvos dos clientes.</translation>
     </message>
     <message>
         <source>The mount is already parked.</source>
-        <translation type="unfinished"></translation>
+        <translation>A montagem já está estacionada.</translation>
     </message>
 </context>
 <context>
@@ -9606,15 +9691,15 @@ It does not replace the hard-wired emergency stop beside the mast.</source>
     </message>
     <message>
         <source>Select a line to read all of it</source>
-        <translation type="unfinished"></translation>
+        <translation>Escolha uma linha para a ler toda</translation>
     </message>
     <message>
         <source>Copy the selected lines, or all lines (Ctrl+C in the list)</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar as linhas escolhidas, ou todas (Ctrl+C na lista)</translation>
     </message>
     <message>
         <source>Save all lines of the list to a text file</source>
-        <translation type="unfinished"></translation>
+        <translation>Gravar todas as linhas da lista num ficheiro de texto</translation>
     </message>
 </context>
 <context>
@@ -9730,55 +9815,55 @@ It does not replace the hard-wired emergency stop beside the mast.</source>
     <name>boresight::ui::MainMenu</name>
     <message>
         <source>Menu</source>
-        <translation type="unfinished"></translation>
+        <translation>Menu</translation>
     </message>
     <message>
         <source>Full screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecrã inteiro</translation>
     </message>
     <message>
         <source>Commissioning guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Guia de instalação</translation>
     </message>
     <message>
         <source>Open profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir perfil</translation>
     </message>
     <message>
         <source>Read the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Ler o manual</translation>
     </message>
     <message>
         <source>Show keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar teclas</translation>
     </message>
     <message>
         <source>Save diagnostics …</source>
-        <translation type="unfinished"></translation>
+        <translation>Gravar diagnóstico …</translation>
     </message>
     <message>
         <source>About Boresight</source>
-        <translation type="unfinished"></translation>
+        <translation>Acerca do Boresight</translation>
     </message>
     <message>
         <source>Brightness</source>
-        <translation type="unfinished"></translation>
+        <translation>Brilho</translation>
     </message>
     <message>
         <source>The brightness of the night and the red theme</source>
-        <translation type="unfinished"></translation>
+        <translation>O brilho dos temas noite e vermelho</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Idioma</translation>
     </message>
     <message>
         <source>System</source>
-        <translation type="unfinished"></translation>
+        <translation>Sistema</translation>
     </message>
     <message>
         <source>Changes at the next start</source>
-        <translation type="unfinished"></translation>
+        <translation>Muda no próximo arranque</translation>
     </message>
 </context>
 <context>
@@ -9824,35 +9909,35 @@ It does not replace the hard-wired emergency stop beside the mast.</source>
     <name>boresight::ui::ManualWindow</name>
     <message>
         <source>Boresight manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Manual do Boresight</translation>
     </message>
     <message>
         <source>Search the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Procurar no manual</translation>
     </message>
     <message>
         <source>Contents</source>
-        <translation type="unfinished"></translation>
+        <translation>Índice</translation>
     </message>
     <message>
         <source>Text of the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Texto do manual</translation>
     </message>
     <message>
         <source>Find next</source>
-        <translation type="unfinished"></translation>
+        <translation>Procurar seguinte</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Voltar</translation>
     </message>
     <message>
         <source>Go back to the page before</source>
-        <translation type="unfinished"></translation>
+        <translation>Voltar à página anterior</translation>
     </message>
     <message>
         <source>Not in this page</source>
-        <translation type="unfinished"></translation>
+        <translation>Não está nesta página</translation>
     </message>
 </context>
 <context>
@@ -10075,6 +10160,41 @@ el %2</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::PlotMenu</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>the horizon has %1 points, which is the most</source>
+        <translation>o horizonte tem %1 pontos, que é o máximo</translation>
+    </message>
+    <message>
+        <source>there are %1 keep-outs, which is the most</source>
+        <translation>há %1 zonas proibidas, que é o máximo</translation>
+    </message>
+    <message>
+        <source>no station</source>
+        <translation>sem estação</translation>
+    </message>
+    <message>
+        <source>Go here</source>
+        <translation>Ir para aqui</translation>
+    </message>
+    <message>
+        <source>Go to the nearest allowed: %1</source>
+        <translation>Ir ao mais próximo permitido: %1</translation>
+    </message>
+    <message>
+        <source>Add horizon point</source>
+        <translation>Acrescentar ponto do horizonte</translation>
+    </message>
+    <message>
+        <source>Keep-out here</source>
+        <translation>Zona proibida aqui</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::PlotTools</name>
     <message>
         <source>Edit</source>
@@ -10123,6 +10243,34 @@ el %2</translation>
     <message>
         <source>Not saved: %1</source>
         <translation>Não gravado: %1</translation>
+    </message>
+    <message>
+        <source>Distance to the target</source>
+        <translation>Distância ao alvo</translation>
+    </message>
+    <message>
+        <source>off by</source>
+        <translation>desvio</translation>
+    </message>
+    <message>
+        <source>Off by</source>
+        <translation>Desvio</translation>
+    </message>
+    <message>
+        <source>Azimuth cable</source>
+        <translation>Cabo de azimute</translation>
+    </message>
+    <message>
+        <source>Travel of the azimuth cable</source>
+        <translation>Curso do cabo de azimute</translation>
+    </message>
+    <message>
+        <source>The angle on the sky between the target and where the mount points</source>
+        <translation>O ângulo no céu entre o alvo e a direção da montagem</translation>
+    </message>
+    <message>
+        <source>The angle of the azimuth axis. At 0° the cable is not wound. The ring around the sky shows the travel.</source>
+        <translation>O ângulo do eixo de azimute. Em 0° o cabo não está enrolado. O anel em volta do céu mostra o curso.</translation>
     </message>
 </context>
 <context>
@@ -10179,10 +10327,6 @@ el %2</translation>
         <translation>Gráfico do céu</translation>
     </message>
     <message>
-        <source>North is up, east is right, the zenith in the centre. A click reads a direction.</source>
-        <translation>O norte está em cima, o leste à direita, o zênite no centro. Um clique lê uma direção.</translation>
-    </message>
-    <message>
         <source>Last seen at</source>
         <translation>Visto por último em</translation>
     </message>
@@ -10205,6 +10349,14 @@ el %2</translation>
     <message>
         <source>Sensor</source>
         <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>%1, in %2</source>
+        <translation>%1, em %2</translation>
+    </message>
+    <message>
+        <source>North is up, east is right, the zenith is in the centre. A click reads a direction. A right click offers what can be done there.</source>
+        <translation>O norte está em cima, o leste à direita, o zénite no centro. Um clique lê uma direção. O botão direito oferece o que se pode fazer ali.</translation>
     </message>
 </context>
 <context>
@@ -10231,35 +10383,35 @@ el %2</translation>
     </message>
     <message>
         <source>A named direction of this mount. Choose one, or type a new name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma direção com nome desta montagem. Escolha uma, ou escreva um nome novo.</translation>
     </message>
     <message>
         <source>Go to this preset by the shortest way (Enter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ir a esta predefinição pelo caminho mais curto (Enter)</translation>
     </message>
     <message>
         <source>Save the present direction of the mount under this name</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar com este nome a direção presente da montagem</translation>
     </message>
     <message>
         <source>Delete this preset from the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Retirar esta predefinição da lista</translation>
     </message>
     <message>
         <source>Go to %1 by the shortest way (Enter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ir a %1 pelo caminho mais curto (Enter)</translation>
     </message>
     <message>
         <source>There is no preset with this name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Não há predefinição com este nome.</translation>
     </message>
     <message>
         <source>Type a name first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Escreva primeiro um nome.</translation>
     </message>
     <message>
         <source>The direction of the mount is unknown.</source>
-        <translation type="unfinished"></translation>
+        <translation>A direção da montagem é desconhecida.</translation>
     </message>
 </context>
 <context>
@@ -10367,6 +10519,14 @@ el %2</translation>
         <source>Apply leaves the simulation. Only these go to the real mount: %1</source>
         <translation>Aplicar deixa a simulação. Só isto passa para a montagem real: %1</translation>
     </message>
+    <message>
+        <source>Move park</source>
+        <translation>Mover estacionamento</translation>
+    </message>
+    <message>
+        <source>Change the park position, too: the nearest place that is allowed</source>
+        <translation>Mudar também a posição de estacionamento: o lugar permitido mais próximo</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::ProfilePage</name>
@@ -10428,50 +10588,50 @@ el %2</translation>
     </message>
     <message>
         <source>Duplicate, rename, remove, import or export a mount, or undo the last change</source>
-        <translation type="unfinished"></translation>
+        <translation>Duplicar, mudar o nome, retirar, importar ou exportar uma montagem, ou anular a última alteração</translation>
     </message>
     <message>
         <source>Connect to the chosen mount (asks first)</source>
-        <translation type="unfinished"></translation>
+        <translation>Conectar à montagem escolhida (pergunta primeiro)</translation>
     </message>
     <message>
         <source>Stored mounts</source>
-        <translation type="unfinished"></translation>
+        <translation>Montagens guardadas</translation>
     </message>
     <message>
         <source>The mounts of this computer. Choosing one does nothing yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>As montagens deste computador. Escolher uma ainda não faz nada.</translation>
     </message>
     <message>
         <source>Undo the last saved change …</source>
-        <translation type="unfinished"></translation>
+        <translation>Anular a última alteração gravada …</translation>
     </message>
     <message>
         <source>%1 (in use)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (em uso)</translation>
     </message>
     <message>
         <source>This mount is in use.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esta montagem está em uso.</translation>
     </message>
     <message>
         <source>The file of this mount cannot be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>O ficheiro desta montagem não pode ser lido.</translation>
     </message>
     <message>
         <source>Apply or revert the edits first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aplique ou reverta primeiro as alterações.</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::ProgressLine</name>
     <message>
         <source>Progress of the slew</source>
-        <translation type="unfinished"></translation>
+        <translation>Progresso da deslocação</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>
@@ -11087,15 +11247,15 @@ Fica para si, porque só quem construiu a montagem o pode saber:
     </message>
     <message>
         <source>Sensor %1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensor %1 %2</translation>
     </message>
     <message>
         <source>Sensor %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensor %1</translation>
     </message>
     <message>
         <source>sensor minus axes: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>sensor menos eixos: %1</translation>
     </message>
 </context>
 <context>
@@ -11202,19 +11362,19 @@ Fica para si, porque só quem construiu a montagem o pode saber:
     </message>
     <message>
         <source>%1: %2 settings. Enter opens the group.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 parâmetros. Enter abre o grupo.</translation>
     </message>
     <message>
         <source>In the file: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>No ficheiro: %1</translation>
     </message>
     <message>
         <source>Your own directions. The panel Jog (Ctrl+1) changes them.</source>
-        <translation type="unfinished"></translation>
+        <translation>As suas próprias direções. O painel Manual (Ctrl+1) muda-as.</translation>
     </message>
     <message>
         <source>The panel Limits (Ctrl+3) and the sky change them.</source>
-        <translation type="unfinished"></translation>
+        <translation>O painel Limites (Ctrl+3) e o céu mudam-nos.</translation>
     </message>
 </context>
 <context>
@@ -11249,19 +11409,19 @@ Fica para si, porque só quem construiu a montagem o pode saber:
     </message>
     <message>
         <source>Show the settings with these words in their name or meaning (Ctrl+F)</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar os parâmetros com estas palavras no nome ou no significado (Ctrl+F)</translation>
     </message>
     <message>
         <source>Search, for example speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Procurar, por exemplo velocidade</translation>
     </message>
     <message>
         <source>Select a line to read its meaning. Press Enter to change its value.</source>
-        <translation type="unfinished"></translation>
+        <translation>Escolha uma linha para ler o significado. Prima Enter para mudar o valor.</translation>
     </message>
     <message>
         <source>Drive board: warn mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Placa do acionamento: aviso mm</translation>
     </message>
 </context>
 <context>
@@ -11272,43 +11432,43 @@ Fica para si, porque só quem construiu a montagem o pode saber:
     </message>
     <message>
         <source>Boresight cannot start.</source>
-        <translation type="unfinished"></translation>
+        <translation>O Boresight não pode arrancar.</translation>
     </message>
     <message>
         <source>Boresight moved nothing and changed no file.</source>
-        <translation type="unfinished"></translation>
+        <translation>O Boresight não moveu nada e não mudou nenhum ficheiro.</translation>
     </message>
     <message>
         <source>Remove the cause and start Boresight again, or choose another profile.</source>
-        <translation type="unfinished"></translation>
+        <translation>Elimine a causa e arranque o Boresight de novo, ou escolha outro perfil.</translation>
     </message>
     <message>
         <source>Choose another profile …</source>
-        <translation type="unfinished"></translation>
+        <translation>Escolher outro perfil …</translation>
     </message>
     <message>
         <source>Start with the profile of another mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrancar com o perfil de outra montagem</translation>
     </message>
     <message>
         <source>Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>Sair</translation>
     </message>
     <message>
         <source>End Boresight</source>
-        <translation type="unfinished"></translation>
+        <translation>Terminar o Boresight</translation>
     </message>
     <message>
         <source>Choose another profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Escolher outro perfil</translation>
     </message>
     <message>
         <source>Profiles (*.toml)</source>
-        <translation type="unfinished"></translation>
+        <translation>Perfis (*.toml)</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Todos os arquivos (*)</translation>
     </message>
 </context>
 <context>
@@ -11439,47 +11599,47 @@ This is a function of the program. It does not replace the hard-wired emergency 
     </message>
     <message>
         <source>Bus: simulated, because Boresight was started with --simulate. The bus of this mount, %1, is not used.</source>
-        <translation type="unfinished"></translation>
+        <translation>Barramento: simulado, porque o Boresight foi iniciado com --simulate. O barramento desta montagem, %1, não é usado.</translation>
     </message>
     <message>
         <source>Boresight leaves the present mount as at the end of the program. Then it connects the other mount as at a start. Nothing moves. The window stays open.</source>
-        <translation type="unfinished"></translation>
+        <translation>O Boresight deixa a montagem presente como no fim do programa. Depois conecta a outra montagem como no início. Nada se move. A janela fica aberta.</translation>
     </message>
     <message>
         <source>The simulated mount has no profile to duplicate.</source>
-        <translation type="unfinished"></translation>
+        <translation>A montagem simulada não tem perfil para duplicar.</translation>
     </message>
     <message>
         <source>The mount &quot;%1&quot; is stored.</source>
-        <translation type="unfinished"></translation>
+        <translation>A montagem &quot;%1&quot; está guardada.</translation>
     </message>
     <message>
         <source>This makes a new mount with the same settings. The position journal with the cable wraps is not copied.</source>
-        <translation type="unfinished"></translation>
+        <translation>Isto cria uma montagem nova com os mesmos parâmetros. O diário de posição com as voltas do cabo não é copiado.</translation>
     </message>
     <message>
         <source>Press Apply to store the new name. Press Reconnect to use it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prima Aplicar para guardar o novo nome. Prima Reconectar para o usar.</translation>
     </message>
     <message>
         <source>The mount is now called &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>A montagem chama-se agora &quot;%1&quot;.</translation>
     </message>
     <message>
         <source>The position journal is kept under the name of the mount. Under a new name Boresight asks for the cable wraps again, unless the drives report them.</source>
-        <translation type="unfinished"></translation>
+        <translation>O diário de posição fica guardado sob o nome da montagem. Com um nome novo o Boresight volta a perguntar pelas voltas do cabo, a não ser que os acionamentos as comuniquem.</translation>
     </message>
     <message>
         <source>This mount is in use. Switch to another mount first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esta montagem está em uso. Mude primeiro para outra montagem.</translation>
     </message>
     <message>
         <source>The mount leaves the list. Its file stays under the name %1.removed.</source>
-        <translation type="unfinished"></translation>
+        <translation>A montagem sai da lista. O seu ficheiro fica com o nome %1.removed.</translation>
     </message>
     <message>
         <source>The mount &quot;%1&quot; is removed.</source>
-        <translation type="unfinished"></translation>
+        <translation>A montagem &quot;%1&quot; foi retirada.</translation>
     </message>
     <message>
         <source>Boresight stores the mount. Nothing else changes.
@@ -11487,69 +11647,79 @@ This is a function of the program. It does not replace the hard-wired emergency 
 Bus: %1
 Compared with the mount in use:
 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>O Boresight guarda a montagem. Nada mais muda.
+
+Barramento: %1
+Em comparação com a montagem em uso:
+%2</translation>
     </message>
     <message>
         <source>Copy this file into &quot;%1&quot;?</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar este ficheiro para &quot;%1&quot;?</translation>
     </message>
     <message>
         <source>This mount is in use. The values become edits on this page. Press Apply to use them.
 
 %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Esta montagem está em uso. Os valores tornam-se alterações nesta página. Prima Aplicar para os usar.
+
+%1</translation>
     </message>
     <message>
         <source>Copy values</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar valores</translation>
     </message>
     <message>
         <source>The present version is kept as the version before.
 
 %1</source>
-        <translation type="unfinished"></translation>
+        <translation>A versão presente fica guardada como a anterior.
+
+%1</translation>
     </message>
     <message>
         <source>The mount &quot;%1&quot; is overwritten.</source>
-        <translation type="unfinished"></translation>
+        <translation>A montagem &quot;%1&quot; foi sobrescrita.</translation>
     </message>
     <message>
         <source>Edits on this page, not applied yet: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Alterações nesta página, ainda por aplicar: %1</translation>
     </message>
     <message>
         <source>File written: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ficheiro gravado: %1</translation>
     </message>
     <message>
         <source>This mount has no earlier version.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esta montagem não tem versão anterior.</translation>
     </message>
     <message>
         <source>Apply or revert the edits first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aplique ou reverta primeiro as alterações.</translation>
     </message>
     <message>
         <source>Undo the last saved change of &quot;%1&quot;?</source>
-        <translation type="unfinished"></translation>
+        <translation>Anular a última alteração gravada de &quot;%1&quot;?</translation>
     </message>
     <message>
         <source>A second undo restores the change.
 
 %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma segunda anulação repõe a alteração.
+
+%1</translation>
     </message>
     <message>
         <source>Undo change</source>
-        <translation type="unfinished"></translation>
+        <translation>Anular alteração</translation>
     </message>
     <message>
         <source>The last change of &quot;%1&quot; is undone.</source>
-        <translation type="unfinished"></translation>
+        <translation>A última alteração de &quot;%1&quot; foi anulada.</translation>
     </message>
     <message>
         <source>The last change is undone.</source>
-        <translation type="unfinished"></translation>
+        <translation>A última alteração foi anulada.</translation>
     </message>
 </context>
 <context>
