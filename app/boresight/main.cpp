@@ -11,6 +11,7 @@
 #include "core/station/mount_factory.h"
 #include "ui/jog/gamepad.h"
 #include "ui/kit/language.h"
+#include "ui/look/desk_style.h"
 #include "ui/window/main_window.h"
 #include "ui/window/start_problem.h"
 
@@ -260,8 +261,8 @@ int main(int argc, char** argv)
             QStringLiteral("there is no display (DISPLAY and WAYLAND_DISPLAY are empty); boresightd is the same "
                            "without one"));
     }
-    QApplication::setStyle(QStringLiteral("Fusion"));
     QApplication application(argc, argv);
+    ui::DeskStyle::install();
     nameProgram();
     QApplication::setApplicationDisplayName(QStringLiteral("Boresight"));
     QApplication::setDesktopFileName(QStringLiteral("boresight"));

@@ -162,7 +162,7 @@ TEST_F(StationThreadTest, AMountWhoseBusCanNotBeUsedIsShownAndTheOtherOneComesBa
         EXPECT_TRUE(fakes::waitUntil([&] { return !alarms.empty(); })) << bus;
         EXPECT_EQ(alarms.front().severity, Severity::Alarm);
         EXPECT_FALSE(alarms.front().what.isEmpty());
-        EXPECT_TRUE(alarms.front().remedy.contains(QStringLiteral("another mount")));
+        EXPECT_TRUE(alarms.front().remedy.contains(QStringLiteral("on the page Profile")));
         ask(request::Reconnect{mount("Roof")});
         ASSERT_TRUE(shows("Roof")) << bus;
     }

@@ -134,7 +134,7 @@ TEST_P(DriveFault, OfOneAxisHoldsTheOtherAndWaitsForReArming)
     const auto fault = inject(sim::FaultKind::DriveFault, Axis::Azimuth, GetParam());
     rig.run(Seconds(2.0));
     EXPECT_EQ(rig.status().state, StationState::Fault);
-    EXPECT_TRUE(rig.alarmSays(QStringLiteral("azimuth drive fault %1: ").arg(GetParam())));
+    EXPECT_TRUE(rig.alarmSays(QStringLiteral("azimuth drive reports fault %1: ").arg(GetParam())));
     EXPECT_EQ(rig.link->truth(Axis::Elevation).mode, moteus::Mode::Position) << "the healthy axis is held";
     EXPECT_EQ(client->ask("p\n", 2).find("RPRT"), std::string::npos) << "the position is known";
     expectNothingMovesFor(Seconds(4.0), "RPRT -9\n");

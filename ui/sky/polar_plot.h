@@ -20,6 +20,7 @@ class QwtPolarPlot;
 // or magnification change; SkyMarkers paints what moves over it; PlotEditor the limits being changed. A click picks a
 // direction; it moves nothing, and while editing is on it picks none. A right click, or the menu key, offers what can
 // be done there.
+// More than 15 members: the layers and parts that it composes.
 namespace boresight::ui {
 
 class LabelsItem;

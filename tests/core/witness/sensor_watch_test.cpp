@@ -68,7 +68,7 @@ TEST(SensorWatch, AFirstWordIsWaitedForTenSeconds)
     rig.run(9.9);
     EXPECT_EQ(rig.alarmText(), "");
     rig.run(0.2);
-    EXPECT_THAT(rig.alarmText(), HasSubstr("No data from the orientation sensor"));
+    EXPECT_THAT(rig.alarmText(), HasSubstr("sends no data"));
 }
 
 TEST(SensorWatch, ADeadOneIsToldAsThat)

@@ -229,11 +229,11 @@ TEST_F(JogDeskTest, AnEmptyFieldKeepsItsAxis)
     requests.clear();
     click("Go");
     EXPECT_TRUE(requests.empty()) << "both are empty";
-    EXPECT_TRUE(text("Refused").contains(QStringLiteral("enter an azimuth, an elevation or both")));
+    EXPECT_TRUE(text("Refused").contains(QStringLiteral("Enter an azimuth, an elevation or both")));
     elevation->setText(QStringLiteral("1o"));
     click("Go");
     EXPECT_TRUE(requests.empty());
-    EXPECT_TRUE(text("Refused").contains(QStringLiteral("the elevation is not a number")));
+    EXPECT_TRUE(text("Refused").contains(QStringLiteral("The elevation is not a number")));
 }
 
 // REQ-UI-02c

@@ -95,8 +95,7 @@ TEST_F(ProfilePageTest, AnImportIntoTheMountInForceComesAsEdits)
     fromMenu("Import …");
     chooseFile(file);
     ASSERT_TRUE(asks());
-    EXPECT_TRUE(question().contains(QStringLiteral("Park azimuth (Park and presets): 0.0 ° → 77.0 °")))
-        << question().toStdString();
+    EXPECT_TRUE(question().contains(QStringLiteral("park azimuth: 0.0 ° → 77.0 °"))) << question().toStdString();
     press("Copy values");
     EXPECT_TRUE(requests.empty());
     EXPECT_EQ(*profile::loadProfile(roofFile), roof);
@@ -189,7 +188,7 @@ TEST_F(ProfilePageTest, AnImportOverAnotherMountShowsWhatItWouldChangeAndKeepsTh
     fromMenu("Import …");
     chooseFile(file);
     ASSERT_TRUE(asks());
-    EXPECT_TRUE(question().contains(QStringLiteral("Different: 1\nPark azimuth")));
+    EXPECT_TRUE(question().contains(QStringLiteral("Different: 1\npark azimuth")));
     EXPECT_EQ(*profile::loadProfile(fieldFile), field) << "asked, not done";
     press("Overwrite");
     ASSERT_TRUE(says("\"Field\" is overwritten"));
@@ -222,7 +221,7 @@ TEST_F(ProfilePageTest, TheLastSavedChangeIsTakenBackKeyByKey)
     put(applied);
     fromMenu("Undo the last saved change …");
     ASSERT_TRUE(asks());
-    EXPECT_TRUE(question().contains(QStringLiteral("Park azimuth (Park and presets): 77.0 ° → 0.0 °")));
+    EXPECT_TRUE(question().contains(QStringLiteral("park azimuth: 77.0 ° → 0.0 °")));
     press("Undo change");
     ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u);
     Profile expected = applied;

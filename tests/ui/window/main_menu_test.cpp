@@ -67,9 +67,10 @@ TEST_F(MainMenuTest, AltWithAnotherKeyDoesNotOpenIt)
 TEST_F(MainMenuTest, EachLineShowsItsKey)
 {
     open();
-    const std::pair<const char*, const char*> keys[] = {{"Full screen", "F11"},           {"Commissioning guide", "F3"},
-                                                        {"Open profile", "Ctrl+8"},       {"Show keys", "F1"},
-                                                        {"Save diagnostics …", "Ctrl+B"}, {"Night", "Ctrl+D"}};
+    const std::pair<const char*, const char*> keys[] = {{"Full screen", "F11"},     {"Commissioning guide", "F3"},
+                                                        {"Open profile", "Ctrl+8"}, {"Show keys", "Shift+F1"},
+                                                        {"Read the manual", "F1"},  {"Save diagnostics …", "Ctrl+B"},
+                                                        {"Night", "Ctrl+D"}};
     for (const auto& [text, key] : keys) {
         ASSERT_NE(line(text), nullptr) << text;
         EXPECT_EQ(line(text)->text().section(QLatin1Char('\t'), 1), QLatin1String(key)) << text;

@@ -182,7 +182,7 @@ TEST_F(StopTest, EscStopsUnlessAMenuOrDialogIsOpen)
     QTest::keyClick(&window, Qt::Key_Escape);
     EXPECT_EQ(stops(), 2u);
 
-    QTest::keyClick(&window, Qt::Key_F1);
+    QTest::keyClick(&window, Qt::Key_F1, Qt::ShiftModifier);
     auto* const help = window.findChild<HelpPage*>();
     ASSERT_TRUE(becomesActive(*help));
     const auto* const readout = window.findChild<AxisReadout*>();

