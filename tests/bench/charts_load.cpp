@@ -93,8 +93,8 @@ private:
 
 int main(int argc, char* argv[])
 {
-    QApplication::setStyle(QStringLiteral("Fusion"));
     QApplication app(argc, argv);
+    QApplication::setStyle(QStringLiteral("Fusion"));
     int seconds = 10;
     if (argc == 3 && std::string_view(argv[1]) == "--seconds") {
         seconds = static_cast<int>(parseInteger(argv[2]).value_or(seconds));

@@ -161,8 +161,8 @@ constexpr Part kParts[] = {{"connect and survey", 4000, [](Desk& desk) { desk.st
 
 int main(int argc, char** argv)
 {
-    QApplication::setStyle(QStringLiteral("Fusion"));
     const QApplication application(argc, argv);
+    QApplication::setStyle(QStringLiteral("Fusion"));
     GapTimer gaps;
     Desk desk;
     QTest::qWait(100);

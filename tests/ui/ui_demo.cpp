@@ -82,8 +82,8 @@ int main(int argc, char* argv[])
 {
     QElapsedTimer running;
     running.start();
-    QApplication::setStyle(QStringLiteral("Fusion"));
     QApplication app(argc, argv);
+    QApplication::setStyle(QStringLiteral("Fusion"));
     QCommandLineParser options;
     options.addOptions({{QStringLiteral("scene"), {}, QStringLiteral("name"), QStringLiteral("track")},
                         {QStringLiteral("theme"), {}, QStringLiteral("name"), QStringLiteral("day")},

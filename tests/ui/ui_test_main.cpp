@@ -23,8 +23,8 @@ int main(int argc, char* argv[])
 {
     setUnlessSet("QT_QPA_PLATFORM", "offscreen");
     setUnlessSet("FONTCONFIG_FILE", BORESIGHT_TEST_FONTS);
-    QApplication::setStyle(QStringLiteral("Fusion"));
     QApplication app(argc, argv);
+    QApplication::setStyle(QStringLiteral("Fusion"));
     QApplication::setFont(QFont(qEnvironmentVariable("BORESIGHT_TEST_FONT", QStringLiteral("DejaVu Sans")), 10));
     qRegisterMetaType<boresight::NumberedRequest>();
     ::testing::InitGoogleTest(&argc, argv);

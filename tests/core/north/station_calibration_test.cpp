@@ -237,7 +237,7 @@ TEST(StationCalibration, ASwingOfTheSimulatedMountFindsItsHiddenNorth)
     EXPECT_EQ(withSensor(), *rig.saved);
 }
 
-const QString kNotWritten = QStringLiteral("The calibrations could not be written");
+const QString kNotWritten = QStringLiteral("The history of the calibration is not stored");
 
 Result<> applyNorth(CalibratedStation& rig, Angle north)
 {

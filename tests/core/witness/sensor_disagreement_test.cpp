@@ -103,8 +103,8 @@ TEST(SensorWatch, BeforeNorthIsFoundADifferenceInAzimuthOnlyShowsTheWay)
     EXPECT_EQ(shown[0].severity, Severity::Advisory);
     EXPECT_THAT(shown[0].what.toStdString(), HasSubstr("North is not set"));
     EXPECT_THAT(shown[0].what.toStdString(), HasSubstr("37.4° in azimuth"));
-    EXPECT_THAT(shown[0].remedy.toStdString(), HasSubstr("panel North"));
-    EXPECT_THAT(shown[0].remedy.toStdString(), HasSubstr("check sensor mounting and coupling"))
+    EXPECT_THAT(shown[0].remedy.toStdString(), HasSubstr("page North"));
+    EXPECT_THAT(shown[0].remedy.toStdString(), HasSubstr("check the mounting of the sensor and the coupling"))
         << "the axis' zero may be north";
     EXPECT_FALSE(rig.watch.status().disagrees);
 
