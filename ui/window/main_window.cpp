@@ -169,7 +169,8 @@ void MainWindow::build()
     auto* const ground = new QWidget(this);
     auto* const grid = new QGridLayout(ground);
     grid->setContentsMargins(8, 4, 8, 4);
-    grid->setSpacing(8);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(4);
     grid->addWidget(m_header, 0, 0, 1, 3);
     grid->addWidget(m_progress, 1, 0, 1, 3);
     grid->addLayout(m_plotCell, 2, 0);
