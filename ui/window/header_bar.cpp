@@ -256,13 +256,13 @@ void HeaderBar::build()
     for (ValueLabel* const link : {m_line, m_azimuth, m_elevation, m_clients}) {
         linkRow->addWidget(link);
     }
-    linkRow->addWidget(m_control, 1);
+    linkRow->addWidget(m_reason, 1);
 
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(2);
     grid->addWidget(m_state, 0, 0);
-    grid->addWidget(m_reason, 1, 0);
+    grid->addWidget(m_control, 1, 0);  // as wide as the longest state: it is always read whole
     grid->addWidget(m_utc, 0, 2, Qt::AlignRight | Qt::AlignVCenter);
     grid->addWidget(m_simulated, 1, 2, Qt::AlignRight | Qt::AlignVCenter);
     m_menu->setIcon(glyphIcon(Glyph::Menu));
