@@ -42,6 +42,7 @@
 #include <QGridLayout>
 #include <QIcon>
 #include <QResizeEvent>
+#include <QScrollArea>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -197,7 +198,15 @@ QWidget* MainWindow::makeSide(QWidget& ground)
     column->addWidget(m_readout);
     column->addWidget(m_sensor);
     m_side->addWidget(m_panels);
-    column->addWidget(m_side, 1);
+    // While an alarm takes room in a low window, the panel scrolls.
+    auto* const scroll = new QScrollArea(side);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidget(m_side);
+    scroll->setMinimumWidth(m_side->minimumSizeHint().width());
+    column->addWidget(scroll, 1);
     auto* const bottom = new QHBoxLayout;
     column->addLayout(bottom);
     bottom->addWidget(m_lastCommand, 1);
