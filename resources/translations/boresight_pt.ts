@@ -8757,10 +8757,6 @@ trocar os motores</translation>
         <translation>Acionamento de elevação</translation>
     </message>
     <message>
-        <source>rotctld clients</source>
-        <translation>Clientes rotctld</translation>
-    </message>
-    <message>
         <source>Who may move the mount</source>
         <translation>Quem pode mover a montagem</translation>
     </message>
@@ -8777,10 +8773,6 @@ trocar os motores</translation>
         <translation>SIMULADO</translation>
     </message>
     <message>
-        <source>Who may move the mount. While the operator has the control, motion commands of rotctld clients are refused.</source>
-        <translation>Quem pode mover a montagem. Enquanto o operador tem o controle, os comandos de movimento dos clientes rotctld são recusados.</translation>
-    </message>
-    <message>
         <source>LIMITED</source>
         <translation>LIMITADO</translation>
     </message>
@@ -8795,14 +8787,6 @@ trocar os motores</translation>
     <message>
         <source>EL</source>
         <translation>EL</translation>
-    </message>
-    <message>
-        <source>rotctld off</source>
-        <translation>rotctld off</translation>
-    </message>
-    <message>
-        <source>rotctld %1</source>
-        <translation>rotctld %1</translation>
     </message>
     <message>
         <source>The target is outside the limits: the mount goes to the nearest permitted point.
@@ -8883,16 +8867,24 @@ trocar os motores</translation>
         <translation>Controlo: %1</translation>
     </message>
     <message>
-        <source>Control: %1, %2 waiting</source>
-        <translation>Controlo: %1, %2 à espera</translation>
-    </message>
-    <message>
         <source>Menu</source>
         <translation>Menu</translation>
     </message>
     <message>
         <source>Menu: theme, full screen, language, guide, keys, diagnostics (F10 or Alt)</source>
         <translation>Menu: tema, ecrã inteiro, idioma, guia, teclas, diagnóstico (F10 ou Alt)</translation>
+    </message>
+    <message>
+        <source>Who may move the mount, and how many clients wait for it. While the operator has the control, motion commands of rotctld clients are refused.</source>
+        <translation>Quem pode mover a montagem, e quantos clientes esperam. Enquanto o operador tiver o controlo, os comandos de movimento dos clientes rotctld são recusados.</translation>
+    </message>
+    <message>
+        <source>Control: %1, +%2</source>
+        <translation>Controlo: %1, +%2</translation>
+    </message>
+    <message>
+        <source>Clients cannot connect</source>
+        <translation>Clientes sem ligação</translation>
     </message>
 </context>
 <context>

@@ -113,10 +113,14 @@ QString lineHelp(const StationStatus& status)
     return line.problem.isEmpty() ? text : line.problem + QLatin1Char('\n') + text;
 }
 
-QString clientsHelp(const StationStatus& status)
+QString controlHelp(const StationStatus& status)
 {
-    QString text = status.listening.isEmpty() ? HeaderBar::tr("rotctld does not listen")
-                                              : HeaderBar::tr("rotctld listens on %1").arg(status.listening);
+    QString text = HeaderBar::tr(
+        "Who may move the mount, and how many clients wait for it. While the operator has the control, motion commands "
+        "of rotctld clients are refused.");
+    text += QLatin1Char('\n');
+    text += status.listening.isEmpty() ? HeaderBar::tr("rotctld does not listen")
+                                       : HeaderBar::tr("rotctld listens on %1").arg(status.listening);
     for (const ClientStatus& client : status.clients) {
         text += QLatin1Char('\n') + client.address;
         if (!client.program.isEmpty()) {
@@ -159,7 +163,7 @@ QString controlText(const StationStatus& status)
     }
     const auto waiting = std::ranges::count_if(status.clients, &ClientStatus::wanting);
     return waiting == 0 ? HeaderBar::tr("Control: %1").arg(who)
-                        : HeaderBar::tr("Control: %1, %2 waiting").arg(who).arg(waiting);
+                        : HeaderBar::tr("Control: %1, +%2").arg(who).arg(waiting);
 }
 
 Tone stateTone(const StationStatus& status)
@@ -212,7 +216,6 @@ HeaderBar::HeaderBar(QWidget* parent)
       m_azimuth(new ValueLabel(tr("Azimuth drive"), fonts::label(), widestDrive(tr("AZ")), this)),
       m_elevation(new ValueLabel(tr("Elevation drive"), fonts::label(), widestDrive(tr("EL")), this)),
       m_sensor(new ValueLabel(tr("Orientation sensor"), fonts::label(), tr("Sensor awaited"), this)),
-      m_clients(new ValueLabel(tr("rotctld clients"), fonts::label(), tr("rotctld off"), this)),
       m_control(new ValueLabel(tr("Who may move the mount"), fonts::label(), {}, this)),
       m_utc(new ValueLabel(tr("UTC"), fonts::clock(), QStringLiteral("00:00:00Z"), this)),
       m_simulated(new ValueLabel(tr("Simulated mount"), fonts::label(), tr("SIMULATED"), this)),
@@ -229,7 +232,7 @@ void HeaderBar::build()
     for (ValueLabel* const wide : {m_reason, m_target, m_control}) {
         wide->setStretching(true);
     }
-    for (ValueLabel* const marked : {m_state, m_limited, m_line, m_azimuth, m_elevation, m_sensor, m_clients}) {
+    for (ValueLabel* const marked : {m_state, m_limited, m_line, m_azimuth, m_elevation, m_sensor, m_control}) {
         marked->setSymbolRoom(true);
     }
     m_line->setCollapsing(true);
@@ -239,10 +242,6 @@ void HeaderBar::build()
         tr("No real drive is connected. What is set and found here stays in the simulation of this mount."));
     m_simulated->setAlignment(Qt::AlignCenter);
     m_utc->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_control->setToolTip(
-        tr("Who may move the mount. While the operator has the control, motion commands of rotctld "
-           "clients are refused."));
-
     auto* const grid = new QGridLayout(this);
     auto* const targetRow = new QHBoxLayout;
     grid->addLayout(targetRow, 0, 1);
@@ -253,16 +252,16 @@ void HeaderBar::build()
     auto* const linkRow = new QHBoxLayout;
     grid->addLayout(linkRow, 1, 1);
     linkRow->setSpacing(1);
-    for (ValueLabel* const link : {m_line, m_azimuth, m_elevation, m_clients}) {
+    for (ValueLabel* const link : {m_line, m_azimuth, m_elevation}) {
         linkRow->addWidget(link);
     }
-    linkRow->addWidget(m_reason, 1);
+    linkRow->addWidget(m_control, 1);
 
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(2);
     grid->addWidget(m_state, 0, 0);
-    grid->addWidget(m_control, 1, 0);  // as wide as the longest state: it is always read whole
+    grid->addWidget(m_reason, 1, 0);
     grid->addWidget(m_utc, 0, 2, Qt::AlignRight | Qt::AlignVCenter);
     grid->addWidget(m_simulated, 1, 2, Qt::AlignRight | Qt::AlignVCenter);
     m_menu->setIcon(glyphIcon(Glyph::Menu));
@@ -321,15 +320,18 @@ void HeaderBar::showLinks(const StationStatus& status)
     setShown(*m_line, lineShown(status));
     setShown(*m_azimuth, driveShown(tr("AZ"), status.azimuth, drivesOf(status).released));
     setShown(*m_elevation, driveShown(tr("EL"), status.elevation, drivesOf(status).released));
-    setShown(*m_clients, status.listening.isEmpty() ? Shown{tr("rotctld off"), Tone::Warning, Symbol::Warning}
-                                                    : Shown{tr("rotctld %1").arg(status.clients.size())});
     setShown(*m_sensor, sensorShown(status.sensor));
     m_sensor->setToolTip(status.sensor.configured() ? sensorHelp(status.sensor) : QString());
     m_line->setToolTip(status.line.kind.isEmpty() ? QString() : lineHelp(status));
     m_azimuth->setToolTip(status.azimuth.stateText);
     m_elevation->setToolTip(status.elevation.stateText);
-    m_clients->setToolTip(clientsHelp(status));
-    m_control->setValue(controlText(status), status.authority == Authority::Operator ? Tone::Normal : Tone::Secondary);
+    const bool ours = status.authority == Authority::Operator;
+    if (status.listening.isEmpty()) {
+        m_control->setValue(tr("Clients cannot connect"), Tone::Warning, Symbol::Warning);
+    } else {
+        m_control->setValue(controlText(status), ours ? Tone::Normal : Tone::Secondary);
+    }
+    m_control->setToolTip(controlHelp(status));
 }
 
 void HeaderBar::setOnlySimulated()

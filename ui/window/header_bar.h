@@ -46,7 +46,6 @@ private:
     ValueLabel* m_azimuth;
     ValueLabel* m_elevation;
     ValueLabel* m_sensor;
-    ValueLabel* m_clients;
     ValueLabel* m_control;
     ValueLabel* m_utc;
     ValueLabel* m_simulated;

@@ -79,7 +79,10 @@ TEST_F(HandBackTest, TheHeaderNamesWhoHasTheControlAndHowManyWait)
     status.clients[0].program = QStringLiteral("Gpredict");
     status.clients[2].wanting = true;
     give(samples::update(status));
-    EXPECT_EQ(text("Who may move the mount"), QStringLiteral("Control: Gpredict, 1 waiting"));
+    EXPECT_EQ(text("Who may move the mount"), QStringLiteral("Control: Gpredict, +1"));
+    status.listening.clear();
+    give(samples::update(status));
+    EXPECT_EQ(text("Who may move the mount"), QStringLiteral("Clients cannot connect"));
 }
 
 }  // namespace
