@@ -97,12 +97,12 @@ std::vector<Group> lostLines()
         groups.push_back({.fault = {.name = name(axis) + " drive cut off",
                                     .injections = {{.kind = FaultKind::LostCommand, .axis = axis, .value = 1.0}},
                                     .hurt = hurt(axis),
-                                    .alarm = noReply + name(axis)},
+                                    .alarm = name(axis) + " " + noReply},
                           .moments = kEverywhere});
         groups.push_back({.fault = {.name = name(axis) + " drive hears and never answers",
                                     .injections = {{.kind = FaultKind::Silence, .axis = axis}},
                                     .hurt = hurt(axis),
-                                    .alarm = noReply + name(axis)},
+                                    .alarm = name(axis) + " " + noReply},
                           .moments = kEverywhere});
         groups.push_back(
             {.fault = {.name = name(axis) + " drive starved for 0.16 s",

@@ -130,7 +130,7 @@ protected:
         EXPECT_LT(stop->excursion, 6.0 + 10.0 * starved.count());
         // "No reply" or "timed out", as the guest's processor had time to notice.
         EXPECT_TRUE(mount.waitForWords("azimuth drive", logBefore).has_value()) << mount.log();
-        EXPECT_TRUE(mount.waitForWords("re-arm.", logBefore).has_value()) << mount.log();
+        EXPECT_TRUE(mount.waitForWords("press Re-arm", logBefore).has_value()) << mount.log();
     }
 
     // Three seconds after the bus is back nothing has moved, a client is refused; then it is re-armed and obeys.
