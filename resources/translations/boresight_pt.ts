@@ -8879,12 +8879,16 @@ trocar os motores</translation>
         <translation>Quem pode mover a montagem, e quantos clientes esperam. Enquanto o operador tiver o controlo, os comandos de movimento dos clientes rotctld são recusados.</translation>
     </message>
     <message>
-        <source>Control: %1, +%2</source>
-        <translation>Controlo: %1, +%2</translation>
-    </message>
-    <message>
         <source>Clients cannot connect</source>
         <translation>Clientes sem ligação</translation>
+    </message>
+    <message>
+        <source>Control: %1, %2 waiting</source>
+        <translation>Controlo: %1, %2 à espera</translation>
+    </message>
+    <message>
+        <source>%1, +%2</source>
+        <translation>%1, +%2</translation>
     </message>
 </context>
 <context>

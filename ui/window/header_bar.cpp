@@ -151,19 +151,29 @@ QString doing(const StationStatus& status)
     return text;
 }
 
-// Who has the control, and how many wait for it.
-QString controlText(const StationStatus& status)
+QString whoControls(const StationStatus& status)
 {
-    QString who = HeaderBar::tr("clients");
     if (status.authority == Authority::Operator) {
-        who = HeaderBar::tr("you");
-    } else if (const auto leader = std::ranges::find_if(status.clients, &ClientStatus::leading);
-               leader != status.clients.end()) {
-        who = leader->program.isEmpty() ? leader->address : leader->program;
+        return HeaderBar::tr("you");
     }
+    const auto leader = std::ranges::find_if(status.clients, &ClientStatus::leading);
+    if (leader == status.clients.end()) {
+        return HeaderBar::tr("clients");
+    }
+    return leader->program.isEmpty() ? leader->address : leader->program;
+}
+
+// Who has the control, and how many wait for it. Where there is little room, without the words around it.
+QString controlText(const StationStatus& status, int room)
+{
+    const QString who = whoControls(status);
     const auto waiting = std::ranges::count_if(status.clients, &ClientStatus::wanting);
-    return waiting == 0 ? HeaderBar::tr("Control: %1").arg(who)
-                        : HeaderBar::tr("Control: %1, +%2").arg(who).arg(waiting);
+    const QString whole = waiting == 0 ? HeaderBar::tr("Control: %1").arg(who)
+                                       : HeaderBar::tr("Control: %1, %2 waiting").arg(who).arg(waiting);
+    if (waiting == 0 || QFontMetrics(fonts::label()).horizontalAdvance(whole) <= room) {
+        return whole;
+    }
+    return HeaderBar::tr("%1, +%2").arg(who).arg(waiting);
 }
 
 Tone stateTone(const StationStatus& status)
@@ -232,7 +242,7 @@ void HeaderBar::build()
     for (ValueLabel* const wide : {m_reason, m_target, m_control}) {
         wide->setStretching(true);
     }
-    for (ValueLabel* const marked : {m_state, m_limited, m_line, m_azimuth, m_elevation, m_sensor, m_control}) {
+    for (ValueLabel* const marked : {m_state, m_limited, m_line, m_azimuth, m_elevation, m_sensor}) {
         marked->setSymbolRoom(true);
     }
     m_line->setCollapsing(true);
@@ -258,7 +268,7 @@ void HeaderBar::build()
     linkRow->addWidget(m_control, 1);
 
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(6);
+    grid->setHorizontalSpacing(4);
     grid->setVerticalSpacing(2);
     grid->addWidget(m_state, 0, 0);
     grid->addWidget(m_reason, 1, 0);
@@ -329,7 +339,7 @@ void HeaderBar::showLinks(const StationStatus& status)
     if (status.listening.isEmpty()) {
         m_control->setValue(tr("Clients cannot connect"), Tone::Warning, Symbol::Warning);
     } else {
-        m_control->setValue(controlText(status), ours ? Tone::Normal : Tone::Secondary);
+        m_control->setValue(controlText(status, m_control->width()), ours ? Tone::Normal : Tone::Secondary);
     }
     m_control->setToolTip(controlHelp(status));
 }

@@ -66,7 +66,8 @@ TEST_F(HandBackTest, ASlewSaysWhenItIsThere)
     EXPECT_FALSE(window.findChild<ProgressLine*>()->done());
 }
 
-// REQ-UI-603: The control is named: the operator, the client that moves the mount, and how many wait.
+// REQ-UI-603: The control is named: the operator, the client that moves the mount, and how many wait. Where the words
+// have no room, name and number stay.
 TEST_F(HandBackTest, TheHeaderNamesWhoHasTheControlAndHowManyWait)
 {
     StationStatus status = samples::withClients(samples::tracking(1), 3);
@@ -76,10 +77,14 @@ TEST_F(HandBackTest, TheHeaderNamesWhoHasTheControlAndHowManyWait)
         client.wanting = false;
     }
     status.clients[0].leading = true;
-    status.clients[0].program = QStringLiteral("Gpredict");
+    status.clients[0].program = QStringLiteral("A program with a longer name");
     status.clients[2].wanting = true;
     give(samples::update(status));
-    EXPECT_EQ(text("Who may move the mount"), QStringLiteral("Control: Gpredict, +1"));
+    EXPECT_EQ(text("Who may move the mount"), QStringLiteral("A program with a longer name, +1")) << "at 1024 px";
+    window.resize(1600, 900);
+    status.clients[0].program = QStringLiteral("Gpredict");
+    give(samples::update(status));
+    EXPECT_EQ(text("Who may move the mount"), QStringLiteral("Control: Gpredict, 1 waiting"));
     status.listening.clear();
     give(samples::update(status));
     EXPECT_EQ(text("Who may move the mount"), QStringLiteral("Clients cannot connect"));
