@@ -103,13 +103,14 @@ const Query& rotatorQuery()
                              {Register::Velocity, kF32},
                              {Register::Torque, kF32},
                              {Register::QCurrent, kI16},
+                             {Register::DCurrent, kI16},
                              {Register::Power, kI16},
-                             {Register::MotorTemperature, kI16},
                              {Register::TrajectoryComplete, kI8},
                              {Register::HomeState, kI8},
                              {Register::Voltage, kI16},
                              {Register::Temperature, kI16},
-                             {Register::Fault, kI8}};
+                             {Register::Fault, kI8},
+                             {Register::MotorTemperature, kI16}};  // last: the one that is missed least
     return query;
 }
 

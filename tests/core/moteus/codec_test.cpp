@@ -38,7 +38,7 @@ TEST(MoteusCodec, TrackingCommandAndFullReportFitOneFrame)
               "0e200000c0be0ad7233c"              // position, velocity
               "0d2500000040"                      // maximum torque
               "0f27cdcc4c3ecdcc4c3dcdcccc3d"      // watchdog, velocity and acceleration limit
-              "11001f0115041507150a120b160d110f"  // the report
+              "11001f0116041507120b160d110f150a"  // the report
               "505050505050505050505050505050");  // the report
 }
 
@@ -132,7 +132,7 @@ TEST(MoteusCodec, RefusesWhatDoesNotFitTheRequest)
 // REQ-MOTEUS-06
 TEST(MoteusCodec, RefusesAQueryWhoseTailWouldBeMissing)
 {
-    Query query = rotatorQuery();  // 42 bytes: one more block would start too late
+    Query query = rotatorQuery();  // 44 bytes: one more block would start too late
     EXPECT_TRUE(checkAnswerable(query));
     query.push_back({Register::ControlPosition, Resolution::Float});
     const auto frame = encode({.query = query});
@@ -157,7 +157,7 @@ TEST(MoteusCodec, RefusesImpossibleQueries)
 TEST(MoteusCodec, ReplySizesOfTheStandardQueries)
 {
     EXPECT_EQ(replySize(basicQuery()), 22U);
-    EXPECT_EQ(replySize(rotatorQuery()), 42U);
+    EXPECT_EQ(replySize(rotatorQuery()), 44U);
     EXPECT_EQ(replySize(discoveryQuery()), 24U);
     EXPECT_EQ(replySize(versionQuery()), 15U);
 }
