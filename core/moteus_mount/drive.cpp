@@ -47,6 +47,8 @@ DriveReport toReport(const moteus::Reply& reply, SteadyTime received, moteus::Ho
             .rate = rate ? std::optional(MotorRate::fromTurns(*rate)) : std::nullopt,
             .torque = number(Register::Torque),
             .current = number(Register::QCurrent),
+            .dCurrent = number(Register::DCurrent),
+            .power = number(Register::Power),
             .voltage = number(Register::Voltage),
             .boardTemperature = number(Register::Temperature),
             // Reads 0 without a sensor.
@@ -252,8 +254,17 @@ void Drive::lose(DriveLoss loss)
     enter(Phase::Listening);
 }
 
+void Drive::countReply()
+{
+    if (std::exchange(m_replyDue, false)) {
+        ++m_replyCount.sent;
+        m_replyCount.answered += m_replied ? 1 : 0;
+    }
+}
+
 void Drive::judge(SteadyTime now)
 {
+    countReply();
     if (std::exchange(m_replied, false) || !m_asked) {
         m_asked = now;
     }

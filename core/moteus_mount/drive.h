@@ -10,6 +10,7 @@
 #include "core/units/quantity.h"
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -35,10 +36,19 @@ struct DriveReport
     // Each is empty if the reply does not contain it, or contains no number.
     std::optional<MotorRate> rate;
     std::optional<double> torque;
-    std::optional<double> current;  // q axis
+    std::optional<double> current;   // q axis
+    std::optional<double> dCurrent;  // spent on nothing but heat: the drive brakes by it
+    std::optional<double> power;     // negative while it feeds the supply
     std::optional<double> voltage;
     std::optional<double> boardTemperature;
     std::optional<double> motorTemperature;  // also without a sensor
+};
+
+// Frames sent before the running tick, and how many of them were answered before the next frame went out.
+struct ReplyCount
+{
+    std::uint64_t sent = 0;
+    std::uint64_t answered = 0;
 };
 
 struct DriveSettings
@@ -122,6 +132,10 @@ public:
     // Takes a frame from the bus; false if it is not a reply of this drive to us.
     bool take(const CanFrame& frame);
 
+    void frameSent() { m_replyDue = true; }     // the link has taken the frame()
+    void restartCount() { m_replyCount = {}; }  // the link was opened
+    [[nodiscard]] const ReplyCount& replyCount() const { return m_replyCount; }
+
     // Once per tick: draws the conclusions from the replies (see takeLoss() and takeEngaged()), then the frame to send.
     void judge(SteadyTime now);
     [[nodiscard]] CanFrame frame() const;
@@ -163,6 +177,7 @@ private:
     void enter(Phase phase);
     void takePlace();
     void takeControl(const moteus::Reply& reply);
+    void countReply();
     void lose(DriveLoss loss);
     void judgeFault();
     void judgePhase(moteus::Mode mode, Seconds inPhase);
@@ -191,9 +206,11 @@ private:
     bool m_yielding = false;  // without the integrator
     bool m_hardBraking = false;
     bool m_faultTold = false;
-    SteadyTime m_heard{};                 // last reply, stalls of our own excused
-    SteadyTime m_placed{};                // last believed place, stalls of our own excused
-    bool m_replied = false;               // since the last tick
+    SteadyTime m_heard{};     // last reply, stalls of our own excused
+    SteadyTime m_placed{};    // last believed place, stalls of our own excused
+    bool m_replied = false;   // since the last tick
+    bool m_replyDue = false;  // a frame was sent since the last tick
+    ReplyCount m_replyCount;
     bool m_saidPlace = false;             // since the last tick, one that is believed
     std::optional<SteadyTime> m_asked{};  // the oldest frame without a reply, else the last one
     int m_unanswered = 0;                 // frames in a row

@@ -114,6 +114,7 @@ void MoteusConnection::open()
         status.text = opened.error().text;
     } else {
         status = m_link->status();
+        m_mount.lineOpened();
     }
     showBus(status);
 }
@@ -150,6 +151,7 @@ void MoteusConnection::send()
         // Also while the bus is down: an adapter notices only by a new frame that it works again. A frame that could
         // not be sent shows as a missing reply and in the status of the link.
         [[maybe_unused]] const Result<> sent = m_link->send(frames);
+        m_mount.framesTaken();
     }
     m_mount.framesSent();
     if (m_mount.takeMemoryChange() && !m_simulated && m_claim) {

@@ -4,6 +4,7 @@
 #include "core/alarms/catalogue.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/moteus_mount/drive_readings.h"
 
 #include <algorithm>
 
@@ -58,6 +59,20 @@ void MoteusMount::setSilenceAdvice(const QString& advice)
 void MoteusMount::framesSent()
 {
     m_stall.framesSent(m_profile->control.watchdog, heldPlace(), m_clock.now());
+}
+
+void MoteusMount::lineOpened()
+{
+    for (const Axis axis : axes()) {
+        m_drives.drive(axis).restartCount();
+    }
+}
+
+void MoteusMount::framesTaken()
+{
+    for (const Axis axis : axes()) {
+        m_drives.drive(axis).frameSent();
+    }
 }
 
 void MoteusMount::driveRestarted(Axis axis)
@@ -159,6 +174,7 @@ void MoteusMount::describe(DrivesStatus& status) const
     for (const Axis axis : axes()) {
         DriveStatus& drive = axis == Axis::Azimuth ? status.azimuth : status.elevation;
         drive.id = m_profile->axis(axis).id;
+        drive.readings = readingsOf(m_drives.drive(axis), m_now);
         drive.registers = registersText(m_drives.drive(axis));
         drive.turnQuestion = readable() ? m_turns.question(axis, m_drives.drive(axis)) : std::nullopt;
         drive.crashStop = memory().crashStops[index(axis)];

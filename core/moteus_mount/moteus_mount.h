@@ -43,6 +43,8 @@ public:
     // These frames were handed to the link, or there is no link now. A computer that is held up between the two sends
     // them late.
     void framesSent();
+    void lineOpened();   // replies are counted from now on
+    void framesTaken();  // by the link: a reply to each is due
     [[nodiscard]] bool busLeft() const { return m_busLeft; }
     // What to do about a bus that is silent although it works: depends on what carries it.
     void setSilenceAdvice(const QString& advice);

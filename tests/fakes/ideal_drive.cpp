@@ -60,6 +60,12 @@ double IdealDrive::state(moteus::Register reg) const
             return torque;
         case Register::QCurrent:
             return current;
+        case Register::DCurrent:
+            return dCurrent;
+        case Register::Power:
+            return power;
+        case Register::MotorTemperature:
+            return motorTemperature;
         case Register::HomeState:
             return static_cast<double>(home);
         case Register::Voltage:

@@ -65,7 +65,10 @@ public:
     double voltage = 24.0;
     double temperature = 31.0;
     double torque = 0.0;             // Nm
-    double current = 0.0;            // A
+    double current = 0.0;            // A, q axis
+    double dCurrent = 0.0;           // A
+    double power = 0.0;              // W
+    double motorTemperature = 0.0;   // without a sensor
     std::optional<double> velocity;  // turns/s, whatever its position does; empty: it reports none
     std::vector<Seen> seen;
 

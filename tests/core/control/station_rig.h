@@ -73,6 +73,7 @@ struct StationRig
             mount.framesSent();
             return;  // the station's link is closed
         }
+        mount.framesTaken();
         for (const CanFrame& frame : frames) {
             for (fakes::IdealDrive* const drive : {&azimuth, &elevation}) {
                 if (const auto reply = drive->answer(frame, now)) {
