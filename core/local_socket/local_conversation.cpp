@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/local_socket/local_conversation.h"
+
+#include "core/base/text.h"
+
+namespace boresight::local {
+
+LocalConversation::LocalConversation(QLocalSocket* socket, Obey obey, QObject* parent)
+    : QObject(parent), m_socket(*socket), m_obey(std::move(obey)), m_patience(this)
+{
+    socket->setParent(this);
+    socket->setReadBufferSize(kLongestLine + 1);  // with the LF; the rest waits at the sender
+    connect(socket, &QLocalSocket::readyRead, this, &LocalConversation::read);
+    connect(socket, &QLocalSocket::disconnected, this, &QObject::deleteLater);
+    m_patience.setSingleShot(true);
+    m_patience.setInterval(kPatience);
+    connect(&m_patience, &QTimer::timeout, this, [this] {
+        end(failure(ErrorCode::NoAnswer, Text::tr("No command came within %1 s.").arg(kPatience.count())));
+    });
+    m_patience.start();
+}
+
+void LocalConversation::read()
+{
+    if (m_over) {
+        return;  // one command a connection
+    }
+    const QByteArray received = m_socket.peek(kLongestLine + 1);
+    const qsizetype lineEnd = received.indexOf('\n');
+    if (lineEnd >= 0) {
+        end(parseCommand(received.first(lineEnd)).and_then(m_obey));
+    } else if (received.size() > kLongestLine) {
+        end(failure(ErrorCode::InvalidInput, Text::tr("The line is longer than %1 bytes.").arg(kLongestLine)));
+    }
+}
+
+void LocalConversation::end(const Result<>& answer)
+{
+    if (m_over) {
+        return;
+    }
+    m_over = true;
+    m_patience.stop();
+    m_socket.write(answerLine(answer));
+    m_socket.flush();  // one line always has room in a socket that has sent nothing yet
+    m_socket.disconnectFromServer();
+}
+
+}  // namespace boresight::local
+
+#include "moc_local_conversation.cpp"

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/local_socket/local_command.h"
+
+#include <QLocalSocket>
+#include <QObject>
+#include <QTimer>
+
+#include <chrono>
+#include <functional>
+
+// One client of the local socket: its line, our answer, the end. A client that sends no line in time is answered and
+// closed, too. Deletes itself when the connection has ended. Lives in its owner's event loop.
+namespace boresight::local {
+
+// Whether the station agrees, or why not.
+using Obey = std::function<Result<>(LocalCommand)>;
+
+class LocalConversation : public QObject
+{
+    Q_OBJECT
+
+public:
+    static constexpr std::chrono::seconds kPatience{2};
+
+    // Takes the socket over.
+    LocalConversation(QLocalSocket* socket, Obey obey, QObject* parent);
+
+    // Answers, unless this has happened before, and closes the connection.
+    void end(const Result<>& answer);
+    [[nodiscard]] bool isOver() const { return m_over; }
+
+private:
+    void read();
+
+    QLocalSocket& m_socket;
+    Obey m_obey;
+    QTimer m_patience;
+    bool m_over = false;
+};
+
+}  // namespace boresight::local

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Real sockets in a folder of the test; the clock is turned by hand.
+#include "core/local_socket/local_server.h"
+
+#include "tests/fakes/hand_turned_timers.h"
+#include "tests/fakes/wait_until.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <gmock/gmock.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <memory>
+#include <vector>
+
+namespace boresight::local {
+namespace {
+
+using fakes::waitUntil;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+constexpr std::uint16_t kPort = 4533;
+
+mode_t rightsOf(const QString& path)
+{
+    constexpr mode_t kRights = 0777;
+    struct stat found = {};
+    return ::stat(QFile::encodeName(path).constData(), &found) == 0 ? found.st_mode & kRights : 0;
+}
+
+class LocalServerTest : public testing::Test
+{
+protected:
+    [[nodiscard]] Result<> listen() { return server.listen(runtime.path(), kPort); }
+
+    // Connects, and the server has taken the connection.
+    [[nodiscard]] std::unique_ptr<QLocalSocket> client(int isNumber)
+    {
+        auto socket = std::make_unique<QLocalSocket>();
+        socket->connectToServer(server.path());
+        EXPECT_TRUE(waitUntil([&] { return server.findChildren<LocalConversation*>().size() == isNumber; }));
+        return socket;
+    }
+    static std::string answerTo(QLocalSocket& socket, const QByteArray& sent)
+    {
+        socket.write(sent);
+        EXPECT_TRUE(waitUntil([&] { return socket.state() == QLocalSocket::UnconnectedState; })) << "stays open";
+        return socket.readAll().toStdString();
+    }
+    std::string ask(const QByteArray& sent)
+    {
+        QLocalSocket socket;
+        socket.connectToServer(server.path());
+        return answerTo(socket, sent);
+    }
+    // What is left of a program that was killed.
+    void leaveASocket() const
+    {
+        ASSERT_TRUE(QDir(runtime.path()).mkpath(QStringLiteral("boresight")));
+        sockaddr_un address = {};
+        address.sun_family = AF_UNIX;
+        const QByteArray name = QFile::encodeName(path);
+        std::ranges::copy(name, address.sun_path);
+        const void* const untyped = &address;
+        const int dead = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+        ASSERT_EQ(::bind(dead, static_cast<const sockaddr*>(untyped), sizeof address), 0);
+        ::close(dead);
+        ASSERT_TRUE(QFile::exists(path));
+    }
+
+    QTemporaryDir runtime;
+    const QString path = socketPath(runtime.path(), kPort);
+    Result<> agreement;
+    std::vector<LocalCommand> asked;
+    LocalServer server{[this](LocalCommand command) {
+        asked.push_back(command);
+        return agreement;
+    }};
+};
+
+// REQ-LOCALSOCKET-02: A connection brings one command and gets one line: ok, or error with the reason of the station.
+// What is no command, or is longer than 256 bytes, never reaches the station.
+TEST_F(LocalServerTest, OneLineInOneLineOut)
+{
+    ASSERT_TRUE(listen());
+    EXPECT_EQ(ask("take\n"), "ok\n");
+    EXPECT_EQ(ask("stop\nreset-stop\n"), "ok\n");
+    agreement = failure(ErrorCode::Refused, QStringLiteral("STOP is latched. Reset STOP first."));
+    EXPECT_EQ(ask("release\n"), "error: STOP is latched. Reset STOP first.\n");
+    EXPECT_THAT(asked, ElementsAre(LocalCommand::Take, LocalCommand::Stop, LocalCommand::Release));
+    asked.clear();
+    EXPECT_EQ(ask("P 10 20\n"), "error: This is no command. The commands are take, release, stop and reset-stop.\n");
+    EXPECT_EQ(ask(QByteArray(100000, 'x')), "error: The line is longer than 256 bytes.\n");
+    EXPECT_EQ(ask("stop" + QByteArray(253, ' ') + "\n"), "error: The line is longer than 256 bytes.\n");
+    EXPECT_THAT(asked, IsEmpty());
+    agreement = {};
+    EXPECT_EQ(ask("stop" + QByteArray(252, ' ') + "\n"), "ok\n");
+}
+
+// REQ-LOCALSOCKET-02
+TEST_F(LocalServerTest, ALineMayComeInPieces)
+{
+    ASSERT_TRUE(listen());
+    const auto slow = client(1);
+    slow->write("reset");
+    slow->flush();
+    EXPECT_EQ(ask("take\n"), "ok\n") << "the other waits for nobody";
+    EXPECT_EQ(answerTo(*slow, "-stop\n"), "ok\n");
+    EXPECT_THAT(asked, ElementsAre(LocalCommand::Take, LocalCommand::ResetStop));
+}
+
+// REQ-LOCALSOCKET-03: At most eight clients at the same time. One that sends no command within 2 s is closed.
+TEST_F(LocalServerTest, TheNinthIsSentAwayUntilTheSilentOnesAreClosed)
+{
+    fakes::ManualClock clock;
+    fakes::HandTurnedTimers timers(server, clock);
+    ASSERT_TRUE(listen());
+    std::vector<std::unique_ptr<QLocalSocket>> silent;
+    for (int i = 1; i <= LocalServer::kMostClients; ++i) {
+        silent.push_back(client(i));
+    }
+    EXPECT_THAT(ask({}), StartsWith("error: Too many programs ask"));
+    timers.elapse(Seconds(1.9));
+    EXPECT_THAT(ask({}), StartsWith("error: Too many programs ask"));
+    timers.elapse(Seconds(0.1));
+    for (const auto& one : silent) {
+        EXPECT_EQ(answerTo(*one, {}), "error: No command came within 2 s.\n");
+    }
+    EXPECT_EQ(ask("take\n"), "ok\n");
+    EXPECT_THAT(asked, ElementsAre(LocalCommand::Take));
+}
+
+// REQ-LOCALSOCKET-03
+TEST_F(LocalServerTest, WhoLeavesMakesRoom)
+{
+    ASSERT_TRUE(listen());
+    for (int i = 0; i < 3 * LocalServer::kMostClients; ++i) {
+        const auto one = client(1);
+        one->write("sto");
+        one->disconnectFromServer();
+        EXPECT_TRUE(waitUntil([this] { return server.findChildren<LocalConversation*>().isEmpty(); }));
+    }
+    EXPECT_THAT(asked, IsEmpty());
+}
+
+// REQ-LOCALSOCKET-04: Only the user of the station can open the folder and the socket, whatever rights the folder had
+// before. A folder that is a link is refused.
+TEST_F(LocalServerTest, OnlyItsUserComesIn)
+{
+    const QString folder = runtime.filePath(QStringLiteral("boresight"));
+    ASSERT_TRUE(QDir().mkdir(folder));
+    ASSERT_EQ(::chmod(QFile::encodeName(folder).constData(), 0777), 0);
+    ASSERT_TRUE(listen());
+    EXPECT_EQ(server.path(), path);
+    EXPECT_EQ(rightsOf(folder), 0700U);
+    EXPECT_EQ(rightsOf(path) & 0077U, 0U);
+    server.close();
+    EXPECT_FALSE(QFile::exists(path));
+    ASSERT_TRUE(QDir().rmdir(folder));
+    ASSERT_TRUE(QFile::link(runtime.path(), folder));
+    const auto linked = listen();
+    ASSERT_FALSE(linked);
+    EXPECT_EQ(linked.error().code, ErrorCode::Denied);
+}
+
+// REQ-LOCALSOCKET-05: The socket of a program that was killed is removed. One that another program listens on is left
+// alone, and the refusal names it. Without XDG_RUNTIME_DIR there is no local socket.
+TEST_F(LocalServerTest, WhatAKilledProgramLeftIsRemoved)
+{
+    leaveASocket();
+    ASSERT_TRUE(listen());
+    EXPECT_EQ(ask("take\n"), "ok\n");
+    LocalServer second([](LocalCommand) { return Result<>{}; });
+    const auto other = second.listen(runtime.path(), kPort);
+    ASSERT_FALSE(other);
+    EXPECT_EQ(other.error().code, ErrorCode::Busy);
+    EXPECT_THAT(other.error().text.toStdString(), HasSubstr(path.toStdString()));
+    second.close();
+    EXPECT_EQ(ask("take\n"), "ok\n") << "the first goes on";
+}
+
+// REQ-LOCALSOCKET-05
+TEST_F(LocalServerTest, NeedsAFolderOfTheUser)
+{
+    EXPECT_EQ(server.listen({}, kPort).error().text, QStringLiteral("XDG_RUNTIME_DIR is not set"));
+    EXPECT_FALSE(server.listen(runtime.filePath(QStringLiteral("nowhere")), kPort));
+    EXPECT_TRUE(server.path().isEmpty());
+}
+
+// REQ-LOCALSOCKET-06: Who is connected while the station closes is told so.
+TEST_F(LocalServerTest, TheEndOfTheStationIsAnAnswer)
+{
+    ASSERT_TRUE(listen());
+    const auto waiting = client(1);
+    server.close();
+    EXPECT_EQ(answerTo(*waiting, {}), "error: The station is being closed.\n");
+}
+
+}  // namespace
+}  // namespace boresight::local
