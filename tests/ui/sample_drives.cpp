@@ -110,6 +110,19 @@ DriveStatus drive(Axis axis)
                                       : QStringLiteral("a07e4410-2c5f-4b6d-8f3e-90d1c2b7a5f4"),
                       .firmware = QStringLiteral("1.1.0"),
                       .registerMap = 5};
+    drive.readings = {.motorTurns = azimuth ? 0.31375 : 0.05556,
+                      .motorTurnsPerSecond = azimuth ? -0.00125 : 0.0,
+                      .torque = azimuth ? 1.25 : -2.4,
+                      .qCurrent = azimuth ? 2.1 : -4.0,
+                      .dCurrent = 0.0,
+                      .busVoltage = 24.1,
+                      .boardTemperature = 38.0,
+                      .power = azimuth ? 6.2 : 11.8,
+                      .mode = QStringLiteral("position (10)"),
+                      .fault = QStringLiteral("none"),
+                      .age = std::chrono::milliseconds(12),
+                      .sent = 30451,
+                      .answered = azimuth ? 30451u : 30439u};
     drive.protections = protections(axis, false);
     drive.registers = QStringLiteral("moteus mode 10, fault 0");
     drive.crashStop = CrashStop{.drive = drive.identity.uuid,

@@ -71,6 +71,13 @@ StationStatus LastStatus::now() const
             *axis->age += silent;
         }
     }
+    if (status.drives) {
+        for (DriveStatus* const drive : {&status.drives->azimuth, &status.drives->elevation}) {
+            if (drive->readings.age) {
+                *drive->readings.age += silent;
+            }
+        }
+    }
     status.utc += silent;
     if (freshness(silent) != Freshness::Live) {
         refuseOldPlaces(status.permissions);

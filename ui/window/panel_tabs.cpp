@@ -6,6 +6,7 @@
 #include "ui/clients/clients_panel.h"
 #include "ui/drives/drives_panel.h"
 #include "ui/drives/protection_panel.h"
+#include "ui/drives/readings_table.h"
 #include "ui/drives/turn_page.h"
 #include "ui/jog/jog_panel.h"
 #include "ui/kit/axes.h"
@@ -32,6 +33,7 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
       m_clients(new ClientsPanel(draft, desk, this)),
       m_log(new LogPanel(desk, settings.alarmSound, this)),
       m_drives(new DrivesPanel(desk, this)),
+      m_readings(new ReadingsTable(this)),
       m_protection(new ProtectionPanel(desk, this)),
       m_profile(new ProfilePage(draft, desk, settings.configDir, this)),
       m_north(new CalibrationPanel(clock, desk, draft, this)),
@@ -83,6 +85,7 @@ QTabWidget* PanelTabs::makeMountTabs()
     tabs->tabBar()->setAccessibleName(tr("The mount itself"));
     tabs->setDocumentMode(true);
     addPanel(*tabs, *m_drives, tr("Drives"), tr("Drives, bus and crash-stop proof (Ctrl+6)"), Qt::Key_6);
+    tabs->setTabToolTip(tabs->addTab(m_readings, tr("Readings")), tr("What the drives report now"));
     addPanel(*tabs, *m_protection, tr("Protection"), tr("The drives' own protections (Ctrl+7)"), Qt::Key_7);
     addPanel(*tabs, *m_profile, tr("Profile"), tr("All settings, and the mounts that are kept (Ctrl+8)"), Qt::Key_8);
     return tabs;
@@ -206,6 +209,7 @@ void PanelTabs::showStatus(const StationStatus& status)
     m_clients->showStatus(status);
     m_log->showStatus(status);
     m_drives->showStatus(status);
+    m_readings->showStatus(status);
     m_protection->showStatus(status);
     m_profile->showStatus(status);
     m_north->showStatus(status);
@@ -217,7 +221,7 @@ void PanelTabs::showStatus(const StationStatus& status)
 // A mount without such drives has nothing to be shown there.
 void PanelTabs::showMountTabs(const StationStatus& status)
 {
-    for (QWidget* const panel : {static_cast<QWidget*>(m_drives), static_cast<QWidget*>(m_protection)}) {
+    for (QWidget* const panel : std::initializer_list<QWidget*>{m_drives, m_readings, m_protection}) {
         const int tab = m_mountTabs->indexOf(panel);
         if (m_mountTabs->isTabVisible(tab) != status.drives.has_value()) {
             m_mountTabs->setTabVisible(tab, status.drives.has_value());  // lays the tabs out, each time

@@ -26,6 +26,7 @@ class LogPanel;
 class ProfileDraft;
 class ProfilePage;
 class ProtectionPanel;
+class ReadingsTable;
 class RequestDesk;
 class TurnPage;
 
@@ -75,6 +76,7 @@ private:
     ClientsPanel* m_clients;
     LogPanel* m_log;
     DrivesPanel* m_drives;
+    ReadingsTable* m_readings;
     ProtectionPanel* m_protection;
     ProfilePage* m_profile;
     CalibrationPanel* m_north;

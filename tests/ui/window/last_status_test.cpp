@@ -51,6 +51,7 @@ TEST_F(LastStatusTest, GrowsOlderWithTheSilence)
     EXPECT_TRUE(last.ages());
     EXPECT_EQ(last.now().azimuth.age, 740ms);
     EXPECT_EQ(last.now().elevation.age, 740ms);
+    EXPECT_EQ(last.now().drives->azimuth.readings.age, 712ms);
     EXPECT_EQ(last.now().utc, received + 700ms);
     EXPECT_EQ(last.received().azimuth.age, 40ms);
 }

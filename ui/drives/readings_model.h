@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/messages/station_status.h"
+#include "ui/kit/table_model.h"
+
+#include <array>
+
+// What both drives report: a row for each quantity with its unit, a column for each axis. Numbers that are old are
+// dimmed, and not shown any more when there is no data. The age of the reply and the lost replies always stand.
+namespace boresight::ui {
+
+class ReadingsModel : public TableModel
+{
+    Q_OBJECT
+
+public:
+    enum Column
+    {
+        Quantity,
+        Azimuth,
+        Elevation
+    };
+
+    explicit ReadingsModel(QObject* parent = nullptr);
+
+    void show(const StationStatus& status);
+
+    // As shown, with the time of the status.
+    [[nodiscard]] QString tabbed() const;
+    // The same for programs: quantity and unit in columns of their own, a field empty where nothing is reported; the
+    // ids of the boards, too.
+    [[nodiscard]] QString csv() const;
+
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+
+protected:
+    [[nodiscard]] std::size_t rows() const override;
+
+private:
+    [[nodiscard]] QString shown(int row, int column) const;
+    [[nodiscard]] QColor colour(const QModelIndex& index) const;
+
+    StationStatus m_status;
+    std::array<QStringList, 2> m_values;  // by axis, in the order of the rows; empty: not reported
+};
+
+}  // namespace boresight::ui
