@@ -7,6 +7,7 @@
 #include "app/station_thread.h"
 #include "app/unix_signals.h"
 #include "core/base/version.h"
+#include "core/local_socket/local_command.h"
 #include "core/station/link_factory.h"
 #include "core/station/mount_factory.h"
 #include "ui/jog/gamepad.h"
@@ -167,6 +168,7 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
         const MountMaker mount = mounts.make(profile, {options.stateDir, simulation, standingAt});
         auto station = std::make_unique<Station>(profile, mount, options.stateDir, clock);
         station->setSensorMaker(mounts.sensors(profile, simulation));
+        station->serveShell(local::runtimeFolder());
         station->wantRealTime();
         return station;
     };

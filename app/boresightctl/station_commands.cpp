@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/local_client.h"
 #include "app/boresightctl/rotctld_client.h"
 #include "app/boresightctl/station_options.h"
 #include "app/boresightctl/station_report.h"
 #include "app/boresightctl/subcommand.h"
 
 #include <QJsonDocument>
+
+#include <vector>
 
 namespace boresight::ctl {
 namespace {
@@ -16,9 +19,20 @@ const std::string kWhichStation =
     R"(  --station HOST:PORT  the rotctld port of the station; 127.0.0.1:4533 without it
 )";
 
+const std::string kWhichLocalStation =
+    R"(  --station HOST:PORT  the rotctld port of the station; 127.0.0.1:4533 without it
+                       HOST is localhost, 127.0.0.1 or ::1: the station runs on this computer
+)";
+
+const std::string kLocalSocket =
+    R"(
+The command goes through the local socket of the station, $XDG_RUNTIME_DIR/boresight/PORT.sock. It works on the computer
+of the station, for the user who started the station.
+)";
+
 ExitStatus failedBy(const Subcommand& subcommand, const Error& error)
 {
-    if (error.code == ErrorCode::NoAnswer) {
+    if (error.code != ErrorCode::Refused) {
         complain(subcommand, error.text);
         return kNoConnection;
     }
@@ -40,6 +54,42 @@ ExitStatus orderOf(const Subcommand& subcommand, const StationOptions& options, 
     return kDone;
 }
 
+// The same by the local socket, for what rotctld has no words for.
+ExitStatus localOrderOf(const Subcommand& subcommand, Arguments arguments, local::LocalCommand command,
+                        const QString& done)
+{
+    const auto options = parseStationOptions(arguments, 0);
+    if (!options) {
+        return usageError(subcommand, options.error().text);
+    }
+    const Result<> answer = askLocally(options->station.value_or(profile::ListenAddress{}), command);
+    if (!answer) {
+        return answer.error().code == ErrorCode::InvalidInput ? usageError(subcommand, answer.error().text)
+                                                              : failedBy(subcommand, answer.error());
+    }
+    printLine(done);
+    return kDone;
+}
+
+ExitStatus runTake(Arguments arguments)
+{
+    return localOrderOf(
+        kTakeCommand, arguments, local::LocalCommand::Take,
+        QStringLiteral("The operator has the control. The station refuses motion commands of clients until release."));
+}
+
+ExitStatus runRelease(Arguments arguments)
+{
+    return localOrderOf(kReleaseCommand, arguments, local::LocalCommand::Release,
+                        QStringLiteral("The clients have the control. One of them may move the mount at once."));
+}
+
+ExitStatus runResetStop(Arguments arguments)
+{
+    return localOrderOf(kResetStopCommand, arguments, local::LocalCommand::ResetStop,
+                        QStringLiteral("STOP is reset. Clients are refused until release."));
+}
+
 ExitStatus runGoto(Arguments arguments)
 {
     const auto options = parseStationOptions(arguments, 2);
@@ -59,6 +109,12 @@ ExitStatus runGoto(Arguments arguments)
 
 ExitStatus runStop(Arguments arguments)
 {
+    std::vector<std::string> rest(arguments.begin(), arguments.end());
+    if (std::erase(rest, "--latched") > 0) {
+        return localOrderOf(
+            kStopCommand, rest, local::LocalCommand::Stop,
+            QStringLiteral("STOP is latched. The mount slows down and holds. Nothing moves it until reset-stop."));
+    }
     const auto options = parseStationOptions(arguments, 0);
     return options
                ? orderOf(
@@ -109,18 +165,62 @@ Example:
 )",
                               .run = runGoto};
 
-const Subcommand kStopCommand{.name = "stop",
-                              .arguments = "[--station HOST:PORT]",
-                              .summary = "End the motion of the mount of a running station",
-                              .details = kWhichStation +
-                                         R"(
-The mount slows down and holds. STOP does not latch: rotctld has no such command, so the next target of a client moves the
-mount again. Use the STOP button of the window, or switch off the power of the drives, before you go to the mount.
+const Subcommand kStopCommand{
+    .name = "stop",
+    .arguments = "[--latched] [--station HOST:PORT]",
+    .summary = "End the motion of the mount of a running station",
+    .details = kWhichStation +
+               R"(  --latched            STOP as the button of the window: nothing moves the mount until reset-stop
+
+The mount slows down and holds. Without --latched the next target of a client moves the mount again. With it the operator
+has the control afterwards. Switch off the power of the drives before you go to the mount.
+
+rotctld has no STOP that latches. So --latched goes through the local socket of the station,
+$XDG_RUNTIME_DIR/boresight/PORT.sock: on the computer of the station, for the user who started the station.
+)" + kExitStatus +
+               R"(
+Example:
+  boresightctl stop --latched
+)",
+    .run = runStop};
+
+const Subcommand kResetStopCommand{.name = "reset-stop",
+                                   .arguments = "[--station HOST:PORT]",
+                                   .summary = "Reset a latched STOP of a running station",
+                                   .details = kWhichLocalStation + kLocalSocket +
+                                              R"(
+It moves nothing, and it leaves the control with the operator. The station refuses it while the mount still slows down.
 )" + kExitStatus + R"(
 Example:
-  boresightctl stop
+  boresightctl reset-stop && boresightctl release
 )",
-                              .run = runStop};
+                                   .run = runResetStop};
+
+const Subcommand kTakeCommand{.name = "take",
+                              .arguments = "[--station HOST:PORT]",
+                              .summary = "Take the control of a running station from its clients",
+                              .details = kWhichLocalStation + kLocalSocket +
+                                         R"(
+The motion of a client ends, and the mount holds. The station refuses motion commands of clients until release: also goto
+and park of boresightctl.
+)" + kExitStatus + R"(
+Example:
+  boresightctl take
+)",
+                              .run = runTake};
+
+const Subcommand kReleaseCommand{.name = "release",
+                                 .arguments = "[--station HOST:PORT]",
+                                 .summary = "Give the control of a running station back to its clients",
+                                 .details = kWhichLocalStation + kLocalSocket +
+                                            R"(
+It moves nothing by itself. A client that still sends its target moves the mount at once. The station refuses it while
+STOP is latched.
+)" + kExitStatus + R"(
+Example:
+  boresightctl release
+)",
+                                 .run = runRelease};
 
 const Subcommand kParkCommand{.name = "park",
                               .arguments = "[--station HOST:PORT]",

@@ -39,6 +39,9 @@ extern const Subcommand kEphemerisCommand;
 extern const Subcommand kPassesCommand;
 extern const Subcommand kGotoCommand;
 extern const Subcommand kStopCommand;
+extern const Subcommand kResetStopCommand;
+extern const Subcommand kTakeCommand;
+extern const Subcommand kReleaseCommand;
 extern const Subcommand kParkCommand;
 extern const Subcommand kStatusCommand;
 

@@ -5,6 +5,7 @@
 #include "app/service_notify.h"
 #include "app/unix_signals.h"
 #include "core/base/version.h"
+#include "core/local_socket/local_command.h"
 #include "core/station/mount_factory.h"
 #include "core/station/station.h"
 
@@ -73,6 +74,7 @@ int run(QCoreApplication& application, const app::Options& options)
     Station station(options.profile, mounts.make(options.profile, {options.stateDir, simulation, options.standingAt}),
                     options.stateDir, clock);
     station.setSensorMaker(mounts.sensors(options.profile, simulation));
+    station.serveShell(local::runtimeFolder());
     station.wantRealTime();
     QThreadPool reader;
     app::ServiceWatchdog watchdog;

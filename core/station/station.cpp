@@ -28,6 +28,11 @@ constexpr std::chrono::seconds kSurveyPatience{6};
 // More than this is not read by anybody at once; the log file has it all.
 constexpr std::size_t kMostLogLines = 500;
 
+Source operatorSource()
+{
+    return {.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
+}
+
 rotctld::ServerSettings serverSettings(const profile::RotctldSettings& settings)
 {
     return {.host = settings.listen.host,
@@ -58,6 +63,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_control(m_profile, clock, m_log, m_alarms, m_mount->driver(), motionSources),
       m_rotator(m_control, m_profile, m_log, clock),
       m_server(serverSettings(profile.rotctld), m_rotator, clock, this),
+      m_shell([this](const Request& request, const Source& by) { return askNow(request, by); }, m_log, clock, this),
       m_broker(m_profile, m_log, clock, this),
       m_sensor(m_profile, clock, m_log, m_control.alarms(), m_broker, this),
       m_power(m_profile, clock, m_log, this),
@@ -156,6 +162,7 @@ void Station::openServer()
 {
     const Result<> listening = m_server.listen();
     if (listening) {
+        m_shell.open(m_server.port());
         m_log.add(Severity::Advisory, kServerSource, Text::tr("listening on %1").arg(toQString(m_server.address())));
         tellOpenPort();
         return;
@@ -243,6 +250,7 @@ void Station::finish()
     m_tickTimer.stop();
     m_updateTimer.stop();
     m_reopenTimer.stop();
+    m_shell.close();
     m_server.close();
     m_sensor.close();
     m_power.close();
@@ -262,21 +270,33 @@ void Station::finish()
 
 void Station::request(const NumberedRequest& numbered)
 {
-    const Result<> answer = obey(numbered.request);
+    const Result<> answer = obey(numbered.request, operatorSource());
     if (!answer) {
-        m_log.add(Severity::Warning, QStringLiteral("operator"), Text::tr("refused: %1").arg(answer.error().text));
+        m_log.add(Severity::Warning, operatorSource().name, Text::tr("refused: %1").arg(answer.error().text));
     }
     m_answers.push_back(
         {.requestId = numbered.id, .error = answer ? std::optional<Error>() : std::optional(answer.error())});
-    if (std::holds_alternative<request::Stop>(numbered.request)) {
-        tick();  // STOP does not wait for the next tick
+    hurry(numbered.request);
+}
+
+Result<> Station::askNow(const Request& request, const Source& by)
+{
+    const Result<> answer = obey(request, by);
+    hurry(request);
+    return answer;
+}
+
+// STOP does not wait for the next tick.
+void Station::hurry(const Request& request)
+{
+    if (std::holds_alternative<request::Stop>(request)) {
+        tick();
     }
 }
 
-Result<> Station::obey(const Request& request)
+Result<> Station::obey(const Request& request, const Source& by)
 {
-    static const Source kOperator{.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
-    return m_mount->admits(request).and_then([&] { return m_control.request(request, kOperator); }).and_then([&] {
+    return m_mount->admits(request).and_then([&] { return m_control.request(request, by); }).and_then([&] {
         return carryOut(request);
     });
 }
@@ -284,8 +304,8 @@ Result<> Station::obey(const Request& request)
 void Station::reload(const Result<profile::Profile>& read)
 {
     const QString source = QStringLiteral("station");
-    const Result<> taken =
-        read.and_then([this](const profile::Profile& profile) { return obey(request::ApplyProfile{profile}); });
+    const Result<> taken = read.and_then(
+        [this](const profile::Profile& profile) { return obey(request::ApplyProfile{profile}, operatorSource()); });
     if (!taken) {
         m_log.add(
             Severity::Warning, source,

@@ -18,6 +18,7 @@
 #include "core/station/station_power.h"
 #include "core/station/station_rotator.h"
 #include "core/station/station_sensor.h"
+#include "core/station/station_shell.h"
 #include "core/station/tick_lateness.h"
 
 #include <QObject>
@@ -49,6 +50,10 @@ public:
 
     // How the orientation sensor is reached, if not by the profile alone. Before start().
     void setSensorMaker(SensorMaker maker) { m_sensor.setMaker(std::move(maker)); }
+
+    // The commands of boresightctl for which rotctld has no words are taken by a socket in this folder, or the log says
+    // why not. Before start().
+    void serveShell(const QString& runtimeFolder) { m_shell.setRuntimeFolder(runtimeFolder); }
 
     // Asks for real-time scheduling of the thread that start() runs on. Before start().
     void wantRealTime() { m_wantsRealTime = true; }
@@ -97,7 +102,9 @@ private:
     void reconnect(const profile::Profile& next);
     void profileChanged(const profile::Profile& before);
     void applyCalibration();
-    [[nodiscard]] Result<> obey(const Request& request);
+    [[nodiscard]] Result<> obey(const Request& request, const Source& by);
+    [[nodiscard]] Result<> askNow(const Request& request, const Source& by);
+    void hurry(const Request& request);
     [[nodiscard]] Result<> carryOut(const Request& request);
     void openServer();
     void refuseToStart();
@@ -116,6 +123,7 @@ private:
     StationControl m_control;
     StationRotator m_rotator;
     rotctld::Server m_server;
+    StationShell m_shell;
     StationBroker m_broker;
     StationSensor m_sensor;
     StationPower m_power;

@@ -3,6 +3,7 @@
 #include "tests/app/ctl_outcome.h"
 #include "tests/fakes/wait_until.h"
 
+#include <QFile>
 #include <QRegularExpression>
 #include <QTcpServer>
 #include <QTcpSocket>
@@ -18,6 +19,16 @@ using testing::HasSubstr;
 class CtlStation : public testing::Test
 {
 protected:
+    // Before the daemon: it inherits the environment.
+    struct OwnRuntimeFolder
+    {
+        OwnRuntimeFolder() { qputenv("XDG_RUNTIME_DIR", QFile::encodeName(folder.path())); }
+        ~OwnRuntimeFolder() { qunsetenv("XDG_RUNTIME_DIR"); }
+        OwnRuntimeFolder(const OwnRuntimeFolder&) = delete;
+        OwnRuntimeFolder& operator=(const OwnRuntimeFolder&) = delete;
+        QTemporaryDir folder;
+    };
+
     void SetUp() override
     {
         ASSERT_TRUE(daemon.waitForLine(QStringLiteral("rotctld listening on ")));
@@ -28,6 +39,7 @@ protected:
         return ctl(words(line) + QStringList{QStringLiteral("--station"), address});
     }
 
+    OwnRuntimeFolder runtime;
     QTemporaryDir folder;
     fakes::Program daemon{QStringLiteral(BORESIGHTD),
                           {QStringLiteral("--simulate"), QStringLiteral("--state-dir"), folder.path(),
@@ -49,6 +61,57 @@ TEST_F(CtlStation, IsSentStoppedAndParked)
     EXPECT_EQ(stop.status, 0) << stop.errors;
     EXPECT_THAT(stop.output, HasSubstr("STOP is not latched"));
     EXPECT_EQ(ask("park").status, 0);
+}
+
+// REQ-CTL-302: take, release, stop --latched and reset-stop ask the station of this computer by its local socket. None
+// of them moves the mount. A refusal carries the reason of the station.
+TEST_F(CtlStation, GivesAndTakesControlAndLatchesStop)
+{
+    EXPECT_TRUE(fakes::waitUntil([this] { return ask("goto 113 40").status == 0; }));
+    const Outcome take = ask("take");
+    EXPECT_EQ(take.status, 0) << take.errors;
+    EXPECT_EQ(ask("goto 113 40").status, 1);
+    EXPECT_EQ(ask("release").status, 0);
+    EXPECT_EQ(ask("goto 113 40").status, 0);
+    const Outcome stop = ask("stop --latched");
+    EXPECT_EQ(stop.status, 0) << stop.errors;
+    EXPECT_THAT(stop.output, HasSubstr("STOP is latched"));
+    EXPECT_EQ(ask("goto 113 40").status, 1);
+    const Outcome release = ask("release");
+    EXPECT_EQ(release.status, 1);
+    EXPECT_THAT(release.errors, HasSubstr("refused: STOP is latched. Reset STOP first."));
+    EXPECT_TRUE(fakes::waitUntil([this] { return ask("reset-stop").status == 0; })) << "still braking until then";
+    EXPECT_EQ(ask("goto 113 40").status, 1) << "the operator still has the control";
+    EXPECT_EQ(ask("release").status, 0);
+    EXPECT_THAT(ask("status").output, HasSubstr("NOT MOVING"));
+    EXPECT_EQ(ask("goto 113 40").status, 0);
+    EXPECT_TRUE(daemon.waitForError(QStringLiteral("shell: STOP is latched"))) << daemon.errors().toStdString();
+}
+
+// REQ-CTL-303: The local socket belongs to one computer and one user: another host is a line without sense (2), no
+// socket is a station that does not answer (3).
+TEST_F(CtlStation, IsAskedOnItsOwnComputer)
+{
+    for (const char* const line : {"take --station mast.example:4533", "release --station 192.168.1.7:4533",
+                                   "stop --latched --station 0.0.0.0:4533", "reset-stop --station mast.example:4533"}) {
+        const Outcome other = ctl(words(line));
+        EXPECT_EQ(other.status, 2) << line;
+        EXPECT_THAT(other.errors, HasSubstr("only on the computer of the station"));
+    }
+    const QString port = address.section(QLatin1Char(':'), -1);
+    for (const char* const host : {"localhost", "[::1]"}) {
+        EXPECT_EQ(ctl({QStringLiteral("take"), QStringLiteral("--station"), QLatin1String(host) + u':' + port}).status,
+                  0);
+    }
+    EXPECT_EQ(ask("goto 1 2 --latched").status, 2);
+    daemon.terminate();
+    EXPECT_EQ(daemon.waitForEnd(), 0);
+    EXPECT_EQ(ask("take").status, 3);
+    EXPECT_FALSE(QFile::exists(QStringLiteral("%1/boresight/%2.sock").arg(runtime.folder.path(), port)));
+    qunsetenv("XDG_RUNTIME_DIR");
+    const Outcome without = ask("take");
+    EXPECT_EQ(without.status, 3);
+    EXPECT_THAT(without.errors, HasSubstr("XDG_RUNTIME_DIR is not set"));
 }
 
 // REQ-CTL-301: Exit status 1 with the reason when the station refuses, 2 for a line without sense, 3 when nobody

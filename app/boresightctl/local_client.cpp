@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/local_client.h"
+
+#include "app/boresightctl/rotctld_client.h"
+#include "core/base/text.h"
+
+#include <QDeadlineTimer>
+#include <QHostAddress>
+#include <QLocalSocket>
+
+namespace boresight::ctl {
+namespace {
+
+bool isThisComputer(const std::string& host)
+{
+    return host == "localhost" || QHostAddress(toQString(host)).isLoopback();
+}
+
+}  // namespace
+
+Result<> askLocally(const profile::ListenAddress& station, local::LocalCommand command)
+{
+    if (!isThisComputer(station.host)) {
+        return failure(ErrorCode::InvalidInput,
+                       QStringLiteral("this works only on the computer of the station, because it needs the local "
+                                      "socket of the station, and \"%1\" is not localhost")
+                           .arg(toQString(station.host)));
+    }
+    const QString folder = local::runtimeFolder();
+    if (folder.isEmpty()) {
+        return failure(ErrorCode::NoAnswer,
+                       QStringLiteral("XDG_RUNTIME_DIR is not set, so there is no local socket of a station."));
+    }
+    const QString path = local::socketPath(folder, station.port);
+    const QDeadlineTimer deadline(kPatience);
+    QLocalSocket socket;
+    socket.connectToServer(path);
+    if (!socket.waitForConnected(static_cast<int>(deadline.remainingTime()))) {
+        return failure(ErrorCode::NoAnswer,
+                       QStringLiteral("No station of this user listens on %1: %2.").arg(path, socket.errorString()));
+    }
+    socket.write(local::wordOf(command) + '\n');
+    while (!socket.canReadLine()) {
+        if (!socket.waitForReadyRead(static_cast<int>(deadline.remainingTime()))) {
+            return failure(ErrorCode::NoAnswer,
+                           QStringLiteral("The station on %1 does not answer: %2.").arg(path, socket.errorString()));
+        }
+    }
+    return local::parseAnswer(socket.readLine());
+}
+
+}  // namespace boresight::ctl
