@@ -6708,6 +6708,62 @@ até %1</translation>
         <source>How the axes arrive at the end of a slew. &quot;separate&quot;: each axis arrives as soon as it can. &quot;together&quot;: the faster axis slows down so that both arrive at the same time.</source>
         <translation>Como os eixos chegam ao fim de uma deslocação. &quot;separate&quot;: cada eixo chega assim que pode. &quot;together&quot;: o eixo mais rápido abranda para que ambos cheguem ao mesmo tempo.</translation>
     </message>
+    <message>
+        <source>This is no command. The commands are take, release, stop and reset-stop.</source>
+        <translation>Isto não é um comando. Os comandos são take, release, stop e reset-stop.</translation>
+    </message>
+    <message>
+        <source>The answer is neither &quot;ok&quot; nor &quot;error&quot;.</source>
+        <translation>A resposta não é «ok» nem «error».</translation>
+    </message>
+    <message>
+        <source>No command came within %1 s.</source>
+        <translation>Não chegou nenhum comando em %1 s.</translation>
+    </message>
+    <message>
+        <source>The line is longer than %1 bytes.</source>
+        <translation>A linha tem mais de %1 bytes.</translation>
+    </message>
+    <message>
+        <source>cannot make the folder %1: %2</source>
+        <translation>não é possível criar a pasta %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 is no folder of this user</source>
+        <translation>%1 não é uma pasta deste utilizador</translation>
+    </message>
+    <message>
+        <source>another program listens on %1</source>
+        <translation>outro programa está à escuta em %1</translation>
+    </message>
+    <message>
+        <source>cannot remove %1</source>
+        <translation>não é possível remover %1</translation>
+    </message>
+    <message>
+        <source>XDG_RUNTIME_DIR is not set</source>
+        <translation>XDG_RUNTIME_DIR não está definida</translation>
+    </message>
+    <message>
+        <source>The station is being closed.</source>
+        <translation>A estação está a ser fechada.</translation>
+    </message>
+    <message>
+        <source>Too many programs ask at the same time. Try again.</source>
+        <translation>Demasiados programas pedem ao mesmo tempo. Tente de novo.</translation>
+    </message>
+    <message>
+        <source>limit: %1</source>
+        <translation>limite: %1</translation>
+    </message>
+    <message>
+        <source>shell</source>
+        <translation>linha de comandos</translation>
+    </message>
+    <message>
+        <source>No local socket, so boresightctl take, release, stop --latched and reset-stop do not reach this station: %1</source>
+        <translation>Sem socket local: boresightctl take, release, stop --latched e reset-stop não chegam a esta estação: %1</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -10117,6 +10173,14 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <source>Finding north: sensor, swing, Sun and Moon (Ctrl+9)</source>
         <translation>Achar o norte: sensor, giro, Sol e Lua (Ctrl+9)</translation>
     </message>
+    <message>
+        <source>Readings</source>
+        <translation>Leituras</translation>
+    </message>
+    <message>
+        <source>What the drives report now</source>
+        <translation>O que os acionamentos comunicam agora</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::PlotEditor</name>
@@ -10853,6 +10917,156 @@ Fica para si, porque só quem construiu a montagem o pode saber:
     <message>
         <source>Switch off</source>
         <translation>Desligar</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::ReadingsModel</name>
+    <message>
+        <source>Position of the axis</source>
+        <translation>Posição do eixo</translation>
+    </message>
+    <message>
+        <source>Position of the drive</source>
+        <translation>Posição do acionamento</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>voltas</translation>
+    </message>
+    <message>
+        <source>Velocity of the axis</source>
+        <translation>Velocidade do eixo</translation>
+    </message>
+    <message>
+        <source>Velocity of the drive</source>
+        <translation>Velocidade do acionamento</translation>
+    </message>
+    <message>
+        <source>turns/s</source>
+        <translation>voltas/s</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>Torque</translation>
+    </message>
+    <message>
+        <source>Current q</source>
+        <translation>Corrente q</translation>
+    </message>
+    <message>
+        <source>Current d</source>
+        <translation>Corrente d</translation>
+    </message>
+    <message>
+        <source>Electrical power</source>
+        <translation>Potência elétrica</translation>
+    </message>
+    <message>
+        <source>Supply voltage</source>
+        <translation>Tensão de alimentação</translation>
+    </message>
+    <message>
+        <source>Board temperature</source>
+        <translation>Temperatura da placa</translation>
+    </message>
+    <message>
+        <source>Motor temperature</source>
+        <translation>Temperatura do motor</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modo</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Falha</translation>
+    </message>
+    <message>
+        <source>Age of the reply</source>
+        <translation>Idade da resposta</translation>
+    </message>
+    <message>
+        <source>Commands sent</source>
+        <translation>Comandos enviados</translation>
+    </message>
+    <message>
+        <source>Replies lost</source>
+        <translation>Respostas perdidas</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Grandeza</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>UTC</source>
+        <translation>UTC</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidade</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>UUID</source>
+        <translation>UUID</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::ReadingsTable</name>
+    <message>
+        <source>Outcome</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Readings of the drives</source>
+        <translation>Leituras dos acionamentos</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Copy all readings of this moment, separated by tabs</source>
+        <translation>Copiar todas as leituras deste momento, separadas por tabulações</translation>
+    </message>
+    <message>
+        <source>Save as …</source>
+        <translation>Guardar como …</translation>
+    </message>
+    <message>
+        <source>Save all readings of this moment to a CSV file</source>
+        <translation>Guardar todas as leituras deste momento num ficheiro CSV</translation>
+    </message>
+    <message>
+        <source>Readings copied</source>
+        <translation>Leituras copiadas</translation>
+    </message>
+    <message>
+        <source>Save the readings</source>
+        <translation>Guardar as leituras</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos os ficheiros (*)</translation>
+    </message>
+    <message>
+        <source>Readings saved</source>
+        <translation>Leituras guardadas</translation>
+    </message>
+    <message>
+        <source>Not written: %1</source>
+        <translation>Não foi escrito: %1</translation>
     </message>
 </context>
 <context>

@@ -48,7 +48,7 @@ protected:
     ReadingsTable& panel;
 };
 
-// REQ-UI-900: One table shows what each drive reports, with its unit: position and velocity in degrees and in turns of
+// REQ-UI-910: One table shows what each drive reports, with its unit: position and velocity in degrees and in turns of
 // the drive, torque, both currents, power, voltage, temperatures, mode, fault, age of the reply, lost replies.
 TEST_F(ReadingsTest, EachQuantityStandsInItsRowAndAxis)
 {
@@ -80,7 +80,7 @@ TEST_F(ReadingsTest, EachQuantityStandsInItsRowAndAxis)
     EXPECT_EQ(elevation("Replies lost"), "12");
 }
 
-// REQ-UI-901: Old readings never look live. After 0.5 s they are dimmed, after 2 s they are not shown. The age of the
+// REQ-UI-911: Old readings never look live. After 0.5 s they are dimmed, after 2 s they are not shown. The age of the
 // last reply stands all the time, in the colour of a warning.
 TEST_F(ReadingsTest, OldReadingsDoNotLookLive)
 {
@@ -102,7 +102,7 @@ TEST_F(ReadingsTest, OldReadingsDoNotLookLive)
     EXPECT_EQ(azimuth("Torque (Nm)"), "1.25") << "the other axis is live";
 }
 
-// REQ-UI-902: The readings are copied separated by tabs, and saved as CSV with UTC, units and the ids of the boards,
+// REQ-UI-912: The readings are copied separated by tabs, and saved as CSV with UTC, units and the ids of the boards,
 // as they were when the button was pressed.
 TEST_F(ReadingsTest, TheReadingsAreCopiedAndSaved)
 {
