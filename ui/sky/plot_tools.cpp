@@ -104,18 +104,18 @@ void PlotTools::place()
     showMask();
 }
 
-// What is not masked is the plot's, for eye and mouse.
+// What is not masked is the plot's, for eye and mouse. A label without text is hidden: below one with a ground of its own
+// Qt does not paint the plot anew, although it is masked.
 void PlotTools::showMask()
 {
     QRegion region;
-    for (const QWidget* const one : corners()) {
+    for (QWidget* const one : corners() << m_readout) {
         const auto* const label = qobject_cast<const ValueLabel*>(one);
-        if (label == nullptr || !label->text().isEmpty()) {
+        const bool needed = label == nullptr || !label->text().isEmpty();
+        one->setVisible(needed);
+        if (needed) {
             region += one->geometry();
         }
-    }
-    if (!m_readout->text().isEmpty()) {
-        region += m_readout->geometry();
     }
     if (region != mask()) {
         setMask(region);

@@ -13,6 +13,7 @@
 #include <QDir>
 #include <QMenu>
 #include <QPainter>
+#include <QScreen>
 #include <QTest>
 
 #include <gtest/gtest.h>
@@ -298,6 +299,23 @@ TEST_F(SkyLook, SunAndMoonAreWhereTheyAre)
     show(status);
     ASSERT_EQ(plot.markers().bodies().size(), 1U);
     EXPECT_EQ(plot.markers().bodies()[0].body, ephemeris::Body::Moon);
+}
+
+// REQ-UI-713: What changes on the plot is painted anew everywhere, also below words that are not shown now: the legend
+// names the sensor as soon as there is one.
+TEST_F(SkyLook, TheScreenShowsTheLegendOfNow)
+{
+    StationStatus status = samples::tracking(1);
+    status.sensor.direction.reset();
+    show(status);
+    settle();
+    status.sensor.direction = SkyPointing{22_deg, 44_deg};
+    show(status);
+    settle();
+    const QRect corner(0, plot.height() - 60, 200, 60);
+    const QImage screen = plot.screen()->grabWindow(plot.winId()).toImage().copy(corner);
+    const QImage anew = plot.grab(corner).toImage();
+    EXPECT_EQ(screen.convertToFormat(QImage::Format_RGB32), anew.convertToFormat(QImage::Format_RGB32));
 }
 
 // REQ-UI-708: The trail of the mount fades over a minute to a faint line.
