@@ -39,7 +39,7 @@ constexpr ReadingRow kReadingRows[] = {
     {QT_TRANSLATE_NOOP("boresight::ui::ReadingsModel", "Mode"), ""},
     {QT_TRANSLATE_NOOP("boresight::ui::ReadingsModel", "Fault"), ""},
     {QT_TRANSLATE_NOOP("boresight::ui::ReadingsModel", "Age of the reply"), "s"},
-    {QT_TRANSLATE_NOOP("boresight::ui::ReadingsModel", "Commands sent"), ""},
+    {QT_TRANSLATE_NOOP("boresight::ui::ReadingsModel", "Frames sent"), ""},
     {QT_TRANSLATE_NOOP("boresight::ui::ReadingsModel", "Replies lost"), ""},
 };
 constexpr int kAgeRow = 13;
@@ -106,7 +106,7 @@ QString csvLine(const QStringList& fields)
 }  // namespace
 
 ReadingsModel::ReadingsModel(QObject* parent)
-    : TableModel({tr("Quantity"), name(Axis::Azimuth), name(Axis::Elevation)}, parent)
+    : TableModel({QString(), name(Axis::Azimuth), name(Axis::Elevation)}, parent)
 {
     show(m_status);
 }
@@ -164,6 +164,8 @@ QVariant ReadingsModel::data(const QModelIndex& index, int role) const
             return shown(index.row(), index.column());
         case Qt::ForegroundRole:
             return colour(index);
+        case Qt::FontRole:
+            return index.column() == Quantity ? fonts::label() : fonts::small();  // digits do not dance
         case Qt::TextAlignmentRole:
             return int(Qt::AlignVCenter | (index.column() == Quantity ? Qt::AlignLeft : Qt::AlignRight));
         default:

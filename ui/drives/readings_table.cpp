@@ -29,9 +29,9 @@ ReadingsTable::ReadingsTable(QWidget* parent)
 QTableView* ReadingsTable::makeTable()
 {
     QTableView* const table = makeReadTable(tr("Readings of the drives"), *m_model, this);
-    table->setFont(fonts::small());                                                          // digits do not dance
     table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().lineSpacing() + 1);  // all rows at 1024 × 700
     QHeaderView* const header = table->horizontalHeader();
+    header->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
     for (const int column : {ReadingsModel::Azimuth, ReadingsModel::Elevation}) {
         header->setSectionResizeMode(column, QHeaderView::Stretch);
     }

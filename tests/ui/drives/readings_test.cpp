@@ -75,7 +75,7 @@ TEST_F(ReadingsTest, EachQuantityStandsInItsRowAndAxis)
     EXPECT_EQ(azimuth("Mode"), "position (10)");
     EXPECT_EQ(azimuth("Fault"), "none");
     EXPECT_EQ(azimuth("Age of the reply (s)"), "0.01");
-    EXPECT_EQ(azimuth("Commands sent"), "30451");
+    EXPECT_EQ(azimuth("Frames sent"), "30451");
     EXPECT_EQ(azimuth("Replies lost"), "0");
     EXPECT_EQ(elevation("Replies lost"), "12");
 }
