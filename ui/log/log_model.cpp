@@ -115,7 +115,8 @@ LogSource sourceOf(const LogEntry& entry)
     if (entry.source.startsWith(QLatin1String("rotctld"))) {
         return LogSource::Clients;
     }
-    return entry.source == QLatin1String("operator") ? LogSource::Operator : LogSource::Station;
+    const bool isOperator = entry.source == QLatin1String("operator") || entry.source == QLatin1String("shell");
+    return isOperator ? LogSource::Operator : LogSource::Station;
 }
 
 QString shortSource(const LogEntry& entry)

@@ -86,6 +86,10 @@ TEST_F(LogTest, FiltersBySource)
     EXPECT_EQ(rows(), 2);
     source.setCurrentIndex(3);
     EXPECT_EQ(rows(), 1);
+    panel.append({samples::logEntry(5, Severity::Warning, QStringLiteral("shell"), QStringLiteral("STOP is latched"))});
+    EXPECT_EQ(rows(), 1);
+    source.setCurrentIndex(1);
+    EXPECT_EQ(rows(), 2) << "the shell asks as the operator";
 }
 
 TEST_F(LogTest, FiltersBySeverityAndText)
