@@ -10986,10 +10986,6 @@ Fica para si, porque só quem construiu a montagem o pode saber:
         <translation>Idade da resposta</translation>
     </message>
     <message>
-        <source>Commands sent</source>
-        <translation>Comandos enviados</translation>
-    </message>
-    <message>
         <source>Replies lost</source>
         <translation>Respostas perdidas</translation>
     </message>
@@ -11016,6 +11012,10 @@ Fica para si, porque só quem construiu a montagem o pode saber:
     <message>
         <source>UUID</source>
         <translation>UUID</translation>
+    </message>
+    <message>
+        <source>Frames sent</source>
+        <translation>Tramas enviadas</translation>
     </message>
 </context>
 <context>
