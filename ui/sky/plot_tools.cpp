@@ -109,7 +109,9 @@ void PlotTools::place()
 void PlotTools::showMask()
 {
     QRegion region;
-    for (QWidget* const one : corners() << m_readout) {
+    QList<QWidget*> all = corners();
+    all.append(m_readout);
+    for (QWidget* const one : std::as_const(all)) {
         const auto* const label = qobject_cast<const ValueLabel*>(one);
         const bool needed = label == nullptr || !label->text().isEmpty();
         one->setVisible(needed);
