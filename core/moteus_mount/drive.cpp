@@ -9,6 +9,9 @@
 namespace boresight {
 namespace {
 
+// Slower than this the drive does not turn by velocity (moteus manual); a fresh position each tick moves it instead.
+constexpr MotorRate kSmallestVelocity = MotorRate::fromTurns(0.0001);
+
 // An axis slower than this stands, but for the noise of the velocity (0.01 rev/s at the rotor); it is waited for no
 // longer than kBrakingTime.
 constexpr MotorRate kDriveStanding = MotorRate::fromTurns(0.001);
@@ -73,7 +76,6 @@ void Drive::enter(Phase phase)
     m_repliesInPhase = 0;
     m_phaseSince.reset();
     m_stallsInPhase = 0;
-    m_follower.leave();
 }
 
 void Drive::engage()
@@ -160,14 +162,11 @@ void Drive::release()
     enter(Phase::Releasing);
 }
 
-void Drive::setSetpoint(const MotorSetpoint& setpoint)
+void Drive::setSetpoint(MotorTurns position, MotorRate rate)
 {
-    m_setpoint = setpoint;
-    m_yielding = m_yielding && (m_phase != Phase::Engaged || setpoint.rate == MotorRate{});
-    if (m_phase == Phase::Engaged) {
-        m_order = m_follower.follow(setpoint,
-                                    {.speed = m_settings.speed, .acceleration = hardest(), .tick = m_settings.tick});
-    }
+    m_setpoint = position;
+    m_setpointRate = rate;
+    m_yielding = m_yielding && (m_phase != Phase::Engaged || rate == MotorRate{});
 }
 
 bool Drive::answering(SteadyTime now) const
@@ -213,7 +212,6 @@ bool Drive::take(const CanFrame& frame)
         m_heard = frame.received;
         m_replied = true;
         ++m_repliesInPhase;
-        takeControl(*reply);
         takePlace();
     }
     return true;
@@ -230,16 +228,6 @@ void Drive::takePlace()
     if (m_belief.believedLast()) {
         m_saidPlace = true;
         m_placed = m_report->received;
-    }
-}
-
-// A reply that takes longer may be that of an earlier frame.
-void Drive::takeControl(const moteus::Reply& reply)
-{
-    const auto position = reply.value(moteus::Register::ControlPosition);
-    const auto rate = reply.value(moteus::Register::ControlVelocity);
-    if (position && rate && m_report->received - m_tick < m_settings.tick / 2.0) {
-        m_follower.heard(MotorTurns::fromTurns(*position), MotorRate::fromTurns(*rate));
     }
 }
 
@@ -268,9 +256,6 @@ void Drive::judge(SteadyTime now)
     if (std::exchange(m_replied, false) || !m_asked) {
         m_asked = now;
     }
-    m_tick = now;
-    m_order.reset();
-    m_follower.begin(now);
     m_unanswered = std::exchange(m_saidPlace, false) ? 0 : m_unanswered + 1;
     judgeFault();
     if (m_phase == Phase::Listening || m_phase == Phase::Braking) {
@@ -357,14 +342,14 @@ void Drive::judgeReference()
     }
 }
 
-moteus::PositionCommand Drive::positionCommand(const MotionOrder& order) const
+moteus::PositionCommand Drive::positionCommand(double position, double velocity) const
 {
-    return {.position = order.place ? order.place->turns() : moteus::kKeepControlPosition,
-            .velocity = order.rate.turns(),
+    return {.position = position,
+            .velocity = velocity,
             .maximumTorque = m_settings.maxTorque,
             .watchdogTimeout = m_settings.watchdog.count(),
             .velocityLimit = m_settings.velocityLimit.turns(),
-            .accelerationLimit = order.acceleration.turns(),
+            .accelerationLimit = (m_hardBraking ? m_settings.emergencyBraking : m_settings.accelerationLimit).turns(),
             .integralLimitScale = m_yielding ? std::optional(kNoIntegral) : std::nullopt,
             .ignorePositionBounds = m_ignoreBounds ? std::optional(kIgnoreBounds) : std::nullopt};
 }
@@ -372,7 +357,8 @@ moteus::PositionCommand Drive::positionCommand(const MotionOrder& order) const
 // Brakes an axis that moves, as hard as its drive does that is left alone: nobody sees it, or it is not ours yet.
 moteus::PositionCommand Drive::holdCommand() const
 {
-    moteus::PositionCommand command = positionCommand({.acceleration = m_settings.emergencyBraking});
+    moteus::PositionCommand command = positionCommand(moteus::kKeepControlPosition, 0.0);
+    command.accelerationLimit = m_settings.emergencyBraking.turns();
     command.recapture = m_yielding && m_phase == Phase::Capturing && m_repliesInPhase < kFirstTellingReply;
     return command;
 }
@@ -401,10 +387,10 @@ std::optional<moteus::Command> Drive::command() const
         case Phase::Unseen:
         case Phase::Held:
             return holdCommand();
-        case Phase::Engaged:
-            // A velocity would run on for as long as it is repeated.
-            return positionCommand(
-                m_order.value_or(MotionOrder{.place = m_setpoint.position, .acceleration = hardest()}));
+        case Phase::Engaged: {
+            const bool tooSlow = abs(m_setpointRate) < kSmallestVelocity;
+            return positionCommand(m_setpoint.turns(), tooSlow ? 0.0 : m_setpointRate.turns());
+        }
         case Phase::Recovering:
         case Phase::Releasing:
             return moteus::Stop{};

@@ -15,8 +15,6 @@ DriveSettings driveSettings(Axis which, const profile::Profile& profile)
     return {.id = axis.id,
             .watchdog = profile.control.watchdog,
             .maxTorque = axis.maxTorque,
-            .tick = profile.control.tickPeriod(),
-            .speed = abs(axis.geometry.toMotor(axis.limits.speed)),
             .velocityLimit = abs(axis.geometry.toMotor(axis.limits.speed)) * tracking::kLimitGuard,
             .accelerationLimit = abs(axis.geometry.toMotor(axis.limits.acceleration)) * tracking::kLimitGuard,
             .emergencyBraking = abs(axis.geometry.toMotor(tracking::emergencyBraking(axis.limits))),
@@ -116,12 +114,9 @@ bool DrivePair::changingHands(const Drive& drive)
            phase == Drive::Phase::Unseen;
 }
 
-void DrivePair::setSetpoint(Axis axis, const tracking::Setpoint& setpoint)
+void DrivePair::setSetpoint(Axis axis, Angle angle, AngularRate rate)
 {
-    const pointing::AxisGeometry& gear = geometry(axis);
-    drive(axis).setSetpoint({.position = gear.toMotor(setpoint.position),
-                             .rate = gear.toMotor(setpoint.rate),
-                             .acceleration = gear.toMotor(setpoint.acceleration)});
+    drive(axis).setSetpoint(geometry(axis).toMotor(angle), geometry(axis).toMotor(rate));
 }
 
 void DrivePair::setHardBraking(bool hard)
