@@ -191,7 +191,7 @@ Result<> Arming::mayRearm(const Source& source) const
 
 Result<> Arming::rearm(const Source& source)
 {
-    if (const Result<> may = mayRearm(source); !may) {
+    if (Result<> may = mayRearm(source); !may) {
         return may;
     }
     m_log.add(Severity::Advisory, source.name, Text::tr("re-arms, and first stops drives in fault or time-out"));

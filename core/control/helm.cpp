@@ -49,7 +49,7 @@ Result<AxisPosition> Helm::placeAlong(Axis axis, Angle angle, const AxisPosition
         const bool overTheTop = beam.elevation > Angle::fromDegrees(90.0);
         (axis == Axis::Azimuth ? beam.azimuth : beam.elevation) =
             axis == Axis::Azimuth && overTheTop ? angle + kHalfTurn : angle;
-        const auto found = placeOf(beam);
+        auto found = placeOf(beam);
         if (!found) {
             return found;
         }
