@@ -9,6 +9,7 @@
 #include "core/sim_bus/pty_server.h"
 #include "core/sim_sensor/sensor_port.h"
 #include "core/sim_sensor/sensor_publisher.h"
+#include "core/station/real_time.h"
 
 #include <QCoreApplication>
 #include <QTimer>
@@ -171,6 +172,8 @@ ExitStatus simulate(const SimulateOptions& options)
         complain(kSimulateCommand, started.error().text);
         return kFoundWrong;
     }
+    RealTime realTime;  // drives keep their time whatever else the computer does
+    realTime.ask();
     print("ready\n");
     device.announceInjections();
     if (options.printTruth) {

@@ -15,11 +15,12 @@ set(BORESIGHT_TEST_RESULTS "${CMAKE_BINARY_DIR}/test-results")  # one XML file o
 #   ONE_THREAD  ThreadSanitizer has nothing to find in it, or nothing that another test does not show: left out there
 #   SHARDS n    a long one, run as n tests of ctest beside each other
 #   TIMEOUT s   of each; 600 s if it is not said
+#   SLOW_TIME   its programs must keep the watchdog of a drive: their time passes slower (tests/system/slow_clock.cpp)
 #   FOLDERS_TOGETHER  its sources lie in many small folders (boresight_unite)
 #   HEADERS …   precompiled for this program besides the usual ones, which all other programs share
 #   OPTIMISED   for a long one; tests are not, for what they test is, and half of a build from nothing goes into them
 function(boresight_add_test name)
-  cmake_parse_arguments(T "QT_MAIN;OWN_MAIN;ONE_THREAD;OPTIMISED;FOLDERS_TOGETHER" "LABEL;TIMEOUT;SHARDS"
+  cmake_parse_arguments(T "QT_MAIN;OWN_MAIN;ONE_THREAD;SLOW_TIME;OPTIMISED;FOLDERS_TOGETHER" "LABEL;TIMEOUT;SHARDS"
     "SOURCES;LIBRARIES;HEADERS" ${ARGN})
   if((T_ONE_THREAD AND BORESIGHT_SANITIZE MATCHES "thread") OR (T_LABEL STREQUAL "long" AND BORESIGHT_SANITIZE)
       OR (T_LABEL MATCHES "unit|ui" AND NOT BORESIGHT_UNIT_TESTS))
@@ -53,7 +54,10 @@ function(boresight_add_test name)
     target_precompile_headers(${name} REUSE_FROM boresight_test_headers)
   endif()
   target_compile_definitions(${name} PRIVATE BORESIGHT_TEST_DATA="${CMAKE_SOURCE_DIR}/tests/data")
-  boresight_add_runs(${name} "${T_LABEL}" "${T_SHARDS}" "${T_TIMEOUT}")
+  if(T_SLOW_TIME)
+    add_dependencies(${name} slow_clock)
+  endif()
+  boresight_add_runs(${name} "${T_LABEL}" "${T_SHARDS}" "${T_TIMEOUT}" "${T_SLOW_TIME}")
 endfunction()
 
 # Tests that run at the same time do not find each other's settings.
@@ -65,7 +69,7 @@ function(boresight_give_home run)
 endfunction()
 
 # Those of label system wait for programs that keep real time: the others reckon behind them.
-function(boresight_add_runs name label shards timeout)
+function(boresight_add_runs name label shards timeout slow_time)
   if(NOT shards)
     set(shards 1)
   endif()
@@ -86,6 +90,12 @@ function(boresight_add_runs name label shards timeout)
     set_tests_properties(${run} PROPERTIES LABELS "${label}" TIMEOUT ${timeout}
       ENVIRONMENT "GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
     boresight_give_home(${run})
+    if(slow_time)
+      # AddressSanitizer wants to be loaded first, and the order makes no difference to it.
+      set_property(TEST ${run} APPEND PROPERTY ENVIRONMENT_MODIFICATION
+        "LD_PRELOAD=set:$<TARGET_FILE:slow_clock>"
+        "ASAN_OPTIONS=string_append::verify_asan_link_order=0")
+    endif()
     if(shards GREATER 1)
       set_tests_properties(${run} PROPERTIES COST 1000)  # first, or the last core is alone with them
     endif()

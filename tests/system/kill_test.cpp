@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sim_bus/pty_server.h"
+#include "core/station/real_time.h"
 #include "tests/fakes/real_mount.h"
 #include "tests/fakes/text_of.h"
 #include "tests/fakes/wait_until.h"
@@ -26,6 +27,7 @@ class KillTest : public ::testing::Test
 protected:
     void SetUp() override
     {
+        realTime.ask();  // drives keep their time whatever else the computer does
         auto created = sim::PtyServer::create(terminal, pair, clock);
         ASSERT_TRUE(created) << textOf(created.error());
         server = std::move(*created);
@@ -119,6 +121,7 @@ protected:
 
     QTemporaryDir folder;
     const QString terminal = folder.filePath(QStringLiteral("mount"));
+    RealTime realTime;
     SystemClock clock;
     sim::SimulatedPair pair{sim::commissionedPair()};
     const SteadyTime epoch = clock.now();
