@@ -105,12 +105,15 @@ const Query& rotatorQuery()
                              {Register::QCurrent, kI16},
                              {Register::DCurrent, kI16},
                              {Register::Power, kI16},
-                             {Register::TrajectoryComplete, kI8},
-                             {Register::HomeState, kI8},
+                             {Register::ControlPosition, kF32},
+                             {Register::ControlVelocity, kF32},
+                             // One block, the largest, at the end: no other may start after byte 41.
+                             {Register::MotorTemperature, kI16},
+                             {Register::TrajectoryComplete, kI16},
+                             {Register::HomeState, kI16},
                              {Register::Voltage, kI16},
                              {Register::Temperature, kI16},
-                             {Register::Fault, kI8},
-                             {Register::MotorTemperature, kI16}};  // last: the one that is missed least
+                             {Register::Fault, kI16}};
     return query;
 }
 

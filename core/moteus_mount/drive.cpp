@@ -9,9 +9,6 @@
 namespace boresight {
 namespace {
 
-// Slower than this the drive does not turn by velocity (moteus manual); a fresh position each tick moves it instead.
-constexpr MotorRate kSmallestVelocity = MotorRate::fromTurns(0.0001);
-
 // An axis slower than this stands, but for the noise of the velocity (0.01 rev/s at the rotor); it is waited for no
 // longer than kBrakingTime.
 constexpr MotorRate kDriveStanding = MotorRate::fromTurns(0.001);
@@ -76,6 +73,7 @@ void Drive::enter(Phase phase)
     m_repliesInPhase = 0;
     m_phaseSince.reset();
     m_stallsInPhase = 0;
+    m_follower.leave();
 }
 
 void Drive::engage()
@@ -162,11 +160,16 @@ void Drive::release()
     enter(Phase::Releasing);
 }
 
-void Drive::setSetpoint(MotorTurns position, MotorRate rate)
+void Drive::setSetpoint(const MotorSetpoint& setpoint)
 {
-    m_setpoint = position;
-    m_setpointRate = rate;
-    m_yielding = m_yielding && (m_phase != Phase::Engaged || rate == MotorRate{});
+    m_setpoint = setpoint;
+    m_yielding = m_yielding && (m_phase != Phase::Engaged || setpoint.rate == MotorRate{});
+    if (m_phase == Phase::Engaged) {
+        m_order = m_follower.follow(setpoint, {.speed = m_settings.speed,
+                                               .acceleration = hardest(),
+                                               .tick = m_settings.tick,
+                                               .bounded = !m_ignoreBounds});
+    }
 }
 
 bool Drive::answering(SteadyTime now) const
@@ -212,6 +215,7 @@ bool Drive::take(const CanFrame& frame)
         m_heard = frame.received;
         m_replied = true;
         ++m_repliesInPhase;
+        takeControl(*reply);
         takePlace();
     }
     return true;
@@ -228,6 +232,16 @@ void Drive::takePlace()
     if (m_belief.believedLast()) {
         m_saidPlace = true;
         m_placed = m_report->received;
+    }
+}
+
+// A reply that takes longer may be that of an earlier frame.
+void Drive::takeControl(const moteus::Reply& reply)
+{
+    const auto position = reply.value(moteus::Register::ControlPosition);
+    const auto rate = reply.value(moteus::Register::ControlVelocity);
+    if (position && rate && m_report->received - m_tick < m_settings.tick / 2.0) {
+        m_follower.heard(MotorTurns::fromTurns(*position), MotorRate::fromTurns(*rate));
     }
 }
 
@@ -256,6 +270,9 @@ void Drive::judge(SteadyTime now)
     if (std::exchange(m_replied, false) || !m_asked) {
         m_asked = now;
     }
+    m_tick = now;
+    m_order.reset();
+    m_follower.begin(now);
     m_unanswered = std::exchange(m_saidPlace, false) ? 0 : m_unanswered + 1;
     judgeFault();
     if (m_phase == Phase::Listening || m_phase == Phase::Braking) {
@@ -342,14 +359,14 @@ void Drive::judgeReference()
     }
 }
 
-moteus::PositionCommand Drive::positionCommand(double position, double velocity) const
+moteus::PositionCommand Drive::positionCommand(const MotionOrder& order) const
 {
-    return {.position = position,
-            .velocity = velocity,
+    return {.position = order.place ? order.place->turns() : moteus::kKeepControlPosition,
+            .velocity = order.rate.turns(),
             .maximumTorque = m_settings.maxTorque,
             .watchdogTimeout = m_settings.watchdog.count(),
             .velocityLimit = m_settings.velocityLimit.turns(),
-            .accelerationLimit = (m_hardBraking ? m_settings.emergencyBraking : m_settings.accelerationLimit).turns(),
+            .accelerationLimit = order.acceleration.turns(),
             .integralLimitScale = m_yielding ? std::optional(kNoIntegral) : std::nullopt,
             .ignorePositionBounds = m_ignoreBounds ? std::optional(kIgnoreBounds) : std::nullopt};
 }
@@ -357,8 +374,7 @@ moteus::PositionCommand Drive::positionCommand(double position, double velocity)
 // Brakes an axis that moves, as hard as its drive does that is left alone: nobody sees it, or it is not ours yet.
 moteus::PositionCommand Drive::holdCommand() const
 {
-    moteus::PositionCommand command = positionCommand(moteus::kKeepControlPosition, 0.0);
-    command.accelerationLimit = m_settings.emergencyBraking.turns();
+    moteus::PositionCommand command = positionCommand({.acceleration = m_settings.emergencyBraking});
     command.recapture = m_yielding && m_phase == Phase::Capturing && m_repliesInPhase < kFirstTellingReply;
     return command;
 }
@@ -387,10 +403,10 @@ std::optional<moteus::Command> Drive::command() const
         case Phase::Unseen:
         case Phase::Held:
             return holdCommand();
-        case Phase::Engaged: {
-            const bool tooSlow = abs(m_setpointRate) < kSmallestVelocity;
-            return positionCommand(m_setpoint.turns(), tooSlow ? 0.0 : m_setpointRate.turns());
-        }
+        case Phase::Engaged:
+            // A velocity would run on for as long as it is repeated.
+            return positionCommand(
+                m_order.value_or(MotionOrder{.place = m_setpoint.position, .acceleration = hardest()}));
         case Phase::Recovering:
         case Phase::Releasing:
             return moteus::Stop{};

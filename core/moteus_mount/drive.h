@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/base/text.h"
 #include "core/moteus/codec.h"
+#include "core/moteus_mount/rate_follower.h"
 #include "core/supervision/place_belief.h"
 #include "core/units/quantity.h"
 
@@ -55,6 +56,8 @@ struct DriveSettings
     int id = 1;
     Seconds watchdog{0.1};
     double maxTorque = 0.0;
+    Seconds tick{0.02};
+    MotorRate speed;          // of the axis
     MotorRate velocityLimit;  // above the host's own limits: the host limits, the drive guards
     MotorAcceleration accelerationLimit;
     MotorAcceleration emergencyBraking;  // of "hold where you are"
@@ -121,7 +124,8 @@ public:
     void release();
     // For an axis known to stand beyond the drive's own position bounds: they would refuse the way back (fault 39).
     void setIgnoreBounds(bool ignore) { m_ignoreBounds = ignore; }
-    void setSetpoint(MotorTurns position, MotorRate rate);  // sent while Engaged
+    // Sent while Engaged, in the tick for which it was set. In a tick without one the drive goes to the last one.
+    void setSetpoint(const MotorSetpoint& setpoint);
     // The set-points brake as hard as "hold where you are": the drive must not be the slower one.
     void setHardBraking(bool hard) { m_hardBraking = hard; }
 
@@ -172,6 +176,7 @@ public:
 private:
     void enter(Phase phase);
     void takePlace();
+    void takeControl(const moteus::Reply& reply);
     void countReply();
     void lose(DriveLoss loss);
     void judgeFault();
@@ -181,7 +186,11 @@ private:
     [[nodiscard]] bool mustObey() const;
     [[nodiscard]] std::optional<moteus::Command> command() const;
     [[nodiscard]] moteus::Command referenceCommand() const;
-    [[nodiscard]] moteus::PositionCommand positionCommand(double position, double velocity) const;
+    [[nodiscard]] moteus::PositionCommand positionCommand(const MotionOrder& order) const;
+    [[nodiscard]] MotorAcceleration hardest() const
+    {
+        return m_hardBraking ? m_settings.emergencyBraking : m_settings.accelerationLimit;
+    }
     [[nodiscard]] moteus::PositionCommand holdCommand() const;
 
     DriveSettings m_settings;
@@ -208,8 +217,10 @@ private:
     int m_repliesInPhase = 0;
     std::optional<SteadyTime> m_phaseSince;  // of all but Listening and Braking
     int m_stallsInPhase = 0;                 // our own
-    MotorTurns m_setpoint;
-    MotorRate m_setpointRate;
+    MotorSetpoint m_setpoint;
+    RateFollower m_follower;
+    std::optional<MotionOrder> m_order;  // of this tick
+    SteadyTime m_tick{};                 // when it began
     MotorTurns m_reference;
     MotorTurns m_referenceTolerance;
     std::optional<DriveReport> m_report;

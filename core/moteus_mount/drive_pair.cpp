@@ -15,6 +15,8 @@ DriveSettings driveSettings(Axis which, const profile::Profile& profile)
     return {.id = axis.id,
             .watchdog = profile.control.watchdog,
             .maxTorque = axis.maxTorque,
+            .tick = profile.control.tickPeriod(),
+            .speed = abs(axis.geometry.toMotor(axis.limits.speed)),
             .velocityLimit = abs(axis.geometry.toMotor(axis.limits.speed)) * tracking::kLimitGuard,
             .accelerationLimit = abs(axis.geometry.toMotor(axis.limits.acceleration)) * tracking::kLimitGuard,
             .emergencyBraking = abs(axis.geometry.toMotor(tracking::emergencyBraking(axis.limits))),
@@ -114,9 +116,12 @@ bool DrivePair::changingHands(const Drive& drive)
            phase == Drive::Phase::Unseen;
 }
 
-void DrivePair::setSetpoint(Axis axis, Angle angle, AngularRate rate)
+void DrivePair::setSetpoint(Axis axis, const tracking::Setpoint& setpoint)
 {
-    drive(axis).setSetpoint(geometry(axis).toMotor(angle), geometry(axis).toMotor(rate));
+    const pointing::AxisGeometry& gear = geometry(axis);
+    drive(axis).setSetpoint({.position = gear.toMotor(setpoint.position),
+                             .rate = gear.toMotor(setpoint.rate),
+                             .acceleration = gear.toMotor(setpoint.acceleration)});
 }
 
 void DrivePair::setHardBraking(bool hard)

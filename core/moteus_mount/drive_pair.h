@@ -3,6 +3,7 @@
 
 #include "core/moteus_mount/drive.h"
 #include "core/profile/in_force.h"
+#include "core/tracking/axis_profile.h"
 #include "core/units/sky.h"
 
 #include <vector>
@@ -35,7 +36,7 @@ public:
     // limp.
     [[nodiscard]] static bool changingHands(const Drive& drive);
     void leave(profile::OnExit how);  // drives that were never engaged stay as they are
-    void setSetpoint(Axis axis, Angle angle, AngularRate rate);
+    void setSetpoint(Axis axis, const tracking::Setpoint& setpoint);
     void setHardBraking(bool hard);
 
     // The place that is believed, whatever its age. See Drive::place().

@@ -314,7 +314,7 @@ std::optional<Angle> MoteusMount::takeFollowing(Axis axis)
 void MoteusMount::command(Axis axis, const tracking::Setpoint& setpoint)
 {
     m_setpoints[index(axis)] = setpoint;
-    m_drives.setSetpoint(axis, setpoint.position, setpoint.rate);
+    m_drives.setSetpoint(axis, setpoint);
 }
 
 void MoteusMount::recover()

@@ -18,6 +18,11 @@ std::uint32_t index(Register reg, Register first)
     return static_cast<std::uint32_t>(reg) - static_cast<std::uint32_t>(first);
 }
 
+double counted(double position)
+{
+    return std::floor(position / kPositionCount) * kPositionCount;
+}
+
 double identity(std::uint32_t word)
 {
     return static_cast<double>(std::bit_cast<std::int32_t>(word));
@@ -39,7 +44,7 @@ std::optional<double> readMeasured(const DriveState& drive, Register reg)
         case Register::Mode:
             return static_cast<double>(drive.servo.mode());
         case Register::Position:
-            return std::floor(drive.encoder.position() / kPositionCount) * kPositionCount;
+            return counted(drive.encoder.position());
         case Register::Velocity:
             return drive.encoder.velocity();
         case Register::Torque:
@@ -87,7 +92,7 @@ std::optional<double> readControl(const DriveState& drive, Register reg)
         case Register::TotalTorque:
             return terms.total;
         case Register::ControlPosition:
-            return whenControlled(control.position);
+            return whenControlled(counted(control.position));
         case Register::ControlVelocity:
             return whenControlled(control.velocity);
         case Register::ControlTorque:

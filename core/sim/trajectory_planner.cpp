@@ -7,15 +7,56 @@
 namespace boresight::sim {
 namespace {
 
-// The speed towards a fixed point `distance` ahead that, held as a mean with the present `speed` over one step, still
-// leaves exactly the braking distance: the root of v²/2a = distance - (speed + v)·dt/2. No root: too late to stop.
-std::optional<double> brakingSpeed(double distance, double speed, double acceleration, double dt)
+constexpr double kPeriodsPerSecond = 30000.0;
+constexpr double kControlPeriod = 1.0 / kPeriodsPerSecond;
+constexpr double kRoundingOfSums = 1.0e-6;  // periods
+
+// The device sees the way to a target in counts, rounded down, and moves in steps of 2^-32 turns, cut off towards zero.
+constexpr double kCountsOfPlanner = 65536.0;
+constexpr double kStepsOfPlanner = 65536.0 * 65536.0;
+
+// Arrived: no farther than this many periods of travel.
+constexpr double kPeriodsToArrive = 10.0;
+// Braking is fitted to the way that is left where that needs at least this share of the acceleration limit.
+constexpr double kFittedShare = 0.9;
+// Nearer than a·T² times this an axis on its way does not accelerate any more. It has arrived there when it brakes and
+// is slower than this share of the speed from which the limit would stop it at the target.
+constexpr double kNearFactor = 400.0;
+constexpr double kSlowShare = 0.6;
+
+double travelOfPeriod(double velocity)
 {
-    const double root = 0.25 * dt * dt + (2.0 * distance - speed * dt) / acceleration;
-    if (root < 0.0) {
-        return std::nullopt;
+    return std::trunc(velocity * kControlPeriod * kStepsOfPlanner) / kStepsOfPlanner;
+}
+
+// Towards a fixed target `way` ahead at `speed`: what to brake with; empty: there is room to accelerate.
+std::optional<double> brakingFor(double way, double speed, double limit)
+{
+    const double fitted = speed * speed / (2.0 * way);
+    const double faster = speed + limit * kControlPeriod;
+    const double wayAfter = way - 0.5 * (speed + faster) * kControlPeriod;
+    if (wayAfter < faster * faster / (2.0 * limit)) {
+        return fitted >= kFittedShare * limit && fitted <= limit ? fitted : limit;
     }
-    return acceleration * (std::sqrt(root) - 0.5 * dt);
+    const bool near = way < kNearFactor * limit * kControlPeriod * kControlPeriod;
+    return near && speed > 0.0 ? std::optional(fitted) : std::nullopt;
+}
+
+// What the device applies in one period at `velocity`, to a target `distance` ahead that moves at `end`.
+double plannedAcceleration(double velocity, double end, double distance, const TrajectoryLimits& limits)
+{
+    const double limit = limits.acceleration;
+    if (std::abs(velocity) > limits.velocity) {
+        return std::copysign(limit, -velocity);
+    }
+    const double closing = velocity - end;
+    if (distance == 0.0 || closing * distance < 0.0) {
+        return std::copysign(limit, -closing);
+    }
+    if (const auto braking = brakingFor(std::abs(distance), std::abs(closing), limit)) {
+        return std::copysign(*braking, -closing);
+    }
+    return std::abs(velocity) < limits.velocity ? std::copysign(limit, distance) : 0.0;
 }
 
 }  // namespace
@@ -39,19 +80,16 @@ void TrajectoryPlanner::setTarget(const TrajectoryTarget& target, double age)
 
 void TrajectoryPlanner::step(double dt, const TrajectoryLimits& limits, const PositionBounds& bounds)
 {
-    m_target.velocity = clampedTargetVelocity(limits);
-    if (m_target.position) {
-        *m_target.position += m_target.velocity * dt;
-    }
+    m_owed += dt * kPeriodsPerSecond;
+    const int periods = static_cast<int>(std::floor(m_owed + kRoundingOfSums));
+    m_owed -= periods;
     const double before = m_state.velocity;
-    if (std::isinf(limits.acceleration)) {
-        stepWithoutAccelerationLimit(dt, limits);
-        m_state.acceleration = 0.0;
-    } else {
-        m_target.position ? stepToPosition(dt, limits) : stepToVelocity(dt, limits);
-        m_state.acceleration = (m_state.velocity - before) / dt;
+    runPeriods(periods, limits);
+    m_state.acceleration = std::isinf(limits.acceleration) ? 0.0 : (m_state.velocity - before) / dt;
+    const double clamped = std::min(std::max(m_state.position, bounds.min), bounds.max);
+    if (clamped != m_state.position) {
+        m_state = {.position = clamped};
     }
-    clampTo(bounds);
 }
 
 void TrajectoryPlanner::shift(double offset)
@@ -62,76 +100,97 @@ void TrajectoryPlanner::shift(double offset)
     }
 }
 
-double TrajectoryPlanner::clampedTargetVelocity(const TrajectoryLimits& limits) const
+void TrajectoryPlanner::runPeriods(int count, const TrajectoryLimits& limits)
 {
-    return std::clamp(m_target.velocity, -limits.velocity, limits.velocity);
+    m_target.velocity = std::clamp(m_target.velocity, -limits.velocity, limits.velocity);
+    for (int left = count; left > 0; --left) {
+        if (!m_target.position && m_state.velocity == m_target.velocity) {
+            m_state.position += left * travelOfPeriod(m_state.velocity);
+            m_state.complete = true;
+            return;
+        }
+        runPeriod(limits);
+    }
 }
 
-// Velocity steps at once; without a velocity limit either the position jumps.
-void TrajectoryPlanner::stepWithoutAccelerationLimit(double dt, const TrajectoryLimits& limits)
+void TrajectoryPlanner::runPeriod(const TrajectoryLimits& limits)
 {
+    const double before = m_state.velocity;
+    const bool ramp = std::isfinite(limits.acceleration);
     if (!m_target.position) {
-        m_state.velocity = m_target.velocity;
-        m_state.position += m_state.velocity * dt;
-        m_state.complete = true;
-        return;
+        ramp ? approachVelocity(limits.acceleration) : reached();
+    } else if (ramp) {
+        approachTarget(limits, distance());
+    } else if (std::isfinite(limits.velocity)) {
+        approachAtSpeed(limits.velocity, distance());
+    } else {
+        m_state.position = *m_target.position;
+        reached();
     }
-    const double distance = *m_target.position - m_state.position;
-    if (std::abs(distance) > limits.velocity * dt) {
-        m_state.velocity = std::copysign(limits.velocity, distance);
-        m_state.position += m_state.velocity * dt;
-        return;
+    // A step of the velocity counts for the whole period.
+    m_state.position += travelOfPeriod(ramp ? 0.5 * (before + m_state.velocity) : m_state.velocity);
+    if (m_target.position) {
+        *m_target.position += travelOfPeriod(m_target.velocity);
     }
-    m_state.position = *m_target.position;
+}
+
+double TrajectoryPlanner::distance() const
+{
+    return std::floor((*m_target.position - m_state.position) * kCountsOfPlanner) / kCountsOfPlanner;
+}
+
+// The device drops the target and goes on at its velocity.
+void TrajectoryPlanner::reached()
+{
+    m_target.position.reset();
     m_state.velocity = m_target.velocity;
     m_state.complete = true;
 }
 
-void TrajectoryPlanner::stepToVelocity(double dt, const TrajectoryLimits& limits)
+void TrajectoryPlanner::approachAtSpeed(double speed, double distance)
 {
-    const double before = m_state.velocity;
-    const double change = limits.acceleration * dt;
-    m_state.velocity = std::clamp(m_target.velocity, before - change, before + change);
-    m_state.position += 0.5 * (before + m_state.velocity) * dt;
+    m_state.velocity = distance < 0.0 ? -speed : speed;
+    const double after = distance - m_state.velocity * kControlPeriod;
+    if ((after < 0.0) != (distance < 0.0)) {
+        reached();
+    }
+}
+
+void TrajectoryPlanner::approachVelocity(double acceleration)
+{
+    const double change = acceleration * kControlPeriod;
+    m_state.velocity = std::clamp(m_target.velocity, m_state.velocity - change, m_state.velocity + change);
     m_state.complete = m_state.velocity == m_target.velocity;
 }
 
-// In the frame that moves with the target and points to it, the task is always: stop at `distance` ahead.
-void TrajectoryPlanner::stepToPosition(double dt, const TrajectoryLimits& limits)
+void TrajectoryPlanner::approachTarget(const TrajectoryLimits& limits, double distance)
 {
-    const double targetBefore = *m_target.position - m_target.velocity * dt;
-    const double separation = targetBefore - m_state.position;
-    const double direction = separation < 0.0 ? -1.0 : 1.0;
-    const double distance = std::abs(separation);
-    const double speed = direction * (m_state.velocity - m_target.velocity);
-    const double change = limits.acceleration * dt;
-
-    // Close enough that one step ends it: within what the acceleration covers in one step.
-    if (std::abs(speed) <= change && distance <= change * dt) {
-        m_state.position = *m_target.position;
-        m_state.velocity = m_target.velocity;
-        m_state.complete = true;
-        return;
+    const double before = m_state.velocity;
+    const double applied = plannedAcceleration(before, m_target.velocity, distance, limits);
+    m_state.velocity += applied * kControlPeriod;
+    // The device runs one period exactly at the limit that it would pass.
+    if ((std::abs(before) - limits.velocity) * (std::abs(m_state.velocity) - limits.velocity) < 0.0) {
+        m_state.velocity = std::copysign(limits.velocity, before);
     }
-    const double fastest = limits.velocity - direction * m_target.velocity;
-    double next = brakingSpeed(distance, speed, limits.acceleration, dt).value_or(speed - change);
-    next = std::min(next, fastest);  // slowing down to a lowered limit takes its time, below
-    next = std::clamp(next, speed - change, speed + change);
     m_state.complete = false;
-    m_state.velocity = m_target.velocity + direction * next;
-    m_state.position = *m_target.position - direction * (distance - 0.5 * (speed + next) * dt);
+    if (arrives(limits.acceleration, distance, before, applied)) {
+        reached();
+    }
 }
 
-void TrajectoryPlanner::clampTo(const PositionBounds& bounds)
+bool TrajectoryPlanner::arrives(double acceleration, double distance, double before, double applied) const
 {
-    const double clamped = std::min(std::max(m_state.position, bounds.min), bounds.max);
-    if (clamped == m_state.position) {
-        return;
+    const double end = m_target.velocity;
+    const double closing = m_state.velocity - end;
+    const bool atEndVelocity =
+        (before - end) * closing <= 0.0 || std::abs(closing) < 0.5 * acceleration * kControlPeriod;
+    const double travel = std::max(std::abs(closing), std::abs(end)) * kPeriodsToArrive * kControlPeriod;
+    if (atEndVelocity && std::abs(distance) <= travel) {
+        return true;
     }
-    m_state.position = clamped;
-    m_state.velocity = 0.0;
-    m_state.acceleration = 0.0;
-    m_state.complete = false;
+    const bool near = std::abs(distance) < kNearFactor * acceleration * kControlPeriod * kControlPeriod;
+    const bool slow = std::abs(closing) < kSlowShare * std::sqrt(2.0 * acceleration * std::abs(distance));
+    return near && slow && distance * closing > 0.0 && applied * closing < 0.0;
 }
 
 }  // namespace boresight::sim

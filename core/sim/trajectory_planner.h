@@ -5,9 +5,9 @@
 #include <optional>
 
 // The trajectory generator inside a moteus: from the present control position and velocity to a target that may
-// itself move, with bounded velocity and acceleration (bang-bang, no jerk limit). Pure; turns of the output, seconds.
-// The device steps at 30 kHz; the closed form used here is exact at any step, so that a coarse step gives the same
-// trajectory.
+// itself move, with bounded velocity and acceleration (bang-bang, no jerk limit). It works in the device's own control
+// periods, because what it does near a target depends on them: it sees the distance in whole counts of 2^-16 turns, and
+// drops the target once that is under ten periods of travel. Pure; turns of the output, seconds.
 namespace boresight::sim {
 
 struct TrajectoryLimits
@@ -46,6 +46,7 @@ public:
     // A new line began `age` seconds before the next step begins; negative: it begins within that step.
     void setTarget(const TrajectoryTarget& target, double age);
 
+    // As many control periods as have begun by the end of `dt`.
     void step(double dt, const TrajectoryLimits& limits, const PositionBounds& bounds);
 
     // The frame of reference moved by `offset`: control position and target move along.
@@ -56,14 +57,18 @@ public:
     [[nodiscard]] const ControlState& state() const { return m_state; }
 
 private:
-    void stepWithoutAccelerationLimit(double dt, const TrajectoryLimits& limits);
-    void stepToVelocity(double dt, const TrajectoryLimits& limits);
-    void stepToPosition(double dt, const TrajectoryLimits& limits);
-    void clampTo(const PositionBounds& bounds);
-    [[nodiscard]] double clampedTargetVelocity(const TrajectoryLimits& limits) const;
+    void runPeriods(int count, const TrajectoryLimits& limits);
+    void runPeriod(const TrajectoryLimits& limits);
+    void approachAtSpeed(double speed, double distance);
+    void approachVelocity(double acceleration);
+    void approachTarget(const TrajectoryLimits& limits, double distance);
+    void reached();
+    [[nodiscard]] double distance() const;
+    [[nodiscard]] bool arrives(double acceleration, double distance, double before, double applied) const;
 
     ControlState m_state;
     TrajectoryTarget m_target;
+    double m_owed = 0.0;  // control periods that are due
 };
 
 }  // namespace boresight::sim

@@ -5,6 +5,12 @@
 #include <cmath>
 
 namespace boresight::fakes {
+namespace {
+
+constexpr Seconds kWatchdog{0.1};
+constexpr double kCountsInReports = 65536.0;
+
+}  // namespace
 
 std::optional<double> Written::find(moteus::Register reg) const
 {
@@ -20,6 +26,7 @@ std::optional<CanFrame> IdealDrive::answer(const CanFrame& frame, SteadyTime now
     if (to.destination != m_id || silent) {
         return std::nullopt;
     }
+    advanceTo(now);
     CanFrame reply = stateFrame(now);
     if (!falsePlaces.empty()) {
         falsePlaces.pop_front();
@@ -45,6 +52,10 @@ double IdealDrive::state(moteus::Register reg) const
             return falsePlaces.empty() ? position : falsePlaces.front();
         case Register::Velocity:
             return velocity.value_or(0.0);
+        case Register::ControlPosition:
+            return std::floor(position * kCountsInReports) / kCountsInReports;
+        case Register::ControlVelocity:
+            return m_running;
         case Register::Torque:
             return torque;
         case Register::QCurrent:
@@ -110,11 +121,43 @@ void IdealDrive::obey(const CanFrame& frame)
     }
     mode = wanted;
     fault = 0;
+    m_ordered = 0.0;
+    m_fed = m_now;
     const auto target = fields.find(moteus::Register::CommandPosition);
-    if (mode == moteus::Mode::Position && target && std::isfinite(*target)) {
-        travelled += *target - position;
-        position = *target;
+    if (mode == moteus::Mode::Position && target) {
+        if (std::isfinite(*target)) {
+            travelled += *target - position;
+            position = *target;
+            m_running = 0.0;
+        } else {
+            m_ordered = fields.find(moteus::Register::CommandVelocity).value_or(0.0);
+            m_acceleration = fields.find(moteus::Register::CommandAccelerationLimit).value_or(0.0);
+        }
     }
+}
+
+// Towards the velocity of the last order, until its watchdog ends that.
+void IdealDrive::advanceTo(SteadyTime now)
+{
+    const Seconds passed = std::min(Seconds(now - m_now), std::max(Seconds(m_fed - m_now) + kWatchdog, Seconds{}));
+    m_now = now;
+    if (mode == moteus::Mode::Position) {
+        run(passed.count());
+    }
+    if (mode != moteus::Mode::Position || now - m_fed > kWatchdog) {
+        m_running = m_ordered = 0.0;
+    }
+}
+
+void IdealDrive::run(double passed)
+{
+    const double wanted = m_ordered - m_running;
+    const double ramp = m_acceleration > 0.0 ? std::min(passed, std::abs(wanted) / m_acceleration) : 0.0;
+    const double change = std::copysign(m_acceleration * ramp, wanted);
+    const double moved = m_running * passed + change * (passed - 0.5 * ramp);
+    m_running += change;
+    travelled += moved;
+    position += moved;
 }
 
 // Of a 100:1 gear: the phase of the rotor stays.

@@ -10,8 +10,9 @@
 #include <utility>
 #include <vector>
 
-// A moteus without physics, for tests of the rules above it: obeys mode changes at once, stands where it is told, and
-// answers with the state before the command, as the real one does. Every command frame is kept for inspection.
+// A moteus without physics, for tests of the rules above it: obeys mode changes at once, stands where it is told, turns
+// at the velocity it is told, and answers with the state before the command, as the real one does. Every command frame
+// is kept for inspection.
 namespace boresight::fakes {
 
 // What one frame wrote. A list, because long tests keep thousands of them.
@@ -40,6 +41,10 @@ public:
 
     // The reply to a frame for this drive; empty if it is for another, or if the drive is silent.
     std::optional<CanFrame> answer(const CanFrame& frame, SteadyTime now);
+
+    // Turns until then as it was told last.
+    void advanceTo(SteadyTime now);
+    void run(double passed);  // seconds
 
     // Another tool says `d exact`: no motion.
     void setExact(double place);
@@ -75,6 +80,11 @@ private:
 
     std::uint8_t m_id;
     double m_set = 0.0;
+    double m_running = 0.0;       // turns/s
+    double m_ordered = 0.0;       // turns/s
+    double m_acceleration = 0.0;  // turns/s²
+    SteadyTime m_fed{};           // the last command
+    SteadyTime m_now{};           // of the last frame
 };
 
 }  // namespace boresight::fakes

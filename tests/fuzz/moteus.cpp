@@ -135,11 +135,18 @@ void checkMotion(std::map<Register, double>& fields, const profile::AxisSettings
     require(near(Register::CommandWatchdogTimeout, watchdog.count()), "a motion command has the watchdog time");
     require(near(Register::CommandMaximumTorque, axis.maxTorque), "a motion command has the torque of the profile");
     require(fields.count(Register::CommandPosition) == 1, "a motion command never means \"go to 0.0\"");
+    require(!std::isinf(fields[Register::CommandPosition]), "a commanded position is finite, or keeps the drive's own");
     require(std::isfinite(fields[Register::CommandVelocity]), "a commanded velocity is finite");
-    const bool keeps = std::isnan(fields[Register::CommandPosition]) && fields[Register::CommandVelocity] == 0.0;
-    require(keeps || std::isfinite(fields[Register::CommandPosition]), "a commanded position is finite");
-    const double fastest = 2.0 * std::abs(axis.geometry.toMotor(axis.limits.speed).turns());
+    const double speed = std::abs(axis.geometry.toMotor(axis.limits.speed).turns());
+    const double fastest = 2.0 * speed;
     require(std::abs(fields[Register::CommandVelocity]) <= fastest, "a commanded velocity is one of the profile");
+    // No place ends it: the watchdog does, and the drive's own position limits.
+    if (std::isnan(fields[Register::CommandPosition]) && fields[Register::CommandVelocity] != 0.0) {
+        require(std::abs(fields[Register::CommandVelocity]) <= 1.000001 * speed,
+                "a velocity without a position is within the speed of the axis");
+        require(fields.count(Register::CommandIgnorePositionBounds) == 0,
+                "a velocity without a position leaves the drive's own limits in force");
+    }
     require(fields[Register::CommandVelocityLimit] > 0.0 && fields[Register::CommandVelocityLimit] <= fastest,
             "a motion command has a velocity limit");
     require(

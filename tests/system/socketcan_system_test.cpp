@@ -5,6 +5,7 @@
 #include "core/tracking/emergency_braking.h"
 #include "tests/system/socketcan_mount.h"
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QRegularExpression>
 #include <QSet>
@@ -114,7 +115,10 @@ protected:
     void expectStop(const char* how, const std::string& command, const std::string& words)
     {
         const std::size_t logBefore = mount.log().size();
-        ASSERT_TRUE(run(command));  // which takes some 0.1 s, or 0.5 s on a busy machine: the mount slews meanwhile
+        // It takes some 0.1 s, or a second on a busy machine, and the mount slews meanwhile: the lines of that time
+        // wait.
+        ASSERT_TRUE(run(command));
+        QCoreApplication::processEvents();
         const std::size_t before = mount.truths().size();
         const auto starvedBefore = mount.starved();
         const auto told = mount.waitForWords(words, logBefore);

@@ -88,6 +88,7 @@ struct FalsePlaceRig : StationRig
     void tickWithError(Axis axis, double error)
     {
         drive(axis).falsePlaces.clear();
+        drive(axis).advanceTo(clock.now() + std::chrono::duration_cast<SteadyTime::duration>(step));
         if (error != 0.0) {
             const Angle place = angle(axis, drive(axis).position) + Angle::fromDegrees(error);
             drive(axis).falsePlaces.push_back(turns(axis, place));
@@ -296,13 +297,14 @@ TEST_P(BlindDrive, IsBrakedAfterThreeRepliesAndLostLikeASilentOne)
     for (int tick = 0; tick < 3; ++tick) {
         spoil(rig.azimuth);
         rig.tick();
-        EXPECT_TRUE(std::isfinite(rig.azimuth.seen.back().fields.at(Register::CommandPosition))) << "chance";
+        EXPECT_NE(rig.azimuth.seen.back().fields.at(Register::CommandVelocity), 0.0) << "chance";
     }
     const double elevationRate = rig.control.status().elevation.commandedRate->degrees();
     for (int tick = 3; tick < 9; ++tick) {
         spoil(rig.azimuth);
         rig.tick();
         ASSERT_TRUE(std::isnan(rig.azimuth.seen.back().fields.at(Register::CommandPosition))) << "brake where you are";
+        ASSERT_EQ(rig.azimuth.seen.back().fields.at(Register::CommandVelocity), 0.0);
         EXPECT_FALSE(rig.control.faultLatched()) << tick;
     }
     EXPECT_LT(rig.control.status().elevation.commandedRate->degrees(), elevationRate) << "one axis alone goes nowhere";

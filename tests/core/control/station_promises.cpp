@@ -259,20 +259,23 @@ void StationPromises::watchFrame(Axis axis, const fakes::IdealDrive::Seen& seen,
         fail("a position frame without watchdog or limits");
     }
     watchBounds(axis, seen, now);
-    watchSetpoint(axis, field(Register::CommandPosition), now);
+    watchSetpoint(axis, field(Register::CommandPosition), field(Register::CommandVelocity), now);
 }
 
-void StationPromises::watchSetpoint(Axis axis, double position, const StationStatus& now)
+// A moving set-point is a velocity without a place, or a place.
+void StationPromises::watchSetpoint(Axis axis, double position, double velocity, const StationStatus& now)
 {
     AxisTrace& trace = m_traces[index(axis)];
-    if (!std::isfinite(position)) {  // "hold where you are"
+    const bool runs = !std::isfinite(position) && velocity != 0.0;
+    if (!std::isfinite(position) && !runs) {  // "hold where you are"
         trace.position.reset();
         trace.still = AxisTrace{}.still;
         trace.sinceHold = 0;
         return;
     }
     ++trace.sinceHold;
-    const bool moves = trace.position && std::abs(position - *trace.position) > kStill && !takesOver(axis, now);
+    const bool moves =
+        runs || (trace.position && std::abs(position - *trace.position) > kStill && !takesOver(axis, now));
     if (moves && trace.still > kTurningTicks) {
         ++m_motions;
         if (!m_permit && m_sinceEnd > kUnseenTicks) {
@@ -288,7 +291,7 @@ void StationPromises::watchSetpoint(Axis axis, double position, const StationSta
     if (moves && m_sinceUnknown > kStopTicks && m_sinceEnd == 0 && !m_permit->slow) {
         fail("an axis moves fast though its turn is not known");
     }
-    trace.position = position;
+    trace.position = runs ? std::nullopt : std::optional(position);
     trace.still = moves ? 0 : trace.still + 1;
 }
 

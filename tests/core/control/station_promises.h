@@ -60,7 +60,7 @@ private:
     void watchEnds(const StationStatus& now);
     void watchFrames(const StationStatus& now);
     void watchFrame(Axis axis, const fakes::IdealDrive::Seen& seen, const StationStatus& now);
-    void watchSetpoint(Axis axis, double position, const StationStatus& now);
+    void watchSetpoint(Axis axis, double position, double velocity, const StationStatus& now);
     void watchAxis(Axis axis, const StationStatus& now, Seconds step);
     [[nodiscard]] bool takesOver(Axis axis, const StationStatus& now) const;
     void watchBounds(Axis axis, const fakes::IdealDrive::Seen& seen, const StationStatus& now);

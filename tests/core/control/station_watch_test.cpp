@@ -137,7 +137,7 @@ TEST(Drive, YieldsBeyondItsBounds)
     };
     tick();
     drive.setIgnoreBounds(true);
-    drive.setSetpoint(MotorTurns::fromTurns(ideal.position), {});
+    drive.setSetpoint({.position = MotorTurns::fromTurns(ideal.position)});
     drive.engage();
     for (int i = 0; i < 10; ++i) {
         tick();

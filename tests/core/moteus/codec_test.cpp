@@ -32,14 +32,14 @@ TEST(MoteusCodec, TrackingCommandAndFullReportFitOneFrame)
 {
     const auto frame = encode(trackingRequest());
     ASSERT_TRUE(frame) << textOf(frame.error());
-    EXPECT_EQ(frame->size, 64);
+    EXPECT_EQ(frame->size, 48);
     EXPECT_EQ(toHex(frame->payload()),
-              "01000a"                            // mode = position
-              "0e200000c0be0ad7233c"              // position, velocity
-              "0d2500000040"                      // maximum torque
-              "0f27cdcc4c3ecdcc4c3dcdcccc3d"      // watchdog, velocity and acceleration limit
-              "11001f0116041507120b160d110f150a"  // the report
-              "505050505050505050505050505050");  // the report
+              "01000a"                        // mode = position
+              "0e200000c0be0ad7233c"          // position, velocity
+              "0d2500000040"                  // maximum torque
+              "0f27cdcc4c3ecdcc4c3dcdcccc3d"  // watchdog, velocity and acceleration limit
+              "11001f01160415071e3814060a"    // the report
+              "5050");
 }
 
 // In the same frame and before the command counts: the drive collects the command until the frame ends.
@@ -123,6 +123,7 @@ TEST(MoteusCodec, RefusesWhatDoesNotFitTheRequest)
     command.kpScale = 1.0;
     command.kdScale = 1.0;
     command.integralLimitScale = 1.0;
+    command.fixedVoltage = 1.0;
     const auto frame = encode(request);
     ASSERT_FALSE(frame);
     EXPECT_EQ(frame.error().code, ErrorCode::OutOfRange);
@@ -132,9 +133,9 @@ TEST(MoteusCodec, RefusesWhatDoesNotFitTheRequest)
 // REQ-MOTEUS-06
 TEST(MoteusCodec, RefusesAQueryWhoseTailWouldBeMissing)
 {
-    Query query = rotatorQuery();  // 44 bytes: one more block would start too late
+    Query query = rotatorQuery();  // 52 bytes: one more block would start too late
     EXPECT_TRUE(checkAnswerable(query));
-    query.push_back({Register::ControlPosition, Resolution::Float});
+    query.push_back({Register::PositionError, Resolution::Float});
     const auto frame = encode({.query = query});
     ASSERT_FALSE(frame);
     EXPECT_EQ(textOf(frame.error()), "the last part of the reply would start after byte 41 and be left out");
@@ -157,7 +158,7 @@ TEST(MoteusCodec, RefusesImpossibleQueries)
 TEST(MoteusCodec, ReplySizesOfTheStandardQueries)
 {
     EXPECT_EQ(replySize(basicQuery()), 22U);
-    EXPECT_EQ(replySize(rotatorQuery()), 44U);
+    EXPECT_EQ(replySize(rotatorQuery()), 52U);
     EXPECT_EQ(replySize(discoveryQuery()), 24U);
     EXPECT_EQ(replySize(versionQuery()), 15U);
 }

@@ -260,6 +260,28 @@ TEST_F(ServoOnPlant, PushedOutsideTheBoundsTheOutwardCurrentFades)
     EXPECT_GT(servo.output().torque, 30.0);
 }
 
+// REQ-SIM-940: A velocity without a position ends at the drive's own position bounds, as in the firmware. Only a
+// command that ignores them runs on.
+TEST_F(ServoOnPlant, AVelocityEndsAtTheBounds)
+{
+    hold();
+    config.positionMax = plant.position() + 0.01;
+    ServoCommand turn{.mode = Mode::Position,
+                      .position = kNone,
+                      .velocity = 0.02,
+                      .watchdogTimeout = kNone,
+                      .accelerationLimit = 0.1};
+    servo.command(turn);
+    run(2.0);
+    EXPECT_EQ(servo.mode(), Mode::Position);
+    EXPECT_EQ(servo.control().position, config.positionMax);
+    EXPECT_NEAR(plant.position(), config.positionMax, 0.001);
+    turn.ignorePositionBounds = true;
+    servo.command(turn);
+    run(1.0);
+    EXPECT_GT(plant.position(), config.positionMax + 0.01);
+}
+
 TEST_F(ServoOnPlant, StayWithinPushesBackOnlyOutside)
 {
     const double here = plant.position();

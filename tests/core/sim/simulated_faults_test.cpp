@@ -171,7 +171,7 @@ TEST_F(SimulatedLinkTest, AStalledAxisIsPushedOnWhenItIsOrderedToStayWhereItIs)
     const auto stall = inject(FaultKind::Stall);
     drive(3.0, 1, moveTo(0.02));
     const double here = *ask(1)->value(Register::Position);
-    drive(5.0, 1, moveTo(here));
+    drive(0.3, 1, moveTo(here));
     EXPECT_GT(link.truth(Axis::Azimuth).torque, 40.0);
     link.pair().faults().remove(stall);
     drive(5.0, 1, moveTo(here));

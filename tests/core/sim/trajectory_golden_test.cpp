@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <vector>
 
 namespace boresight::sim {
@@ -185,10 +186,10 @@ TEST(TrajectoryPlanner, CoarseStepsKeepTheClosedFormTime)
             planner.step(dt, {.velocity = 0.2, .acceleration = 0.5}, {});
             time += dt;
             ASSERT_LE(std::abs(planner.state().velocity), 0.2 + 1e-12);
-            ASSERT_LE(std::abs(planner.state().acceleration), 0.5 + 1e-9);
+            ASSERT_LE(std::abs(planner.state().acceleration), 0.5 * (1.0 + 1.0 / (30000.0 * dt)));
         }
-        EXPECT_NEAR(time, 1.0 / 0.2 + 0.2 / 0.5, 2.0 * dt);
-        EXPECT_DOUBLE_EQ(planner.state().position, 1.0);
+        EXPECT_NEAR(time, 1.0 / 0.2 + 0.2 / 0.5, 2.0 * dt + 3.0 / 30000.0);
+        EXPECT_NEAR(planner.state().position, 1.0, kCount) << "the device sees whole counts";
     }
 }
 
@@ -200,7 +201,38 @@ TEST(TrajectoryPlanner, TheLineStartsWhenTheCommandArrived)
     for (int i = 0; i < 1000; ++i) {
         planner.step(1e-3, {.velocity = 1.0, .acceleration = 10.0}, {});
     }
-    EXPECT_NEAR(planner.state().position, 0.1 * 1.0008, 1e-9);
+    EXPECT_NEAR(planner.state().position, 0.1 * 1.0008, kCount);
+}
+
+// Numbers of the firmware's own planner (commit db1a7623) with the same orders: 5.3 °/s² rms, at the limit for 12 % of
+// the time. The distance in whole counts decides: without it this is 14.5 °/s².
+// REQ-SIM-300: A planner that gets a position and a velocity each 20 ms, half a millisecond early or late, switches its
+// acceleration as the firmware does.
+TEST(TrajectoryPlanner, OrdersEarlyOrLateMakeItSwitchAsTheFirmware)
+{
+    constexpr double kDegree = 1.0 / 360.0;
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> late(-0.5e-3, 0.5e-3);
+    TrajectoryPlanner planner;
+    planner.capture(0.0, 2.0 * kDegree);
+    double squares = 0.0;
+    int atLimit = 0;
+    constexpr int kSteps = 20 * 30000;
+    int sent = 0;
+    double next = 0.0;
+    for (int step = 0; step < kSteps; ++step) {
+        if (step / 30000.0 >= next) {
+            const double place = std::floor(sent * 0.02 * 2.0 * kDegree / kCount) * kCount;
+            planner.setTarget({.position = place, .velocity = 2.0 * kDegree}, 0.0);
+            next = ++sent * 0.02 + late(random);
+        }
+        planner.step(1.0 / 30000.0, {.velocity = 15.0 * kDegree, .acceleration = 15.0 * kDegree}, {});
+        const double acceleration = planner.state().acceleration / kDegree;
+        squares += acceleration * acceleration;
+        atLimit += std::abs(acceleration) > 14.7 ? 1 : 0;
+    }
+    EXPECT_NEAR(std::sqrt(squares / kSteps), 5.3, 0.3);
+    EXPECT_NEAR(100.0 * atLimit / kSteps, 12.0, 2.0);
 }
 
 }  // namespace

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/moteus_mount/drive.h"
+#include "tests/fakes/ideal_drive.h"
+
+#include <QByteArray>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+constexpr RateFollower::Limits kFollowerLimits{
+    .speed = MotorRate::fromTurns(0.03), .acceleration = MotorAcceleration::fromTurns(0.045), .tick = Seconds(0.02)};
+constexpr MotorTurns kCountOfDrive = MotorTurns::fromTurns(1.0 / 65536.0);
+
+class RateFollowerTest : public testing::Test
+{
+protected:
+    void tick(Seconds step = Seconds(0.02))
+    {
+        now += std::chrono::duration_cast<SteadyTime::duration>(step);
+        follower.begin(now);
+    }
+    // The drive is there and moves so.
+    void standing(double place, double rate = 0.0)
+    {
+        tick();
+        follower.heard(MotorTurns::fromTurns(place) - 0.5 * kCountOfDrive, MotorRate::fromTurns(rate));
+    }
+    MotionOrder follow(double place, double rate, double acceleration = 0.0)
+    {
+        return follower.follow({.position = MotorTurns::fromTurns(place),
+                                .rate = MotorRate::fromTurns(rate),
+                                .acceleration = MotorAcceleration::fromTurns(acceleration)},
+                               kFollowerLimits);
+    }
+
+    RateFollower follower;
+    SteadyTime now{std::chrono::hours(1)};
+};
+
+// REQ-AXES-300: While set-points move a drive gets a velocity, and the acceleration that reaches it within one tick.
+TEST_F(RateFollowerTest, TheVelocityOfTheNextSetPointIsReachedInOneTick)
+{
+    standing(0.1, 0.01);
+    tick();
+    const MotionOrder order = follow(0.1002, 0.01, 0.02);
+    EXPECT_FALSE(order.place);
+    EXPECT_NEAR(order.rate.turns(), 0.0104, 1e-9);
+    EXPECT_NEAR(order.acceleration.turns(), 0.02, 1e-6);
+}
+
+// REQ-AXES-300
+TEST_F(RateFollowerTest, WhatTheDriveIsBehindIsMadeGoodInASecond)
+{
+    standing(0.1, 0.01);
+    tick();
+    EXPECT_NEAR(follow(0.1002 + 1e-4, 0.01).rate.turns(), 0.01 + 1e-4, 1e-9);
+}
+
+// REQ-AXES-301: A set-point at rest, and a drive whose control position is not known, get a place for the planner.
+TEST_F(RateFollowerTest, ASetPointAtRestIsLeftToThePlanner)
+{
+    standing(0.1);
+    tick();
+    const MotionOrder order = follow(0.1, 0.0);
+    ASSERT_TRUE(order.place);
+    EXPECT_EQ(order.place->turns(), 0.1);
+    EXPECT_NEAR(order.acceleration.turns(), 0.0045, 1e-9) << "half a count is not worth a jerk";
+}
+
+// REQ-AXES-301
+TEST_F(RateFollowerTest, ADriveThatSaysNothingOfItsControlIsLeftToThePlanner)
+{
+    tick();
+    const MotionOrder order = follow(0.1, 0.01);
+    ASSERT_TRUE(order.place);
+    EXPECT_EQ(order.rate.turns(), 0.01);
+    EXPECT_EQ(order.acceleration, kFollowerLimits.acceleration);
+}
+
+// REQ-AXES-940: A drive that ignores its own position bounds gets a place and no velocity: nothing but its watchdog
+// would end that.
+TEST_F(RateFollowerTest, ADriveWithoutBoundsIsLeftToThePlanner)
+{
+    standing(0.1, 0.01);
+    tick();
+    RateFollower::Limits unbounded = kFollowerLimits;
+    unbounded.bounded = false;
+    const MotionOrder order =
+        follower.follow({.position = MotorTurns::fromTurns(0.1002), .rate = MotorRate::fromTurns(0.01)}, unbounded);
+    ASSERT_TRUE(order.place);
+    EXPECT_EQ(order.rate.turns(), 0.01);
+}
+
+// REQ-AXES-301
+TEST_F(RateFollowerTest, TwoLostRepliesAreBridgedAndNotAThird)
+{
+    standing(0.1, 0.01);
+    for (const bool bridged : {true, true, true, false}) {
+        tick();
+        EXPECT_NE(follow(0.1002, 0.01).place.has_value(), bridged);
+    }
+}
+
+// REQ-AXES-301
+TEST_F(RateFollowerTest, FartherOffThanLostFramesExplainIsLeftToThePlanner)
+{
+    standing(0.1, 0.01);
+    tick();
+    EXPECT_TRUE(follow(0.101, 0.01).place);
+}
+
+// REQ-AXES-302: No velocity that is ordered exceeds the speed limit of the axis.
+TEST_F(RateFollowerTest, NoCorrectionExceedsTheSpeedOfTheAxis)
+{
+    standing(0.1, 0.03);
+    tick();
+    EXPECT_EQ(follow(0.1008, 0.03).rate, kFollowerLimits.speed);
+    standing(0.1, -0.03);
+    tick();
+    EXPECT_EQ(follow(0.0992, -0.03).rate, -kFollowerLimits.speed);
+}
+
+// A whole drive: what goes over the wire.
+class FollowingDrive : public testing::Test
+{
+protected:
+    FollowingDrive()
+    {
+        tick();
+        drive.engage();
+        while (drive.phase() != Drive::Phase::Engaged) {
+            tick();
+        }
+    }
+    void tick()
+    {
+        now += std::chrono::milliseconds(20);
+        drive.judge(now);
+        if (moving) {
+            place += MotorRate::fromTurns(0.001) * Seconds(0.02);
+            drive.setSetpoint({.position = place, .rate = MotorRate::fromTurns(0.001)});
+        }
+        frame = drive.frame();
+        if (const auto reply = ideal.answer(frame, now)) {
+            drive.take(*reply);
+        }
+    }
+
+    Drive drive{{.id = 1,
+                 .maxTorque = 50.0,
+                 .speed = MotorRate::fromTurns(0.03),
+                 .velocityLimit = MotorRate::fromTurns(0.045),
+                 .accelerationLimit = MotorAcceleration::fromTurns(0.045),
+                 .emergencyBraking = MotorAcceleration::fromTurns(0.4),
+                 .places = {.allowance = MotorTurns::fromTurns(0.001), .speed = MotorRate::fromTurns(0.03)}},
+                "azimuth drive"};
+    fakes::IdealDrive ideal{1, 0.25};
+    SteadyTime now{std::chrono::hours(1)};
+    MotorTurns place = MotorTurns::fromTurns(0.25);
+    bool moving = false;
+    CanFrame frame;
+};
+
+// REQ-AXES-303: Each velocity order carries the watchdog time, the torque limit and both limits of motion.
+TEST_F(FollowingDrive, TheFrameIsAVelocityWithAllItsLimits)
+{
+    moving = true;
+    tick();
+    const auto payload = frame.payload();
+    const std::string bytes =
+        QByteArray(reinterpret_cast<const char*>(payload.data()), static_cast<int>(payload.size()))
+            .toHex()
+            .toStdString();
+    EXPECT_EQ(bytes.substr(0, 10), "01000a0e20") << "mode = position; position, velocity";
+    EXPECT_EQ(bytes.substr(10, 8), "0000c07f") << "position: keep the control position (NaN)";
+    EXPECT_EQ(bytes.substr(26, 12), "0d2500004842") << "maximum torque 50 Nm";
+    EXPECT_EQ(bytes.substr(38, 20), "0f27cdcccc3dec51383d") << "watchdog 0.1 s, velocity limit";
+    EXPECT_EQ(bytes.substr(66, 26), "11001f01160415071e3814060a") << "the report";
+}
+
+// REQ-AXES-940
+TEST_F(FollowingDrive, ItsWayBackInsideItsBoundsIsAPlace)
+{
+    drive.setIgnoreBounds(true);
+    moving = true;
+    for (int i = 0; i < 5; ++i) {
+        tick();
+        EXPECT_NEAR(ideal.seen.back().fields.at(moteus::Register::CommandPosition), place.turns(), 1e-6);
+    }
+    drive.setIgnoreBounds(false);
+    tick();
+    EXPECT_TRUE(std::isnan(ideal.seen.back().fields.at(moteus::Register::CommandPosition)));
+    EXPECT_FALSE(ideal.seen.back().fields.find(moteus::Register::CommandIgnorePositionBounds));
+}
+
+// REQ-AXES-304: A tick without a set-point orders the last place, never a velocity: that would run on for as long as it
+// is repeated.
+TEST_F(FollowingDrive, WithoutASetPointNoVelocityIsRepeated)
+{
+    moving = true;
+    for (int i = 0; i < 5; ++i) {
+        tick();
+    }
+    ASSERT_TRUE(std::isnan(ideal.seen.back().fields.at(moteus::Register::CommandPosition)));
+    moving = false;
+    tick();
+    EXPECT_NEAR(ideal.seen.back().fields.at(moteus::Register::CommandPosition), place.turns(), 1e-6);
+    EXPECT_EQ(ideal.seen.back().fields.at(moteus::Register::CommandVelocity), 0.0);
+}
+
+}  // namespace
+}  // namespace boresight
