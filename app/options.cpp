@@ -192,9 +192,9 @@ Result<> applyStandingAt(Options& options, const QCommandLineParser& parser)
                                       "now, write --standing-at %1@%2")
                            .arg(place, timeOfNow()));
     }
-    options.standingAt = memory::EnteredPlace{
-        .place = {.azimuth = Angle::fromDegrees(*azimuth), .elevation = Angle::fromDegrees(*elevation)},
-        .looked = UtcTime(std::chrono::milliseconds(looked.toMSecsSinceEpoch()))};
+    options.standingAt =
+        EnteredPlace{.place = {.azimuth = Angle::fromDegrees(*azimuth), .elevation = Angle::fromDegrees(*elevation)},
+                     .looked = UtcTime(std::chrono::milliseconds(looked.toMSecsSinceEpoch()))};
     return {};
 }
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/can/can_link.h"
-#include "core/memory/entered_place.h"
 #include "core/memory/memory_file.h"
 #include "core/moteus_mount/drive_care.h"
 #include "core/moteus_mount/moteus_mount.h"
+#include "core/mount/entered_place.h"
 #include "core/mount/mount_connection.h"
 #include "core/mount/simulation.h"
 
@@ -25,7 +25,7 @@ public:
         QString stateDir;  // of the journal
         Simulation simulation = Simulation::Off;
         // Where the mount stood when the operator looked, for drives that do not know it. Counts once, for ten minutes.
-        std::optional<memory::EnteredPlace> standingAt{};
+        std::optional<EnteredPlace> standingAt{};
         AxisSet axes = kAxes;  // that a moteus turns
     };
 
