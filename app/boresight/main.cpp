@@ -8,7 +8,7 @@
 #include "app/unix_signals.h"
 #include "core/base/version.h"
 #include "core/local_socket/local_command.h"
-#include "core/station/link_factory.h"
+#include "core/moteus_mount/link_factory.h"
 #include "core/station/mount_factory.h"
 #include "ui/jog/gamepad.h"
 #include "ui/kit/language.h"

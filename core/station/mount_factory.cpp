@@ -3,11 +3,11 @@
 
 #include "core/base/text.h"
 #include "core/can/unusable_link.h"
+#include "core/moteus_mount/link_factory.h"
 #include "core/moteus_mount/moteus_connection.h"
 #include "core/mount/paired_connection.h"
 #include "core/profile/setting.h"
 #include "core/simple_mount/simple_connection.h"
-#include "core/station/link_factory.h"
 
 namespace boresight {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/station/link_factory.h"
+#include "core/moteus_mount/link_factory.h"
 
 #include "core/base/bus_name.h"
 #include "core/can/fdcanusb_link.h"
