@@ -3,8 +3,8 @@
 
 #include "core/base/control_characters.h"
 #include "core/base/text.h"
-#include "core/can/port_holder.h"
-#include "core/can/serial_port_check.h"
+#include "core/serial/port_holder.h"
+#include "core/serial/serial_port_check.h"
 
 #include <QLoggingCategory>
 #include <QPromise>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/can/line_splitter.h"
 #include "core/power/line_status.h"
+#include "core/serial/line_splitter.h"
 
 #include <QObject>
 #include <QTcpSocket>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/can/line_splitter.h"
+#include "core/serial/line_splitter.h"
 #include "core/sim/simulated_pair.h"
 #include "core/sim_bus/due_queue.h"
 

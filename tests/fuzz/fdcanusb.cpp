@@ -5,7 +5,7 @@
 #include "core/can/fdcanusb_link.h"
 #include "core/can/fdcanusb_protocol.h"
 #include "core/can/line_checksum.h"
-#include "core/can/line_splitter.h"
+#include "core/serial/line_splitter.h"
 #include "core/sim_bus/fdcanusb_request.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/pseudo_terminal.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/can/line_checksum.h"
-#include "core/can/line_splitter.h"
+#include "core/serial/line_splitter.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/can/line_splitter.h"
+#include "core/serial/line_splitter.h"
 
 #include <utility>
 
