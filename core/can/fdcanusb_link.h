@@ -105,7 +105,7 @@ private:
     LineChecksum m_checksum;
     QSerialPort m_port{this};
     QTimer m_deadlineTimer{this};
-    fdcanusb::LineSplitter m_splitter;
+    LineSplitter m_splitter;
     std::deque<Pending> m_pending;
     LinkStatus m_status;
     bool m_busOff = false;     // by its last status, until a frame is received

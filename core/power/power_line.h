@@ -91,7 +91,7 @@ private:
     const Clock& m_clock;
     QUdpSocket m_udp{this};
     QTcpSocket m_tcp{this};
-    fdcanusb::LineSplitter m_lines;
+    LineSplitter m_lines;
     QTimer m_retry{this};
     QTimer m_pause{this};
     std::chrono::milliseconds m_delay;

@@ -3,13 +3,13 @@
 
 #include <utility>
 
-namespace boresight::fdcanusb {
+namespace boresight {
 
 void LineSplitter::add(std::string_view bytes, const std::function<void(std::string_view)>& onLine)
 {
     for (const char character : bytes) {
         const bool lineEnd = character == '\n' || character == '\r';
-        if (!lineEnd && m_line.size() < kMaxLineLength) {
+        if (!lineEnd && m_line.size() < kLongestLine) {
             m_line += character;
             continue;
         }
@@ -33,4 +33,4 @@ void LineSplitter::clear()
     m_overlong = false;
 }
 
-}  // namespace boresight::fdcanusb
+}  // namespace boresight

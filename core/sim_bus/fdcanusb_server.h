@@ -52,7 +52,7 @@ private:
     [[nodiscard]] bool isInjected(FaultKind kind, Seconds now) const;
 
     SimulatedPair& m_pair;
-    fdcanusb::LineSplitter m_splitter;
+    LineSplitter m_splitter;
     std::map<std::string, std::string, std::less<>> m_config;
     DueQueue<Late> m_late;
     std::string m_output;

@@ -53,7 +53,7 @@ TEST(LineSplitter, AnySplitGivesTheSameLines)
 TEST(LineSplitter, LongestLinePassesALongerOneIsCountedAndTheNextIsWhole)
 {
     LineSplitter splitter;
-    const std::string longest(kMaxLineLength, 'x');
+    const std::string longest(LineSplitter::kLongestLine, 'x');
     EXPECT_THAT(linesOf(splitter, longest + "\n"), ElementsAre(longest));
     EXPECT_THAT(linesOf(splitter, longest + "y"), IsEmpty());
     EXPECT_THAT(linesOf(splitter, std::string(1000000, 'z')), IsEmpty());
