@@ -180,7 +180,7 @@ TEST(Rooms, OnlyTheirDriverKnowsTheCheckAndTheJournal)
 TEST(Rooms, MessagesAreMadeOfValues)
 {
     EXPECT_THAT(wrong({"core/messages"}, {"core/base", "core/units", "core/pointing", "core/profile",
-                                          "core/calibration", "core/ephemeris", "core/orientation", "core/power"}),
+                                          "core/calibration", "core/ephemeris", "core/orientation"}),
                 IsEmpty());
 }
 
