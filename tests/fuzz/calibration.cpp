@@ -41,20 +41,20 @@ void checkAccepted(const CalibrationHistory& history)
     }
     const auto written = toText(history);
     require(written.has_value(), "an accepted history can be written");
-    const auto again = parseHistory(*written, "a.toml");
+    const auto again = parseHistory(*written, QStringLiteral("a.toml"));
     require(again.has_value() && toText(*again) == written, "a written history reads back as the same text");
 }
 
 void checkTerms(std::string_view text)
 {
-    const auto sheet = parseTerms(text, "a.toml");
+    const auto sheet = parseTerms(text, QStringLiteral("a.toml"));
     if (!sheet) {
         checkReason(textOf(sheet.error()));
         return;
     }
     accept();
     const std::string written = toText(*sheet);
-    const auto again = parseTerms(written, "a.toml");
+    const auto again = parseTerms(written, QStringLiteral("a.toml"));
     require(again.has_value() && toText(*again) == written, "written terms read back as the same text");
 }
 
@@ -146,7 +146,7 @@ void feed(std::span<const std::uint8_t> input)
     const auto power = power::parsePower(asText(input));
     require(!power || std::abs(*power) <= power::kLargestPower, "a power is one in dB");
     checkTerms(asText(input));
-    const auto history = parseHistory(asText(input), "a.toml");
+    const auto history = parseHistory(asText(input), QStringLiteral("a.toml"));
     if (!history) {
         checkReason(textOf(history.error()));
         return;
