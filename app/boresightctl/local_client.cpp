@@ -26,18 +26,20 @@ Result<> askLocally(const profile::ListenAddress& station, local::LocalCommand c
                                       "socket of the station, and \"%1\" is not localhost")
                            .arg(toQString(station.host)));
     }
-    const QString folder = local::runtimeFolder();
-    if (folder.isEmpty()) {
+    const QString path = local::socketToAsk(local::runtimeFolder(), local::kServiceRuntimeFolder, station.port);
+    if (path.isEmpty()) {
         return failure(ErrorCode::NoAnswer,
                        QStringLiteral("XDG_RUNTIME_DIR is not set, so there is no local socket of a station."));
     }
-    const QString path = local::socketPath(folder, station.port);
     const QDeadlineTimer deadline(kPatience);
     QLocalSocket socket;
     socket.connectToServer(path);
     if (!socket.waitForConnected(static_cast<int>(deadline.remainingTime()))) {
-        return failure(ErrorCode::NoAnswer,
-                       QStringLiteral("No station of this user listens on %1: %2.").arg(path, socket.errorString()));
+        return failure(
+            ErrorCode::NoAnswer,
+            socket.error() == QLocalSocket::SocketAccessError
+                ? QStringLiteral("This user may not use %1. Try sudo.").arg(path)
+                : QStringLiteral("No station of this user listens on %1: %2.").arg(path, socket.errorString()));
     }
     socket.write(local::wordOf(command) + '\n');
     while (!socket.canReadLine()) {

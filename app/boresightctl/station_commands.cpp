@@ -27,7 +27,8 @@ const std::string kWhichLocalStation =
 const std::string kLocalSocket =
     R"(
 The command goes through the local socket of the station, $XDG_RUNTIME_DIR/boresight/PORT.sock. It works on the computer
-of the station, for the user who started the station.
+of the station, for the user who started the station. The socket of the service is /run/boresight/PORT.sock, for root: use
+sudo.
 )";
 
 ExitStatus failedBy(const Subcommand& subcommand, const Error& error)
@@ -171,7 +172,8 @@ The mount slows down and holds. Without --latched the next target of a client mo
 has the control afterwards. Switch off the power of the drives before you go to the mount.
 
 rotctld has no STOP that latches. So --latched goes through the local socket of the station,
-$XDG_RUNTIME_DIR/boresight/PORT.sock: on the computer of the station, for the user who started the station.
+$XDG_RUNTIME_DIR/boresight/PORT.sock: on the computer of the station, for the user who started the station. The socket of
+the service is /run/boresight/PORT.sock, for root: use sudo.
 )" + kExitStatus +
                R"(
 Example:
