@@ -15,6 +15,8 @@
 #include <QDir>
 #include <QStandardPaths>
 
+#include <algorithm>
+
 namespace boresight::app {
 namespace {
 
@@ -31,6 +33,18 @@ QString timeOfNow()
     return QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyy-MM-ddTHH:mmZ"));
 }
 
+// "moteus (a moteus drive), simple (…)".
+QString simulatedDrivers()
+{
+    QStringList all;
+    for (const profile::DriverKind& kind : profile::kDriverKinds) {
+        if (kind.driver != profile::AxisDriver::None) {
+            all << QStringLiteral("%1 (%2)").arg(toQString(kind.name), toQString(kind.simulated));
+        }
+    }
+    return all.join(QStringLiteral(", "));
+}
+
 void addOptions(QCommandLineParser& parser)
 {
     parser.addHelpOption();
@@ -42,9 +56,9 @@ void addOptions(QCommandLineParser& parser)
     parser.addOption({kBus, QStringLiteral("fdcanusb:PATH, socketcan:IFACE or simulated. Overrides the profile."),
                       QStringLiteral("BUS")});
     parser.addOption({kSimulate, QStringLiteral("Drive the built-in simulated mount: the same as --bus simulated. "
-                                                "--simulate=simple: a rotator of whole degrees, without rates and "
-                                                "watchdog. Nothing of it is written to the profile of a real "
-                                                "mount.")});
+                                                "--simulate=DRIVER: turn every axis by this driver: %1. Nothing of "
+                                                "it is written to the profile of a real mount.")
+                                     .arg(simulatedDrivers())});
     parser.addOption({kListen, QStringLiteral("Address of the rotctld server. Port 0 picks a free one."),
                       QStringLiteral("HOST:PORT")});
     parser.addOption({kStateDir, QStringLiteral("Folder of the log, the position journal and the window layout."),
@@ -59,8 +73,8 @@ void addOptions(QCommandLineParser& parser)
          QStringLiteral("AZ,EL@UTC")});
 }
 
-// The kind of rotator of "--simulate=KIND" is taken out: an option of QCommandLineParser has a value always or never.
-Result<QStringList> takeSimulatedKind(Options& options, const QStringList& arguments)
+// The driver of "--simulate=DRIVER" is taken out: an option of QCommandLineParser has a value always or never.
+Result<QStringList> takeSimulatedDriver(Options& options, const QStringList& arguments)
 {
     const QString prefix = QStringLiteral("--simulate=");
     QStringList left;
@@ -69,14 +83,15 @@ Result<QStringList> takeSimulatedKind(Options& options, const QStringList& argum
             left << argument;
             continue;
         }
-        const QString kind = argument.sliced(prefix.size());
-        if (kind != QLatin1String("simple")) {
-            return failure(
-                ErrorCode::InvalidInput,
-                QStringLiteral("--simulate=%1 is unknown. Use --simulate for two moteus, or --simulate=simple")
-                    .arg(kind));
+        const std::string name = argument.sliced(prefix.size()).toStdString();
+        const auto* const kind = std::ranges::find(profile::kDriverKinds, name, &profile::DriverKind::name);
+        if (kind == profile::kDriverKinds.end() || kind->driver == profile::AxisDriver::None) {
+            return failure(ErrorCode::InvalidInput,
+                           QStringLiteral("--simulate=%1 is unknown. Use --simulate for the drivers of the profile, or "
+                                          "one of these after \"=\": %2")
+                               .arg(toQString(name), simulatedDrivers()));
         }
-        options.simulation = Simulation::Simple;
+        options.simulation = {.on = true, .driver = kind->driver};
         left << QStringLiteral("--simulate");
     }
     return left;
@@ -192,9 +207,9 @@ Result<> applyStandingAt(Options& options, const QCommandLineParser& parser)
                                       "now, write --standing-at %1@%2")
                            .arg(place, timeOfNow()));
     }
-    options.standingAt = memory::EnteredPlace{
-        .place = {.azimuth = Angle::fromDegrees(*azimuth), .elevation = Angle::fromDegrees(*elevation)},
-        .looked = UtcTime(std::chrono::milliseconds(looked.toMSecsSinceEpoch()))};
+    options.standingAt =
+        EnteredPlace{.place = {.azimuth = Angle::fromDegrees(*azimuth), .elevation = Angle::fromDegrees(*elevation)},
+                     .looked = UtcTime(std::chrono::milliseconds(looked.toMSecsSinceEpoch()))};
     return {};
 }
 
@@ -221,7 +236,7 @@ Result<QString> makeStateDir(const QCommandLineParser& parser)
 profile::Profile Options::startingProfile() const
 {
     profile::Profile starting = profile;
-    if (isFirstStart() && simulation == Simulation::Reference) {  // the simple rotator has no sensor on it
+    if (isFirstStart() && hasSensor(simulation, profile)) {
         starting.sensor.source = profile::SensorSource::Simulated;
     } else if (isFirstStart() && simulation == Simulation::Off) {
         starting.mount.directions = profile::Directions::Unconfirmed;
@@ -235,7 +250,7 @@ Result<Options> readOptions(const QStringList& arguments, const QString& descrip
     parser.setApplicationDescription(description);
     addOptions(parser);
     Options options;
-    const auto plain = takeSimulatedKind(options, arguments);
+    const auto plain = takeSimulatedDriver(options, arguments);
     if (!plain) {
         return tl::unexpected(plain.error());
     }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/memory/entered_place.h"
+#include "core/mount/entered_place.h"
 #include "core/mount/simulation.h"
 #include "core/profile/profile.h"
 
@@ -24,7 +24,7 @@ struct Options
     QString stateDir;                         // created if absent
     Simulation simulation = Simulation::Off;  // what the command line asks for, over every profile
     std::vector<std::string> overridden;      // the keys that hold in the simulation, too, and are never written
-    std::optional<memory::EnteredPlace> standingAt;
+    std::optional<EnteredPlace> standingAt;
 
     // What runs with the profile of another mount.
     [[nodiscard]] Simulation simulationFor(const profile::Profile& of) const { return simulationOf(simulation, of); }

@@ -8,7 +8,7 @@
 #include "app/unix_signals.h"
 #include "core/base/version.h"
 #include "core/local_socket/local_command.h"
-#include "core/station/link_factory.h"
+#include "core/moteus_mount/link_factory.h"
 #include "core/station/mount_factory.h"
 #include "ui/jog/gamepad.h"
 #include "ui/kit/language.h"
@@ -163,7 +163,7 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
     const SystemClock clock;
     app::ProfileSaver saver(options);
     const MountFactory mounts(saver.first(), clock);
-    const auto make = [&](const profile::Profile& profile, const std::optional<memory::EnteredPlace>& standingAt) {
+    const auto make = [&](const profile::Profile& profile, const std::optional<EnteredPlace>& standingAt) {
         const Simulation simulation = options.simulationFor(profile);
         const MountMaker mount = mounts.make(profile, {options.stateDir, simulation, standingAt});
         auto station = std::make_unique<Station>(profile, mount, options.stateDir, clock);

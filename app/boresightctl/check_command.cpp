@@ -10,18 +10,15 @@
 namespace boresight::ctl {
 namespace {
 
-// "azimuth id 1".
+// "azimuth moteus id 1".
 QString driverText(const QString& axis, const profile::AxisSettings& settings)
 {
-    switch (settings.driver) {
-        case profile::AxisDriver::Moteus:
-            return QStringLiteral("%1 id %2").arg(axis, QString::number(settings.id));
-        case profile::AxisDriver::Simple:
-            return axis + QStringLiteral(" simple");
-        case profile::AxisDriver::None:
-            break;
+    if (settings.driver == profile::AxisDriver::None) {
+        return QStringLiteral("no ") + axis;
     }
-    return QStringLiteral("no ") + axis;
+    const profile::DriverKind& kind = profile::kindOf(settings.driver);
+    const QString text = QStringLiteral("%1 %2").arg(axis, toQString(kind.name));
+    return kind.hasId ? QStringLiteral("%1 id %2").arg(text, QString::number(settings.id)) : text;
 }
 
 ExitStatus run(Arguments arguments)

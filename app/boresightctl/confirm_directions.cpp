@@ -58,7 +58,7 @@ ExitStatus run(Arguments arguments)
     if (!toml || !profile) {
         return fail(toml ? profile.error() : toml.error());
     }
-    const auto confirmed = profile::withDirectionsConfirmed(toml->toStdString(), arguments.front());
+    const auto confirmed = profile::withDirectionsConfirmed(toml->toStdString(), toQString(arguments.front()));
     if (!confirmed) {
         return fail(confirmed.error());
     }

@@ -4,12 +4,13 @@
 #include "app/boresightctl/rotctld_client.h"
 #include "core/base/text.h"
 
-#include <QDeadlineTimer>
 #include <QHostAddress>
-#include <QLocalSocket>
+#include <QThread>
 
 namespace boresight::ctl {
 namespace {
+
+constexpr unsigned long kPause = 100;  // ms, between two attempts
 
 bool isThisComputer(const std::string& host)
 {
@@ -17,6 +18,21 @@ bool isThisComputer(const std::string& host)
 }
 
 }  // namespace
+
+bool connectBy(const QDeadlineTimer& deadline, const std::function<QString()>& path, QLocalSocket& socket,
+               const std::function<void()>& pause)
+{
+    for (;;) {
+        socket.connectToServer(path());
+        if (socket.waitForConnected(static_cast<int>(deadline.remainingTime()))) {
+            return true;
+        }
+        if (deadline.hasExpired() || socket.error() == QLocalSocket::SocketAccessError) {
+            return false;
+        }
+        pause();
+    }
+}
 
 Result<> askLocally(const profile::ListenAddress& station, local::LocalCommand command)
 {
@@ -26,24 +42,26 @@ Result<> askLocally(const profile::ListenAddress& station, local::LocalCommand c
                                       "socket of the station, and \"%1\" is not localhost")
                            .arg(toQString(station.host)));
     }
-    const QString folder = local::runtimeFolder();
-    if (folder.isEmpty()) {
+    const auto path = [&station] {
+        return local::socketToAsk(local::runtimeFolder(), local::kServiceRuntimeFolder, station.port);
+    };
+    if (path().isEmpty()) {
         return failure(ErrorCode::NoAnswer,
                        QStringLiteral("XDG_RUNTIME_DIR is not set, so there is no local socket of a station."));
     }
-    const QString path = local::socketPath(folder, station.port);
-    const QDeadlineTimer deadline(kPatience);
     QLocalSocket socket;
-    socket.connectToServer(path);
-    if (!socket.waitForConnected(static_cast<int>(deadline.remainingTime()))) {
+    if (!connectBy(QDeadlineTimer(kPatience), path, socket, [] { QThread::msleep(kPause); })) {
         return failure(ErrorCode::NoAnswer,
-                       QStringLiteral("No station of this user listens on %1: %2.").arg(path, socket.errorString()));
+                       socket.error() == QLocalSocket::SocketAccessError
+                           ? QStringLiteral("This user may not use %1. Try sudo.").arg(path())
+                           : QStringLiteral("No station listens on %1: %2.").arg(path(), socket.errorString()));
     }
     socket.write(local::wordOf(command) + '\n');
+    const QDeadlineTimer deadline(kPatience);  // not what is left of the first: the station may have obeyed
     while (!socket.canReadLine()) {
         if (!socket.waitForReadyRead(static_cast<int>(deadline.remainingTime()))) {
             return failure(ErrorCode::NoAnswer,
-                           QStringLiteral("The station on %1 does not answer: %2.").arg(path, socket.errorString()));
+                           QStringLiteral("The station on %1 does not answer: %2.").arg(path(), socket.errorString()));
         }
     }
     return local::parseAnswer(socket.readLine());

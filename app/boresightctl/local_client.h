@@ -4,11 +4,21 @@
 #include "core/local_socket/local_command.h"
 #include "core/profile/profile.h"
 
-// A station of this user on this computer, asked by its local socket. Waits for the answer, at most kPatience of
-// rotctld_client.h. Error codes: InvalidInput for the station of another computer, Refused with the reason of the
-// station, or NoAnswer when nobody answers.
+#include <QDeadlineTimer>
+#include <QLocalSocket>
+
+#include <functional>
+
+// A station of this user on this computer, or for root its service, asked by its local socket. Waits for the socket and
+// then for the answer, each at most kPatience of rotctld_client.h. Error codes: InvalidInput for the station of another
+// computer, Refused with the reason of the station, or NoAnswer when nobody answers.
 namespace boresight::ctl {
 
 [[nodiscard]] Result<> askLocally(const profile::ListenAddress& station, local::LocalCommand command);
+
+// Connects to the path of this moment, by the deadline. `pause` comes between two attempts: a station that reconnects
+// has no socket for a moment.
+[[nodiscard]] bool connectBy(const QDeadlineTimer& deadline, const std::function<QString()>& path, QLocalSocket& socket,
+                             const std::function<void()>& pause);
 
 }  // namespace boresight::ctl

@@ -3,8 +3,8 @@
 #include "app/link_scan.h"
 #include "app/scan_report.h"
 #include "app/unix_signals.h"
+#include "core/moteus_mount/link_factory.h"
 #include "core/station/adapters.h"
-#include "core/station/link_factory.h"
 
 #include <QCoreApplication>
 

@@ -27,7 +27,8 @@ const std::string kWhichLocalStation =
 const std::string kLocalSocket =
     R"(
 The command goes through the local socket of the station, $XDG_RUNTIME_DIR/boresight/PORT.sock. It works on the computer
-of the station, for the user who started the station.
+of the station, for the user who started the station. The socket of the service is /run/boresight/PORT.sock, for root: use
+sudo.
 )";
 
 ExitStatus failedBy(const Subcommand& subcommand, const Error& error)
@@ -54,9 +55,25 @@ ExitStatus orderOf(const Subcommand& subcommand, const StationOptions& options, 
     return kDone;
 }
 
+QString doneText(local::LocalCommand command)
+{
+    switch (command) {
+        case local::LocalCommand::Take:
+            return QStringLiteral(
+                "The operator has the control. The station refuses motion commands of clients until release.");
+        case local::LocalCommand::Release:
+            return QStringLiteral("The clients have the control. One of them may move the mount at once.");
+        case local::LocalCommand::ResetStop:
+            return QStringLiteral("STOP is reset. Clients are refused until release.");
+        case local::LocalCommand::Stop:
+            break;
+    }
+    return QStringLiteral("STOP is latched. The mount slows down and holds. Nothing moves it until reset-stop.");
+}
+
 // The same by the local socket, for what rotctld has no words for.
-ExitStatus localOrderOf(const Subcommand& subcommand, Arguments arguments, local::LocalCommand command,
-                        const QString& done)
+template <const Subcommand& subcommand, local::LocalCommand command>
+ExitStatus runLocally(Arguments arguments)
 {
     const auto options = parseStationOptions(arguments, 0);
     if (!options) {
@@ -67,27 +84,8 @@ ExitStatus localOrderOf(const Subcommand& subcommand, Arguments arguments, local
         return answer.error().code == ErrorCode::InvalidInput ? usageError(subcommand, answer.error().text)
                                                               : failedBy(subcommand, answer.error());
     }
-    printLine(done);
+    printLine(doneText(command));
     return kDone;
-}
-
-ExitStatus runTake(Arguments arguments)
-{
-    return localOrderOf(
-        kTakeCommand, arguments, local::LocalCommand::Take,
-        QStringLiteral("The operator has the control. The station refuses motion commands of clients until release."));
-}
-
-ExitStatus runRelease(Arguments arguments)
-{
-    return localOrderOf(kReleaseCommand, arguments, local::LocalCommand::Release,
-                        QStringLiteral("The clients have the control. One of them may move the mount at once."));
-}
-
-ExitStatus runResetStop(Arguments arguments)
-{
-    return localOrderOf(kResetStopCommand, arguments, local::LocalCommand::ResetStop,
-                        QStringLiteral("STOP is reset. Clients are refused until release."));
 }
 
 ExitStatus runGoto(Arguments arguments)
@@ -111,9 +109,7 @@ ExitStatus runStop(Arguments arguments)
 {
     std::vector<std::string> rest(arguments.begin(), arguments.end());
     if (std::erase(rest, "--latched") > 0) {
-        return localOrderOf(
-            kStopCommand, rest, local::LocalCommand::Stop,
-            QStringLiteral("STOP is latched. The mount slows down and holds. Nothing moves it until reset-stop."));
+        return runLocally<kStopCommand, local::LocalCommand::Stop>(rest);
     }
     const auto options = parseStationOptions(arguments, 0);
     return options
@@ -176,7 +172,8 @@ The mount slows down and holds. Without --latched the next target of a client mo
 has the control afterwards. Switch off the power of the drives before you go to the mount.
 
 rotctld has no STOP that latches. So --latched goes through the local socket of the station,
-$XDG_RUNTIME_DIR/boresight/PORT.sock: on the computer of the station, for the user who started the station.
+$XDG_RUNTIME_DIR/boresight/PORT.sock: on the computer of the station, for the user who started the station. The socket of
+the service is /run/boresight/PORT.sock, for root: use sudo.
 )" + kExitStatus +
                R"(
 Example:
@@ -194,7 +191,7 @@ It moves nothing, and it leaves the control with the operator. The station refus
 Example:
   boresightctl reset-stop && boresightctl release
 )",
-                                   .run = runResetStop};
+                                   .run = runLocally<kResetStopCommand, local::LocalCommand::ResetStop>};
 
 const Subcommand kTakeCommand{.name = "take",
                               .arguments = "[--station HOST:PORT]",
@@ -207,7 +204,7 @@ and park of boresightctl.
 Example:
   boresightctl take
 )",
-                              .run = runTake};
+                              .run = runLocally<kTakeCommand, local::LocalCommand::Take>};
 
 const Subcommand kReleaseCommand{.name = "release",
                                  .arguments = "[--station HOST:PORT]",
@@ -220,7 +217,7 @@ STOP is latched.
 Example:
   boresightctl release
 )",
-                                 .run = runRelease};
+                                 .run = runLocally<kReleaseCommand, local::LocalCommand::Release>};
 
 const Subcommand kParkCommand{.name = "park",
                               .arguments = "[--station HOST:PORT]",

@@ -6,6 +6,8 @@
 #include "core/calibration/pointing_solver.h"
 #include "core/units/site.h"
 
+#include <QString>
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -51,8 +53,8 @@ struct Change
 
 struct CalibrationRecord
 {
-    UtcTime when;       // of the Apply, to the millisecond
-    std::string title;  // "North from the compass swing"
+    UtcTime when;   // of the Apply, to the millisecond
+    QString title;  // "North from the compass swing"
     RecordMount mount;
     Change<pointing::PointingTerms> terms;
     std::array<std::optional<Angle>, kTerms> sigmas;  // of the terms that were found out

@@ -5,10 +5,11 @@
 #include "core/base/result.h"
 #include "core/calibration/pointing_term.h"
 
+#include <QString>
+
 #include <array>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 // Weighted least squares of the exact pointing model, with what is known before as further equations: the terms that
@@ -21,7 +22,7 @@ struct CalibrationPoint
     SkyPointing truth;                       // of the source, as the beam sees it (refraction dealt with)
     Angle sigma = Angle::fromDegrees(0.03);  // of how well the source was centred, on the sky, each way
     UtcTime when;
-    std::string label;   // "Sun"
+    QString label;       // "Sun"
     bool isUsed = true;  // the operator may leave one out
 
     bool operator==(const CalibrationPoint&) const = default;

@@ -18,10 +18,10 @@ Result<std::string> toText(const CalibrationHistory& history)
     record::historyFields(writer, file);
     const std::string text =
         "# Boresight: calibrations of one mount, the oldest first. Angles are in degrees.\n" + writer.written();
-    return parseHistory(text, "history").map([&](const CalibrationHistory&) { return text; });
+    return parseHistory(text, QStringLiteral("history")).map([&](const CalibrationHistory&) { return text; });
 }
 
-Result<CalibrationHistory> parseHistory(std::string_view text, const std::string& fileName)
+Result<CalibrationHistory> parseHistory(std::string_view text, const QString& fileName)
 {
     record::HistoryFile file;
     return records::TomlReader::read(text, fileName,

@@ -4,6 +4,8 @@
 #include "core/base/result.h"
 #include "core/calibration/calibration_record.h"
 
+#include <QString>
+
 #include <string>
 #include <string_view>
 
@@ -16,6 +18,6 @@ namespace boresight::calibration {
 
 // Strict: a key that is unknown, missing, of another type or out of range is an error, and all errors are told at once,
 // one "FILE:LINE: key: reason" per line.
-[[nodiscard]] Result<CalibrationHistory> parseHistory(std::string_view text, const std::string& fileName);
+[[nodiscard]] Result<CalibrationHistory> parseHistory(std::string_view text, const QString& fileName);
 
 }  // namespace boresight::calibration

@@ -59,7 +59,7 @@ std::optional<double> degreesOf(std::string_view unit)
 class TermsReader
 {
 public:
-    explicit TermsReader(std::string fileName) : m_fileName(std::move(fileName)) {}
+    explicit TermsReader(QString fileName) : m_fileName(std::move(fileName)) {}
 
     Result<TermSheet> read(std::string_view text)
     {
@@ -209,10 +209,10 @@ private:
         if (++m_count > kMostProblems) {
             return;
         }
-        m_problems << QStringLiteral("%1:%2: %3").arg(toQString(m_fileName), QString::number(m_line), reason);
+        m_problems << QStringLiteral("%1:%2: %3").arg(m_fileName, QString::number(m_line), reason);
     }
 
-    std::string m_fileName;
+    QString m_fileName;
     TermSheet m_sheet;
     std::string_view m_key;  // of the line of the header that is being read
     std::string m_value;
@@ -224,12 +224,12 @@ private:
 
 }  // namespace
 
-Result<TermSheet> parseTerms(std::string_view text, const std::string& fileName)
+Result<TermSheet> parseTerms(std::string_view text, const QString& fileName)
 {
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     if (text.size() > kLongestText) {
         return failure(ErrorCode::InvalidInput,
-                       Text::tr("%1 is too long for the terms of a pointing model").arg(toQString(fileName)));
+                       Text::tr("%1 is too long for the terms of a pointing model").arg(fileName));
     }
     if (text.starts_with(kByteOrderMark)) {
         text.remove_prefix(kByteOrderMark.size());

@@ -4,6 +4,8 @@
 #include "core/base/result.h"
 #include "core/calibration/calibration_record.h"
 
+#include <QString>
+
 #include <array>
 #include <optional>
 #include <string>
@@ -37,6 +39,6 @@ struct TermSheet
 
 // Units are deg, arcmin and arcsec; the sigma may be missing or "-". Every term is expected once. What is wrong is told
 // all at once, one "FILE:LINE: reason" per line; of the comments only those of the header are read.
-[[nodiscard]] Result<TermSheet> parseTerms(std::string_view text, const std::string& fileName);
+[[nodiscard]] Result<TermSheet> parseTerms(std::string_view text, const QString& fileName);
 
 }  // namespace boresight::calibration

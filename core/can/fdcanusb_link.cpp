@@ -6,8 +6,8 @@
 #include "core/base/text.h"
 #include "core/can/bus_advice.h"
 #include "core/can/line_checksum.h"
-#include "core/can/port_holder.h"
-#include "core/can/serial_port_check.h"
+#include "core/serial/port_holder.h"
+#include "core/serial/serial_port_check.h"
 
 #include <QLoggingCategory>
 

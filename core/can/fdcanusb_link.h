@@ -4,9 +4,9 @@
 #include "core/base/clock.h"
 #include "core/can/can_link.h"
 #include "core/can/fdcanusb_protocol.h"
-#include "core/can/line_splitter.h"
-#include "core/can/serial_port_check.h"
-#include "core/can/stable_port.h"
+#include "core/serial/line_splitter.h"
+#include "core/serial/serial_port_check.h"
+#include "core/serial/stable_port.h"
 
 #include <QSerialPort>
 #include <QTimer>
@@ -105,7 +105,7 @@ private:
     LineChecksum m_checksum;
     QSerialPort m_port{this};
     QTimer m_deadlineTimer{this};
-    fdcanusb::LineSplitter m_splitter;
+    LineSplitter m_splitter;
     std::deque<Pending> m_pending;
     LinkStatus m_status;
     bool m_busOff = false;     // by its last status, until a frame is received

@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/control/beam_report.h"
 #include "core/control/permission_report.h"
+#include "core/messages/no_data.h"
 #include "core/mount/mount_service.h"
 
 #include <algorithm>
@@ -17,7 +18,6 @@ constexpr AngularRate kReportStanding = AngularRate::fromDegrees(0.02);
 constexpr Angle kOnTarget = Angle::fromDegrees(1.0);
 // A place is reached when the set-points rest there and the antenna is this near.
 constexpr Angle kArrived = Angle::fromDegrees(0.3);
-constexpr std::chrono::seconds kNoData{2};
 
 // Forgives the rounding of a place exactly between two that can be reached.
 constexpr Angle kBetweenSteps = Angle::fromDegrees(0.001);
@@ -130,7 +130,7 @@ AxisState StatusReport::axisState(Axis axis, const AxisReport& report) const
         return AxisState::Missing;
     }
     const auto old = age(report);
-    if (!old || *old > kNoData) {
+    if (!old || *old >= kNoDataAfter) {
         return AxisState::NoData;
     }
     if (report.latched && m_of.arming.fault()) {

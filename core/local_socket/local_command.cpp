@@ -3,6 +3,8 @@
 
 #include "core/base/text.h"
 
+#include <QFileInfo>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -58,6 +60,17 @@ QString runtimeFolder()
 QString socketPath(const QString& runtimeFolder, std::uint16_t port)
 {
     return QStringLiteral("%1/boresight/%2.sock").arg(runtimeFolder).arg(port);
+}
+
+QString socketToAsk(const QString& userFolder, const QString& serviceFolder, std::uint16_t port)
+{
+    const QString own = userFolder.isEmpty() ? QString() : socketPath(userFolder, port);
+    if (!own.isEmpty() && QFileInfo::exists(own)) {
+        return own;
+    }
+    // Whether its socket is there only root can see.
+    const QString service = socketPath(serviceFolder, port);
+    return QFileInfo::exists(QFileInfo(service).path()) ? service : own;
 }
 
 }  // namespace boresight::local

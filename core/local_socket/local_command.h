@@ -35,7 +35,12 @@ inline constexpr qsizetype kLongestLine = 256;
 
 // $XDG_RUNTIME_DIR; empty where the system has none for this user.
 [[nodiscard]] QString runtimeFolder();
+// Of the service of the system (packaging/systemd), whose socket root may ask.
+inline const QString kServiceRuntimeFolder = QStringLiteral("/run");
 // "/run/user/1000/boresight/4533.sock" of "/run/user/1000" and the port of the station's rotctld server.
 [[nodiscard]] QString socketPath(const QString& runtimeFolder, std::uint16_t port);
+// Where to ask: at the socket of a station of this user, else at that of the service where one runs, else at the socket
+// that a station of this user would have. Empty: there is no folder for any.
+[[nodiscard]] QString socketToAsk(const QString& userFolder, const QString& serviceFolder, std::uint16_t port);
 
 }  // namespace boresight::local

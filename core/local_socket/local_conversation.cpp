@@ -3,6 +3,8 @@
 
 #include "core/base/text.h"
 
+#include <sys/socket.h>
+
 namespace boresight::local {
 
 LocalConversation::LocalConversation(QLocalSocket* socket, Obey obey, QObject* parent)
@@ -14,16 +16,15 @@ LocalConversation::LocalConversation(QLocalSocket* socket, Obey obey, QObject* p
     connect(socket, &QLocalSocket::disconnected, this, &QObject::deleteLater);
     m_patience.setSingleShot(true);
     m_patience.setInterval(kPatience);
-    connect(&m_patience, &QTimer::timeout, this, [this] {
-        end(failure(ErrorCode::NoAnswer, Text::tr("No command came within %1 s.").arg(kPatience.count())));
-    });
+    connect(&m_patience, &QTimer::timeout, this, &LocalConversation::losePatience);
     m_patience.start();
 }
 
 void LocalConversation::read()
 {
     if (m_over) {
-        return;  // one command a connection
+        m_socket.readAll();  // one command a connection
+        return;
     }
     const QByteArray received = m_socket.peek(kLongestLine + 1);
     const qsizetype lineEnd = received.indexOf('\n');
@@ -40,10 +41,22 @@ void LocalConversation::end(const Result<>& answer)
         return;
     }
     m_over = true;
-    m_patience.stop();
+    m_patience.start();
     m_socket.write(answerLine(answer));
-    m_socket.flush();  // one line always has room in a socket that has sent nothing yet
-    m_socket.disconnectFromServer();
+    m_socket.flush();          // one line always has room in a socket that has sent nothing yet
+    if (m_socket.isValid()) {  // the client is still there
+        ::shutdown(static_cast<int>(m_socket.socketDescriptor()), SHUT_WR);
+        m_socket.readAll();
+    }
+}
+
+void LocalConversation::losePatience()
+{
+    if (m_over) {
+        m_socket.abort();
+    } else {
+        end(failure(ErrorCode::NoAnswer, Text::tr("No command came within %1 s.").arg(kPatience.count())));
+    }
 }
 
 }  // namespace boresight::local

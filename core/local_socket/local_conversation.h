@@ -10,8 +10,9 @@
 #include <chrono>
 #include <functional>
 
-// One client of the local socket: its line, our answer, the end. A client that sends no line in time is answered and
-// closed, too. Deletes itself when the connection has ended. Lives in its owner's event loop.
+// One client of the local socket: its line, our answer, the end. A client that sends no line in time is answered, too.
+// After the answer the client closes the connection, or we do when it has not done so for kPatience: what it is still
+// sending must not cost it our answer. Deletes itself when the connection has ended. Lives in its owner's event loop.
 namespace boresight::local {
 
 // Whether the station agrees, or why not.
@@ -27,12 +28,13 @@ public:
     // Takes the socket over.
     LocalConversation(QLocalSocket* socket, Obey obey, QObject* parent);
 
-    // Answers, unless this has happened before, and closes the connection.
+    // Answers, unless this has happened before, and sends nothing more.
     void end(const Result<>& answer);
     [[nodiscard]] bool isOver() const { return m_over; }
 
 private:
     void read();
+    void losePatience();
 
     QLocalSocket& m_socket;
     Obey m_obey;

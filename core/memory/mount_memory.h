@@ -45,7 +45,7 @@ struct MountMemory
 {
     std::array<std::optional<TurnRecord>, 2> turns;
     std::array<std::optional<CrashStop>, 2> crashStops;
-    std::optional<UtcTime> placeUsed;  // of the last entered place (entered_place.h) that was used: each counts once
+    std::optional<UtcTime> placeUsed;  // of the last entered place that was used: each counts once
 
     bool operator==(const MountMemory&) const = default;
 };

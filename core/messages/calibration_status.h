@@ -10,8 +10,8 @@
 #include "core/calibration/terms_text.h"
 #include "core/ephemeris/almanac.h"
 #include "core/ephemeris/refraction.h"
+#include "core/messages/power_line_status.h"
 #include "core/pointing/pointing_model.h"
-#include "core/power/line_status.h"
 #include "core/units/sky.h"
 
 #include <QString>
@@ -180,7 +180,7 @@ struct CalibrationStatus
     std::optional<calibration::CrossScan> scan;
     std::optional<double> power;  // dB, given last
     bool wantsPower = false;      // a scan waits for the power at this place
-    power::LineStatus powerLine;  // that the profile names
+    PowerLineStatus powerLine;    // that the profile names
     std::optional<CalibrationProposal> proposal;
     std::vector<CalibrationHistoryEntry> history;  // newest first
     QString historyProblem;                        // why it could not be read or written; mostly empty

@@ -45,8 +45,9 @@ MountLine lineOf(const CanLink& link)
 
 }  // namespace
 
-MoteusConnection::MoteusConnection(std::unique_ptr<CanLink> link, const Start& start, const profile::InForce& profile,
-                                   const Clock& clock, EventLog& log, AlarmBoard& alarms)
+MoteusConnection::MoteusConnection(std::unique_ptr<CanLink> link, const MountStart& start,
+                                   const profile::InForce& profile, const Clock& clock, EventLog& log,
+                                   AlarmBoard& alarms)
     : m_clock(clock),
       m_log(log),
       m_alarms(alarms),
@@ -73,7 +74,7 @@ MoteusConnection::~MoteusConnection()
     m_link->setParent(nullptr);
 }
 
-TurnKeeper::Start MoteusConnection::remembered(const Start& start)
+TurnKeeper::Start MoteusConnection::remembered(const MountStart& start)
 {
     if (m_simulated) {
         return {.trustFirstContact = true};
@@ -182,7 +183,7 @@ void MoteusConnection::describe(StationStatus& status) const
     m_care.judge(status.permissions);
 }
 
-MountMaker moteusRotator(std::unique_ptr<CanLink> link, const MoteusConnection::Start& start)
+MountMaker moteusRotator(std::unique_ptr<CanLink> link, const MountStart& start)
 {
     // A std::function is copied, a link is not.
     return [link = std::make_shared<std::unique_ptr<CanLink>>(std::move(link)), start](

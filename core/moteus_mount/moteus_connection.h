@@ -2,12 +2,11 @@
 #pragma once
 
 #include "core/can/can_link.h"
-#include "core/memory/entered_place.h"
 #include "core/memory/memory_file.h"
 #include "core/moteus_mount/drive_care.h"
 #include "core/moteus_mount/moteus_mount.h"
 #include "core/mount/mount_connection.h"
-#include "core/mount/simulation.h"
+#include "core/mount/mount_kind.h"
 
 #include <memory>
 #include <optional>
@@ -20,16 +19,7 @@ class MoteusConnection final : public MountConnection
     Q_OBJECT
 
 public:
-    struct Start
-    {
-        QString stateDir;  // of the journal
-        Simulation simulation = Simulation::Off;
-        // Where the mount stood when the operator looked, for drives that do not know it. Counts once, for ten minutes.
-        std::optional<memory::EnteredPlace> standingAt{};
-        AxisSet axes = kAxes;  // that a moteus turns
-    };
-
-    MoteusConnection(std::unique_ptr<CanLink> link, const Start& start, const profile::InForce& profile,
+    MoteusConnection(std::unique_ptr<CanLink> link, const MountStart& start, const profile::InForce& profile,
                      const Clock& clock, EventLog& log, AlarmBoard& alarms);
     ~MoteusConnection() override;
 
@@ -50,7 +40,7 @@ public:
     void describe(StationStatus& status) const override;
 
 private:
-    [[nodiscard]] TurnKeeper::Start remembered(const Start& start);
+    [[nodiscard]] TurnKeeper::Start remembered(const MountStart& start);
     void showBus(const LinkStatus& status);
     void watchJournal();
 
@@ -68,6 +58,6 @@ private:
 };
 
 // The moteus of these axes behind `link`.
-[[nodiscard]] MountMaker moteusRotator(std::unique_ptr<CanLink> link, const MoteusConnection::Start& start);
+[[nodiscard]] MountMaker moteusRotator(std::unique_ptr<CanLink> link, const MountStart& start);
 
 }  // namespace boresight

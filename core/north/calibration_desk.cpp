@@ -229,7 +229,7 @@ Result<> CalibrationDesk::handle(const request::ProposeTerms& wanted)
 
 Result<> CalibrationDesk::handle(const request::ImportTerms& wanted)
 {
-    const auto read = calibration::parseTerms(wanted.text, wanted.name.toStdString());
+    const auto read = calibration::parseTerms(wanted.text, wanted.name);
     if (!read) {
         return tl::unexpected(read.error());
     }

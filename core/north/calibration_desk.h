@@ -27,7 +27,7 @@ public:
     void take(const SensorStatus& sensor);
     // From the line of the received power: what it says, and how it does.
     void take(const power::Value& value) { m_runs.take(value); }
-    void show(const power::LineStatus& line) { m_runs.show(line); }
+    void show(const PowerLineStatus& line) { m_runs.show(line); }
     // Once per tick, before StationControl's.
     void tick();
     // After StationControl's.

@@ -22,8 +22,7 @@ Result<calibration::CalibrationHistory> read(const QString& path)
         return calibration::CalibrationHistory{};
     }
     return profile::readFile(path).and_then([&](const QByteArray& bytes) {
-        return calibration::parseHistory({bytes.constData(), static_cast<std::size_t>(bytes.size())},
-                                         path.toStdString());
+        return calibration::parseHistory({bytes.constData(), static_cast<std::size_t>(bytes.size())}, path);
     });
 }
 

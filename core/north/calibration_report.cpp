@@ -136,7 +136,7 @@ std::vector<CalibrationHistoryEntry> CalibrationReport::historyEntries() const
         const calibration::MountDifference difference = calibration::difference(record.mount, today);
         return CalibrationHistoryEntry{
             .when = record.when,
-            .title = toQString(record.title),
+            .title = record.title,
             .change = changeText(record.terms.before, record.terms.after, record.sensor.has_value()),
             .place = placeText(difference),
             .otherMount = difference != calibration::MountDifference::None};

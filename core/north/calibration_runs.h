@@ -39,7 +39,7 @@ public:
     // A new value of the sensor.
     void take(const orientation::Orientation& value);
     void take(const power::Value& value) { m_scan.take(value); }
-    void show(const power::LineStatus& line) { m_scan.show(line); }
+    void show(const PowerLineStatus& line) { m_scan.show(line); }
     // Once per tick, after the axes were observed and the body was followed. True: there is something new to show.
     [[nodiscard]] bool tick();
 

@@ -64,11 +64,8 @@ Result<> KeptPoints::hasRoom() const
 
 void KeptPoints::add(const NewPoint& point)
 {
-    m_book.add({.axes = point.axes,
-                .truth = point.truth,
-                .sigma = point.sigma,
-                .when = m_clock.utc(),
-                .label = point.label.toStdString()});
+    m_book.add(
+        {.axes = point.axes, .truth = point.truth, .sigma = point.sigma, .when = m_clock.utc(), .label = point.label});
     m_log.add(Severity::Advisory, kPointsSource,
               Text::tr("point %1: %2 at azimuth %3°, elevation %4°; axes %5° %6°")
                   .arg(m_book.points().size())
@@ -106,7 +103,7 @@ void KeptPoints::changed()
     m_control.alarms().clear(alarmEntry("points.other-drive"));
     m_pointsMount = m_book.points().empty() ? calibration::RecordMount{} : updated(m_pointsMount, m_mount.today());
     m_file.keepPoints({.when = std::chrono::floor<std::chrono::milliseconds>(m_clock.utc()),
-                       .title = "Points",
+                       .title = QStringLiteral("Points"),
                        .mount = m_pointsMount,
                        .terms = {.before = m_model.terms(), .after = m_model.terms()},
                        .points = m_book.points()});

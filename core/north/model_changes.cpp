@@ -73,7 +73,7 @@ Result<> ModelChanges::apply(const Proposal& proposal)
     const CalibrationChange change{.terms = proposal.terms, .sensor = proposal.sensor};
     return mayChange().and_then([&] { return makesSense(change); }).map([&] {
         calibration::CalibrationRecord record{.when = std::chrono::floor<std::chrono::milliseconds>(m_clock.utc()),
-                                              .title = proposal.title.toStdString(),
+                                              .title = proposal.title,
                                               .mount = m_mount.today(),
                                               .terms = {.before = m_profile->pointing, .after = proposal.terms},
                                               .sigmas = proposal.sigmas,
@@ -135,7 +135,7 @@ Result<> ModelChanges::undo()
         const calibration::CalibrationHistory& history = m_file.history();
         const CalibrationChange change = undone().change;
         warnOfOtherMount(history.entries()[history.inForce() - 1]);
-        bringIntoForce(change, Text::tr("takes back \"%1\"").arg(toQString(m_file.undo().title)));
+        bringIntoForce(change, Text::tr("takes back \"%1\"").arg(m_file.undo().title));
     });
 }
 
@@ -145,7 +145,7 @@ Result<> ModelChanges::redo()
         const calibration::CalibrationHistory& history = m_file.history();
         const CalibrationChange change = redone().change;
         warnOfOtherMount(history.entries()[history.inForce()]);
-        bringIntoForce(change, Text::tr("applies \"%1\" again").arg(toQString(m_file.redo().title)));
+        bringIntoForce(change, Text::tr("applies \"%1\" again").arg(m_file.redo().title));
     });
 }
 
@@ -174,7 +174,7 @@ void ModelChanges::warnOfOtherMount(const calibration::CalibrationRecord& record
             Severity::Warning, kChangesSource,
             Text::tr("\"%1\" was applied with another drive or at another site: see where north is before you rely "
                      "on what comes into force")
-                .arg(toQString(record.title)));
+                .arg(record.title));
     }
 }
 

@@ -115,7 +115,7 @@ QString ModelInForce::otherMount() const
     if (record == nullptr) {
         return {};
     }
-    const QString what = toQString(record->title);
+    const QString& what = record->title;
     const QString day = dayOf(record->when);
     switch (calibration::difference(record->mount, m_mount.today())) {
         case calibration::MountDifference::OtherDrive:

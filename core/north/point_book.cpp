@@ -71,7 +71,7 @@ std::vector<PointStatus> PointBook::status() const
     std::vector<PointStatus> list;
     for (std::size_t i = 0; i < m_points.size(); ++i) {
         const calibration::CalibrationPoint& point = m_points[i];
-        PointStatus status{.label = toQString(point.label),
+        PointStatus status{.label = point.label,
                            .when = point.when,
                            .axes = point.axes,
                            .truth = point.truth,

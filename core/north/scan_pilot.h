@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/messages/power_line_status.h"
 #include "core/north/axis_observer.h"
 #include "core/north/body_follower.h"
 #include "core/north/run_end.h"
@@ -27,7 +28,7 @@ public:
     Result<> give(double decibels);
     // From the line of the received power: what it says, and how it does.
     void take(const power::Value& value);
-    void show(const power::LineStatus& line) { m_line = line; }
+    void show(const PowerLineStatus& line) { m_line = line; }
 
     struct Step
     {
@@ -43,7 +44,7 @@ public:
     // The last, from one start to the next.
     [[nodiscard]] const std::optional<calibration::CrossScan>& scanned() const { return m_scanned; }
     [[nodiscard]] const std::optional<double>& power() const { return m_power; }
-    [[nodiscard]] const power::LineStatus& line() const { return m_line; }
+    [[nodiscard]] const PowerLineStatus& line() const { return m_line; }
 
 private:
     Result<> giveToRun(double decibels);
@@ -59,7 +60,7 @@ private:
     ephemeris::Refraction m_before = ephemeris::Refraction::Light;  // the scan
     std::optional<calibration::CrossScan> m_scanned;
     std::optional<double> m_power;  // dB, given or read last
-    power::LineStatus m_line;
+    PowerLineStatus m_line;
 };
 
 }  // namespace boresight

@@ -3,8 +3,8 @@
 
 #include "core/base/control_characters.h"
 #include "core/base/text.h"
-#include "core/can/port_holder.h"
-#include "core/can/serial_port_check.h"
+#include "core/serial/port_holder.h"
+#include "core/serial/serial_port_check.h"
 
 #include <QLoggingCategory>
 #include <QPromise>
@@ -20,7 +20,7 @@ namespace {
 
 Q_LOGGING_CATEGORY(lcSensor, "boresight.sensor")
 
-// The words of core/can speak of the bus adapter's own rules; a sensor needs only the group.
+// The words of core/serial speak of the bus adapter's own rules. A sensor needs only the group.
 Result<> checkPort(const QString& device)
 {
     const Result<> check = checkSerialPort(device);

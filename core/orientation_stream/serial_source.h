@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/can/stable_port.h"
 #include "core/orientation/sentence_stream.h"
 #include "core/orientation_stream/sensor_source.h"
+#include "core/serial/stable_port.h"
 
 #include <QFutureWatcher>
 #include <QSerialPort>

@@ -16,6 +16,8 @@ namespace {
 constexpr std::size_t kLongestQuote = 40;
 constexpr qint64 kLongestDatagram = 2048;
 
+}  // namespace
+
 QString nameOf(const LineSettings& settings)
 {
     const bool isV6 = settings.host.contains(QLatin1Char(':'));
@@ -36,21 +38,6 @@ QString problemOf(const LineSettings& settings, const LineState& state, SteadyTi
                ? Text::tr("%1: nothing comes: is the receiver's program running, and does it send here?")
                      .arg(nameOf(settings))
                : Text::tr("%1: what comes is no power in dB: %2").arg(nameOf(settings), state.rubbish);
-}
-
-}  // namespace
-
-LineStatus toStatus(const LineSettings& settings, const LineState& state, SteadyTime now)
-{
-    LineStatus status{.name = nameOf(settings),
-                      .problem = problemOf(settings, state, now),
-                      .values = state.values,
-                      .refused = state.refused};
-    if (state.last) {
-        status.decibels = state.last->decibels;
-        status.age = now - state.last->arrival;
-    }
-    return status;
 }
 
 PowerLine::PowerLine(const LineSettings& settings, const Clock& clock, QObject* parent)

@@ -2,13 +2,16 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/can/line_splitter.h"
-#include "core/power/line_status.h"
+#include "core/serial/line_splitter.h"
 
 #include <QObject>
+#include <QString>
 #include <QTcpSocket>
 #include <QTimer>
 #include <QUdpSocket>
+
+#include <cstdint>
+#include <optional>
 
 // The received power as a program tells it, one value per line (power_text.h): UDP datagrams that come to an address of
 // this computer, or a TCP connection to that program. Nothing is ever sent. What cannot be opened or is lost is tried
@@ -51,8 +54,10 @@ struct LineState
     std::uint64_t refused = 0;
 };
 
-// How the line does at `now`, for the screen. Pure.
-[[nodiscard]] LineStatus toStatus(const LineSettings& settings, const LineState& state, SteadyTime now);
+// "UDP 127.0.0.1:4540"
+[[nodiscard]] QString nameOf(const LineSettings& settings);
+// What is wrong at `now`, in one sentence; empty: nothing. Pure.
+[[nodiscard]] QString problemOf(const LineSettings& settings, const LineState& state, SteadyTime now);
 
 class PowerLine : public QObject
 {
@@ -69,7 +74,7 @@ public:
 
     void open();
     [[nodiscard]] const LineState& state() const { return m_state; }
-    [[nodiscard]] LineStatus status() const { return toStatus(m_settings, m_state, m_clock.now()); }
+    [[nodiscard]] QString problem() const { return problemOf(m_settings, m_state, m_clock.now()); }
 
 Q_SIGNALS:
     void received(const boresight::power::Value& value);
@@ -91,7 +96,7 @@ private:
     const Clock& m_clock;
     QUdpSocket m_udp{this};
     QTcpSocket m_tcp{this};
-    fdcanusb::LineSplitter m_lines;
+    LineSplitter m_lines;
     QTimer m_retry{this};
     QTimer m_pause{this};
     std::chrono::milliseconds m_delay;

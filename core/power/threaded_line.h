@@ -36,8 +36,10 @@ public:
 
     // By the last report.
     [[nodiscard]] bool isOpen() const { return m_state.open; }
+    [[nodiscard]] const LineState& state() const { return m_state; }
+    [[nodiscard]] QString name() const { return nameOf(m_settings); }
     // By the last report and the clock.
-    [[nodiscard]] LineStatus status() const { return toStatus(m_settings, m_state, m_clock.now()); }
+    [[nodiscard]] QString problem() const { return problemOf(m_settings, m_state, m_clock.now()); }
 
 Q_SIGNALS:
     void received(const boresight::power::Value& value);

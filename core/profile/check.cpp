@@ -35,15 +35,18 @@ void checkAxis(std::vector<Problem>& problems, const std::string& table, const A
     }
 }
 
-bool areBoth(AxisDriver driver, const Profile& profile)
-{
-    return profile.azimuth.driver == driver && profile.elevation.driver == driver;
-}
-
 void checkDrivers(std::vector<Problem>& problems, const Profile& profile)
 {
-    if (areBoth(AxisDriver::None, profile)) {
+    if (profile.azimuth.driver == AxisDriver::None && profile.elevation.driver == AxisDriver::None) {
         problems.push_back({"elevation.driver", Text::tr("A mount needs at least one axis.")});
+    }
+}
+
+void checkIds(std::vector<Problem>& problems, const Profile& profile)
+{
+    if (profile.azimuth.driver == profile.elevation.driver && kindOf(profile.azimuth.driver).hasId &&
+        profile.azimuth.id == profile.elevation.id) {
+        problems.push_back({"elevation.id", Text::tr("is the same as azimuth.id. Each controller needs its own id.")});
     }
 }
 
@@ -98,9 +101,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     checkDrivers(problems, profile);
     checkAxis(problems, "azimuth", profile.azimuth, profile.park.azimuth);
     checkAxis(problems, "elevation", profile.elevation, profile.park.elevation);
-    if (areBoth(AxisDriver::Moteus, profile) && profile.azimuth.id == profile.elevation.id) {
-        problems.push_back({"elevation.id", Text::tr("is the same as azimuth.id. Each controller needs its own id.")});
-    }
+    checkIds(problems, profile);
     // Two lost frames in a row must not stop the mount; the tiny slack forgives rounding (0.05 s at 60 Hz).
     if (3.0 * profile.control.tickPeriod() > profile.control.watchdog + Seconds(1e-9)) {
         problems.push_back(
@@ -143,9 +144,11 @@ std::vector<Problem> problemsOfReal(const Profile& profile)
         problems.push_back({"sensor.source", Text::tr("\"simulated\" needs the simulated mount (bus.name)")});
     }
     for (const Axis axis : kAxes) {
-        if (profile.axis(axis).driver == AxisDriver::Simple) {
-            problems.push_back({axis == Axis::Azimuth ? "azimuth.driver" : "elevation.driver",
-                                Text::tr("The simple rotator is only simulated. Start Boresight with --simulate.")});
+        const DriverKind& kind = kindOf(profile.axis(axis).driver);
+        if (kind.onlySimulated) {
+            problems.push_back(
+                {axis == Axis::Azimuth ? "azimuth.driver" : "elevation.driver",
+                 Text::tr("\"%1\" is only simulated. Start Boresight with --simulate.").arg(toQString(kind.name))});
         }
     }
     return problems;

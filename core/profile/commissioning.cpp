@@ -74,7 +74,7 @@ bool takeIds(Profile& profile, std::span<const int> ids)
 {
     std::vector<int*> mine;
     for (AxisSettings* const axis : {&profile.azimuth, &profile.elevation}) {
-        if (axis->driver == AxisDriver::Moteus) {
+        if (kindOf(axis->driver).hasId) {
             mine.push_back(&axis->id);
         }
     }

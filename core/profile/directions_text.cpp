@@ -62,21 +62,21 @@ QString edited(const QString& toml)
 
 }  // namespace
 
-Result<std::string> withDirectionsConfirmed(const std::string& toml, const std::string& fileName)
+Result<std::string> withDirectionsConfirmed(const std::string& toml, const QString& fileName)
 {
     return parseProfile(toml, fileName).and_then([&](Profile wanted) -> Result<std::string> {
         if (namesNoBus(wanted)) {
             return failure(ErrorCode::Refused,
                            Text::tr("%1 is the profile of the simulated mount. Set bus.name to the bus of the mount "
                                     "first.")
-                               .arg(toQString(fileName)));
+                               .arg(fileName));
         }
         wanted.mount.directions = Directions::Confirmed;
         const std::string text = edited(toQString(toml)).toStdString();
         if (const auto after = parseProfile(text, fileName); !after || *after != wanted) {
             return failure(ErrorCode::InvalidInput,
                            Text::tr("%1: the place of the key was not found. Write %2 into the table %3.")
-                               .arg(toQString(fileName), kConfirmed, kTable));
+                               .arg(fileName, kConfirmed, kTable));
         }
         return text;
     });

@@ -3,6 +3,8 @@
 
 #include "core/base/result.h"
 
+#include <QString>
+
 #include <string>
 
 // The one setting that is changed in a profile's file by hand of the program: comments and order of the file stay as
@@ -11,6 +13,6 @@ namespace boresight::profile {
 
 // The file's text with `directions = "confirmed"` and nothing else changed. Refuses a file that does not read without
 // error, one of the simulated mount, and one in which the place of the key cannot be found.
-[[nodiscard]] Result<std::string> withDirectionsConfirmed(const std::string& toml, const std::string& fileName);
+[[nodiscard]] Result<std::string> withDirectionsConfirmed(const std::string& toml, const QString& fileName);
 
 }  // namespace boresight::profile

@@ -82,7 +82,7 @@ QString whatIsWrong(const Numbers& numbers)
 class HorizonReader
 {
 public:
-    explicit HorizonReader(std::string fileName) : m_fileName(std::move(fileName)) {}
+    explicit HorizonReader(QString fileName) : m_fileName(std::move(fileName)) {}
 
     void readLine(std::string line)
     {
@@ -112,9 +112,9 @@ public:
             return failure(ErrorCode::InvalidInput, m_errors.join(u'\n'));
         }
         if (m_highest.empty() || m_highest.size() > kMaxHorizonPoints) {
-            return failure(ErrorCode::InvalidInput, Text::tr("%1: %2 points; 1…%3 make a horizon")
-                                                        .arg(toQString(m_fileName), QString::number(m_highest.size()),
-                                                             QString::number(kMaxHorizonPoints)));
+            return failure(ErrorCode::InvalidInput,
+                           Text::tr("%1: %2 points; 1…%3 make a horizon")
+                               .arg(m_fileName, QString::number(m_highest.size()), QString::number(kMaxHorizonPoints)));
         }
         HorizonText text{.points = {}, .merged = m_merged};
         for (const auto& [azimuth, elevation] : m_highest) {
@@ -141,12 +141,11 @@ private:
     void addError(const QString& reason)
     {
         if (++m_errorCount <= kErrorsTold) {
-            m_errors << QStringLiteral("%1:%2: %3")
-                            .arg(toQString(m_fileName), QString::number(m_lineNumber), printable(reason));
+            m_errors << QStringLiteral("%1:%2: %3").arg(m_fileName, QString::number(m_lineNumber), printable(reason));
         }
     }
 
-    std::string m_fileName;
+    QString m_fileName;
     std::size_t m_lineNumber = 0;
     bool m_hasContent = false;
     std::map<double, double> m_highest;  // elevation by azimuth
@@ -162,7 +161,7 @@ std::string line(double azimuth, double elevation)
 
 }  // namespace
 
-Result<HorizonText> parseHorizon(std::string_view text, const std::string& fileName)
+Result<HorizonText> parseHorizon(std::string_view text, const QString& fileName)
 {
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     if (text.starts_with(kByteOrderMark)) {

@@ -4,6 +4,8 @@
 #include "core/base/result.h"
 #include "core/pointing/region.h"
 
+#include <QString>
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,7 +29,7 @@ struct HorizonText
 
 // All errors at once, one "FILE:LINE: reason" per line. Negative azimuths are refused: who writes -180…180 often counts
 // from south.
-[[nodiscard]] Result<HorizonText> parseHorizon(std::string_view text, const std::string& fileName);
+[[nodiscard]] Result<HorizonText> parseHorizon(std::string_view text, const QString& fileName);
 
 // With points at 0° and 360°, for readers that do not go on through north.
 [[nodiscard]] std::string toHorizonText(const std::vector<pointing::HorizonPoint>& horizon,

@@ -5,6 +5,7 @@
 #include "core/pointing/mount_model.h"
 #include "core/pointing/pointing_model.h"
 #include "core/pointing/region.h"
+#include "core/profile/axis_driver.h"
 #include "core/profile/power_settings.h"
 #include "core/profile/sensor_settings.h"
 #include "core/tracking/axis_profile.h"
@@ -37,18 +38,10 @@ enum class TimeoutMode
     Brake  // 15: shorts the phases; only a self-locking gearbox then stays where it is
 };
 
-// What turns an axis.
-enum class AxisDriver
-{
-    Moteus,
-    Simple,  // the plainest rotator: whole degrees at one speed. Only simulated
-    None     // the mount has no such axis
-};
-
 struct AxisSettings
 {
-    AxisDriver driver = AxisDriver::Moteus;
-    int id = 1;  // of the moteus controller on the bus
+    AxisDriver driver = AxisDriver::Moteus;  // what turns it
+    int id = 1;                              // of the moteus controller on the bus
     pointing::AxisGeometry geometry{};
     tracking::MotionLimits limits{};
     double maxTorque = 0.0;  // Nm, as the drive counts it

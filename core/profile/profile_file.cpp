@@ -13,7 +13,7 @@ namespace boresight::profile {
 Result<Profile> loadProfile(const QString& path)
 {
     return readFile(path).and_then([&](const QByteArray& bytes) {
-        return parseProfile({bytes.constData(), static_cast<std::size_t>(bytes.size())}, path.toStdString());
+        return parseProfile({bytes.constData(), static_cast<std::size_t>(bytes.size())}, path);
     });
 }
 

@@ -14,7 +14,7 @@
 // has its default. Blocking file access: at start and when the operator saves, not while moving.
 namespace boresight::profile {
 
-[[nodiscard]] Result<Profile> parseProfile(std::string_view toml, const std::string& fileName);
+[[nodiscard]] Result<Profile> parseProfile(std::string_view toml, const QString& fileName);
 [[nodiscard]] Result<Profile> loadProfile(const QString& path);
 
 // What to say about a file with a password in it that every user of this computer can read; empty: nothing.

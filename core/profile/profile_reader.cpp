@@ -297,12 +297,12 @@ private:
 
 }  // namespace
 
-Result<Profile> parseProfile(std::string_view text, const std::string& fileName)
+Result<Profile> parseProfile(std::string_view text, const QString& fileName)
 {
     Reader reader;
     records::FileProblems problems;
     try {
-        reader.read(toml::parse(text, fileName));
+        reader.read(toml::parse(text));
         problems = reader.problems();
     } catch (const toml::parse_error& error) {
         problems.add(error.source().begin.line, toQString(error.description()));

@@ -51,17 +51,22 @@ void addMount(std::vector<Setting>& list)
         }));
 }
 
+std::vector<std::string> driverNames()
+{
+    std::vector<std::string> names;
+    for (const DriverKind& kind : kDriverKinds) {
+        names.emplace_back(kind.name);
+    }
+    return names;
+}
+
 void addGeometry(std::vector<Setting>& list, const std::string& table, AxisSettings Profile::*axis)
 {
     constexpr auto kOnReconnect = Applies::OnReconnect;
     constexpr Range kTravel{-3600.0, 3600.0};
     list.push_back(choice(
-        table + ".driver", {"moteus", "simple", "none"}, kOnReconnect,
-        {QT_TRANSLATE_NOOP("Text", "Driver"),
-         QT_TRANSLATE_NOOP("Text",
-                           "What turns the axis. Each axis may have its own driver. \"simple\" is simulated only: a "
-                           "rotator of whole degrees without a watchdog. With \"none\" the mount has no such axis.")},
-        [axis](auto& p) -> auto& { return (p.*axis).driver; }));
+        table + ".driver", driverNames(), kOnReconnect,
+        {QT_TRANSLATE_NOOP("Text", "Driver"), kDriverMeaning}, [axis](auto& p) -> auto& { return (p.*axis).driver; }));
     list.push_back(integer(
         table + ".id", "", {1, 126}, kOnReconnect,
         {QT_TRANSLATE_NOOP("Text", "CAN id"),

@@ -15,13 +15,13 @@ void FileProblems::add(std::size_t line, const QString& problem)
     m_problems.push_back({line, printable(problem)});
 }
 
-QString FileProblems::text(const std::string& fileName) const
+QString FileProblems::text(const QString& fileName) const
 {
     std::vector<Problem> sorted = m_problems;
     std::ranges::stable_sort(sorted, {}, &Problem::line);
     QStringList all;
     for (const Problem& problem : sorted) {
-        all << QStringLiteral("%1:%2: %3").arg(toQString(fileName), QString::number(problem.line), problem.text);
+        all << QStringLiteral("%1:%2: %3").arg(fileName, QString::number(problem.line), problem.text);
     }
     return all.join(u'\n');
 }

@@ -4,7 +4,6 @@
 #include <QString>
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 // Everything that is wrong with one file, to be reported at once. Pure.
@@ -18,7 +17,7 @@ public:
 
     [[nodiscard]] std::size_t count() const { return m_problems.size(); }
     // One "FILE:LINE: KEY: REASON" per line, in the order of lines.
-    [[nodiscard]] QString text(const std::string& fileName) const;
+    [[nodiscard]] QString text(const QString& fileName) const;
 
 private:
     struct Problem

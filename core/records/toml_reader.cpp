@@ -90,11 +90,11 @@ struct TomlTable
     std::set<std::string> taken;
 };
 
-Result<> TomlReader::read(std::string_view text, const std::string& fileName, const Inner& fields)
+Result<> TomlReader::read(std::string_view text, const QString& fileName, const Inner& fields)
 {
     FileProblems problems;
     try {
-        const toml::table root = toml::parse(text, fileName);
+        const toml::table root = toml::parse(text);
         TomlTable{root, "", problems, {}}.read(fields);
     } catch (const toml::parse_error& error) {
         problems.add(error.source().begin.line, toQString(error.description()));
@@ -155,6 +155,13 @@ void TomlReader::text(std::string_view key, std::string& value)
     } else {
         value = found->get();
     }
+}
+
+void TomlReader::text(std::string_view key, QString& value)
+{
+    std::string bytes = value.toStdString();
+    text(key, bytes);
+    value = toQString(bytes);
 }
 
 void TomlReader::flag(std::string_view key, bool& value)

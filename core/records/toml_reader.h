@@ -5,6 +5,8 @@
 #include "core/base/result.h"
 #include "core/records/field_list.h"
 
+#include <QString>
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -25,7 +27,7 @@ public:
     using Inner = std::function<void(TomlReader&)>;
 
     // All errors at once, one "FILE:LINE: KEY: REASON" per line.
-    [[nodiscard]] static Result<> read(std::string_view text, const std::string& fileName, const Inner& fields);
+    [[nodiscard]] static Result<> read(std::string_view text, const QString& fileName, const Inner& fields);
 
     [[nodiscard]] bool has(std::string_view key, bool) const;
 
@@ -34,6 +36,7 @@ public:
     // How many of a list's rows count: no more than there are.
     void countOf(std::string_view key, std::int64_t& value, std::string_view listKey);
     void text(std::string_view key, std::string& value);
+    void text(std::string_view key, QString& value);
     void flag(std::string_view key, bool& value);
     void time(std::string_view key, UtcTime& value);
 

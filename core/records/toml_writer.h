@@ -6,6 +6,8 @@
 #include "core/records/iso_time.h"
 #include "core/records/toml_value.h"
 
+#include <QString>
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -27,6 +29,7 @@ public:
     void whole(std::string_view key, std::int64_t value, Range) { line(key, std::to_string(value)); }
     void countOf(std::string_view key, std::int64_t value, std::string_view) { line(key, std::to_string(value)); }
     void text(std::string_view key, const std::string& value) { line(key, inQuotes(printable(value))); }
+    void text(std::string_view key, const QString& value) { text(key, value.toStdString()); }
     void flag(std::string_view key, bool value) { line(key, value ? "true" : "false"); }
     void time(std::string_view key, UtcTime value) { line(key, isoTime(value).toStdString()); }
 

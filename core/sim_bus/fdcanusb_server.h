@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/can/line_splitter.h"
+#include "core/serial/line_splitter.h"
 #include "core/sim/simulated_pair.h"
 #include "core/sim_bus/due_queue.h"
 
@@ -52,7 +52,7 @@ private:
     [[nodiscard]] bool isInjected(FaultKind kind, Seconds now) const;
 
     SimulatedPair& m_pair;
-    fdcanusb::LineSplitter m_splitter;
+    LineSplitter m_splitter;
     std::map<std::string, std::string, std::less<>> m_config;
     DueQueue<Late> m_late;
     std::string m_output;

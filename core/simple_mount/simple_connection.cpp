@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simple_mount/simple_connection.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace boresight {
@@ -14,10 +15,14 @@ void SimpleConnection::describe(StationStatus& status) const
     status.line = {.state = MountLine::State::Up, .name = QStringLiteral("simulated")};
 }
 
-MountMaker simpleRotator(std::shared_ptr<SimpleBox> box, const SimpleMount::Axes& axes)
+MountKind simpleRotators()
 {
-    return [box = std::move(box), axes](const profile::InForce&, const Clock&, EventLog&, AlarmBoard&) {
-        return std::make_unique<SimpleConnection>(box, axes);
+    return [box = std::make_shared<SimpleBox>()](const profile::Profile&, const MountStart& start) -> MountMaker {
+        const auto turns = [&start](Axis axis) { return std::ranges::find(start.axes, axis) != start.axes.end(); };
+        const SimpleMount::Axes axes{.azimuth = turns(Axis::Azimuth), .elevation = turns(Axis::Elevation)};
+        return [box, axes](const profile::InForce&, const Clock&, EventLog&, AlarmBoard&) {
+            return std::make_unique<SimpleConnection>(box, axes);
+        };
     };
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/mount/mount_connection.h"
+#include "core/mount/mount_kind.h"
 #include "core/simple_mount/simple_mount.h"
 
 #include <memory>
@@ -35,7 +36,7 @@ private:
     Result<> m_mine;
 };
 
-// The box stays the same one when the mount is connected anew.
-[[nodiscard]] MountMaker simpleRotator(std::shared_ptr<SimpleBox> box, const SimpleMount::Axes& axes);
+// Its box stays the same one when the mount is connected anew.
+[[nodiscard]] MountKind simpleRotators();
 
 }  // namespace boresight

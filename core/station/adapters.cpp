@@ -4,8 +4,8 @@
 #include "core/base/bus_name.h"
 #include "core/base/text.h"
 #include "core/can/bit_timing.h"
-#include "core/can/serial_port_check.h"
-#include "core/can/stable_port.h"
+#include "core/serial/serial_port_check.h"
+#include "core/serial/stable_port.h"
 
 #include <QDir>
 #include <QFile>

@@ -3,71 +3,50 @@
 
 #include "core/base/text.h"
 #include "core/can/unusable_link.h"
+#include "core/moteus_mount/link_factory.h"
+#include "core/moteus_mount/moteus_connection.h"
 #include "core/mount/paired_connection.h"
 #include "core/profile/setting.h"
 #include "core/simple_mount/simple_connection.h"
 
 namespace boresight {
 
-namespace {
+using profile::AxisDriver;
 
-AxisSet axesWith(const profile::Profile& profile, profile::AxisDriver driver)
+MountFactory::MountFactory(const profile::Profile& profile, const Clock& clock) : m_clock(clock)
 {
-    return axesIf(profile.azimuth.driver == driver, profile.elevation.driver == driver);
-}
-
-// Behind a bus of a real mount there is never a simulated one, whatever the profile says.
-AxisSet moteusAxes(const profile::Profile& profile, Simulation simulation)
-{
-    if (simulation == Simulation::Simple) {
-        return {};
-    }
-    const bool unfit = simulation == Simulation::Off && !profile::fitsRealMount(profile);
-    return unfit ? AxisSet(kAxes) : axesWith(profile, profile::AxisDriver::Moteus);
-}
-
-SimpleMount::Axes simpleAxes(const profile::Profile& profile, Simulation simulation)
-{
-    const auto is = [simulation](profile::AxisDriver driver) {
-        return driver == profile::AxisDriver::Simple ||
-               (simulation == Simulation::Simple && driver == profile::AxisDriver::Moteus);
+    const LinkMaker links(profile, clock);
+    m_sensor = links.simulated();
+    // Every kind of rotator: a new one is a line here, and its name in core/profile/axis_driver.h.
+    m_kinds = {
+        {AxisDriver::Moteus, moteusRotators(links)},
+        {AxisDriver::Simple, simpleRotators()},
     };
-    return {.azimuth = is(profile.azimuth.driver), .elevation = is(profile.elevation.driver)};
 }
 
-}  // namespace
-
-MountFactory::MountFactory(const profile::Profile& profile, const Clock& clock) : m_links(profile, clock) {}
-
-MountMaker MountFactory::make(const profile::Profile& profile, const MoteusConnection::Start& start) const
+MountMaker MountFactory::make(const profile::Profile& profile, const MountStart& start) const
 {
-    const SimpleMount::Axes simple = simpleAxes(profile, start.simulation);
-    MoteusConnection::Start onBus = start;
-    onBus.axes = moteusAxes(profile, start.simulation);
-    if (onBus.axes.empty()) {
-        return simpleRotator(m_box, simple);
+    const Result<> fits = start.simulation.on ? Result<>{} : profile::fitsRealMount(profile);
+    if (!fits) {
+        // The bus of a real mount is not opened with such a profile: what it says of the axes is not so.
+        return moteusRotator(std::make_unique<UnusableLink>(toQString(profile.bus), fits.error()),
+                             {start.stateDir, start.simulation, start.standingAt});
     }
-    const MountMaker moteus = moteusRotator(linkTo(profile, start.simulation), onBus);
-    if (start.simulation == Simulation::Off || !(simple.azimuth || simple.elevation)) {
-        return moteus;
+    const AxisDriver azimuth = driverOf(start.simulation, profile, Axis::Azimuth);
+    const AxisDriver elevation = driverOf(start.simulation, profile, Axis::Elevation);
+    const auto of = [&](AxisDriver driver) {
+        return m_kinds.at(driver)(profile, {start.stateDir, start.simulation, start.standingAt,
+                                            axesIf(azimuth == driver, elevation == driver)});
+    };
+    if (azimuth == elevation || elevation == AxisDriver::None) {
+        return of(azimuth);
     }
-    const MountMaker box = simpleRotator(m_box, simple);
-    return simple.azimuth ? pairOf(box, moteus) : pairOf(moteus, box);
+    return azimuth == AxisDriver::None ? of(elevation) : pairOf(of(azimuth), of(elevation));
 }
 
-// The bus of a real mount is not opened with a profile that is not fit for one: what it says of the axes is not so.
-std::unique_ptr<CanLink> MountFactory::linkTo(const profile::Profile& profile, Simulation simulation) const
+SensorMaker MountFactory::sensors(const profile::Profile& profile, const Simulation& simulation) const
 {
-    const Result<> fits = simulation == Simulation::Off ? profile::fitsRealMount(profile) : Result<>{};
-    if (fits) {
-        return m_links.make(profile, simulation);
-    }
-    return std::make_unique<UnusableLink>(toQString(profile.bus), fits.error());
-}
-
-SensorMaker MountFactory::sensors(const profile::Profile& profile, Simulation simulation) const
-{
-    return m_links.sensors(simulation != Simulation::Off && moteusAxes(profile, simulation).size() == kAxes.size());
+    return sensorMaker(m_clock, hasSensor(simulation, profile) ? m_sensor : nullptr);
 }
 
 }  // namespace boresight

@@ -2,17 +2,15 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/moteus_mount/moteus_connection.h"
-#include "core/mount/mount_connection.h"
+#include "core/mount/mount_kind.h"
 #include "core/profile/profile.h"
-#include "core/simple_mount/simple_box.h"
-#include "core/station/link_factory.h"
 #include "core/station/sensor_factory.h"
 
+#include <map>
 #include <memory>
 
-// Makes the mounts of one program, one after the other: the place where every kind of rotator is listed. The simulated
-// ones stay the same: after a reconnect they stand where they stood.
+// Makes the mounts of one program, one after the other. The simulated ones stay the same: after a reconnect they stand
+// where they stood.
 namespace boresight {
 
 class MountFactory
@@ -21,15 +19,15 @@ public:
     // The clock outlives it.
     MountFactory(const profile::Profile& profile, const Clock& clock);
 
-    [[nodiscard]] MountMaker make(const profile::Profile& profile, const MoteusConnection::Start& start) const;
-    // Also of the sensor on the two simulated moteus, while they are connected: the simple rotator has none.
-    [[nodiscard]] SensorMaker sensors(const profile::Profile& profile, Simulation simulation) const;
+    // Each axis has the driver of the profile, or of the simulation. Of `start` the axes do not count.
+    [[nodiscard]] MountMaker make(const profile::Profile& profile, const MountStart& start) const;
+    // Also of the sensor on the simulated mount, while that one is connected.
+    [[nodiscard]] SensorMaker sensors(const profile::Profile& profile, const Simulation& simulation) const;
 
 private:
-    [[nodiscard]] std::unique_ptr<CanLink> linkTo(const profile::Profile& profile, Simulation simulation) const;
-
-    LinkMaker m_links;
-    std::shared_ptr<SimpleBox> m_box = std::make_shared<SimpleBox>();
+    const Clock& m_clock;
+    std::map<profile::AxisDriver, MountKind> m_kinds;
+    std::shared_ptr<SimulatedMount> m_sensor;  // the mount that carries the simulated one
 };
 
 }  // namespace boresight

@@ -44,12 +44,18 @@ void StationPower::profileChanged(const profile::Profile& before, const profile:
     }
 }
 
-power::LineStatus StationPower::tick()
+PowerLineStatus StationPower::tick()
 {
     if (!m_line) {
         return {};
     }
-    power::LineStatus status = m_line->status();
+    const power::LineState& state = m_line->state();
+    PowerLineStatus status{
+        .name = m_line->name(), .problem = m_line->problem(), .values = state.values, .refused = state.refused};
+    if (state.last) {
+        status.decibels = state.last->decibels;
+        status.age = m_clock.now() - state.last->arrival;
+    }
     if (status.problem != m_problem) {
         m_problem = status.problem;
         if (!m_problem.isEmpty()) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/alarms/log_throttle.h"
+#include "core/messages/power_line_status.h"
 #include "core/power/threaded_line.h"
 #include "core/profile/in_force.h"
 
@@ -26,7 +27,7 @@ public:
     // A line that did not change goes on.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
     // How the line does now. Once per tick.
-    power::LineStatus tick();
+    PowerLineStatus tick();
 
 Q_SIGNALS:
     void received(const boresight::power::Value& value);

@@ -47,11 +47,11 @@ void StationShell::open(std::uint16_t port)
         m_lines.insist(Severity::Advisory, shellSource().name, Text::tr("listening on %1").arg(m_server.path()));
         return;
     }
-    // A service of the system has no user whose folder it could be.
+    // A program without a session of its user has no folder for it.
     const bool isUsual = listening.error().code == ErrorCode::NotAvailable;
     m_lines.insist(isUsual ? Severity::Advisory : Severity::Warning, shellSource().name,
-                   Text::tr("No local socket, so boresightctl take, release, stop --latched and reset-stop do not "
-                            "reach this station: %1")
+                   Text::tr("The local socket did not open: %1. Commands of the shell that need it do not reach this "
+                            "station.")
                        .arg(listening.error().text));
 }
 

@@ -15,7 +15,7 @@ set(BORESIGHT_TEST_RESULTS "${CMAKE_BINARY_DIR}/test-results")  # one XML file o
 #   ONE_THREAD  ThreadSanitizer has nothing to find in it, or nothing that another test does not show: left out there
 #   SHARDS n    a long one, run as n tests of ctest beside each other
 #   TIMEOUT s   of each; 600 s if it is not said
-#   SLOW_TIME   its programs must keep the watchdog of a drive: their time passes slower (tests/system/slow_clock.cpp)
+#   SLOW_TIME   its programs must keep the watchdog of a drive: their time passes slower (tests/system/programs/slow_clock.cpp)
 #   FOLDERS_TOGETHER  its sources lie in many small folders (boresight_unite)
 #   HEADERS …   precompiled for this program besides the usual ones, which all other programs share
 #   OPTIMISED   for a long one; tests are not, for what they test is, and half of a build from nothing goes into them

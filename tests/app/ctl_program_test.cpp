@@ -190,7 +190,7 @@ TEST_F(ProfileFile, TheDefaultProfileIsCommentedAndInOrder)
     const Outcome checked = ctl({QStringLiteral("check"), write(standard.output)});
     EXPECT_EQ(checked.status, 0) << checked.errors;
     EXPECT_THAT(checked.output,
-                HasSubstr("in order: \"Boresight mount\", bus simulated, azimuth id 1, elevation id 2"));
+                HasSubstr("in order: \"Boresight mount\", bus simulated, azimuth moteus id 1, elevation moteus id 2"));
 }
 
 // Story: check named the id of a controller that the mount does not have.
@@ -200,7 +200,7 @@ TEST_F(ProfileFile, CheckNamesTheDriverOfEachAxis)
         ctl({QStringLiteral("check"), write("version = 1\n[bus]\nname = \"socketcan:can0\"\n[elevation]\ndriver = "
                                             "\"none\"\n")});
     EXPECT_EQ(checked.status, 0) << checked.errors;
-    EXPECT_THAT(checked.output, HasSubstr("bus socketcan:can0, azimuth id 1, no elevation\n"));
+    EXPECT_THAT(checked.output, HasSubstr("bus socketcan:can0, azimuth moteus id 1, no elevation\n"));
 }
 
 TEST(Scan, ListsTheSimulatedPair)

@@ -2,8 +2,8 @@
 // Against the simulated pair, in real time: a second or two each.
 #include "app/host_search.h"
 
+#include "core/moteus_mount/link_factory.h"
 #include "core/sim_bus/simulated_link.h"
-#include "core/station/link_factory.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QDir>

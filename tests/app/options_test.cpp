@@ -10,7 +10,7 @@
 #include <QFileInfo>
 #include <QTemporaryDir>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 using namespace boresight;
 using namespace boresight::app;
@@ -82,9 +82,17 @@ TEST_F(OptionsTest, TheKindOfTheSimulatedMountIsChosen)
     EXPECT_EQ(read({QStringLiteral("--simulate")})->simulation, Simulation::Reference);
     const auto simple = read({QStringLiteral("--simulate=simple")});
     ASSERT_TRUE(simple) << textOf(simple.error());
-    EXPECT_EQ(simple->simulation, Simulation::Simple);
+    EXPECT_EQ(simple->simulation, (Simulation{.on = true, .driver = profile::AxisDriver::Simple}));
     EXPECT_EQ(simple->startingProfile().sensor.source, profile::SensorSource::None) << "there is none on it";
-    EXPECT_FALSE(read({QStringLiteral("--simulate=nonsense")}));
+    const auto moteus = read({QStringLiteral("--simulate=moteus")});
+    ASSERT_TRUE(moteus) << textOf(moteus.error());
+    EXPECT_EQ(moteus->simulation, (Simulation{.on = true, .driver = profile::AxisDriver::Moteus}));
+    EXPECT_EQ(moteus->startingProfile().sensor.source, profile::SensorSource::Simulated);
+    for (const char* const wrong : {"--simulate=nonsense", "--simulate=none", "--simulate="}) {
+        const auto refused = read({QString::fromLatin1(wrong)});
+        ASSERT_FALSE(refused) << wrong;
+        EXPECT_THAT(textOf(refused.error()), testing::HasSubstr("moteus (a moteus drive), simple (")) << wrong;
+    }
     EXPECT_FALSE(read({QStringLiteral("--simulate=simple"), QStringLiteral("--bus"), QStringLiteral("socketcan:can7")}))
         << "no real mount is ever taken for a simulated one";
 }
@@ -100,7 +108,7 @@ TEST_F(OptionsTest, ARealBusIsRefusedForAMountThatIsOnlySimulated)
     EXPECT_TRUE(read());
     const auto real = read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")});
     ASSERT_FALSE(real);
-    EXPECT_NE(textOf(real.error()).find("azimuth.driver: The simple rotator is only simulated"), std::string::npos);
+    EXPECT_NE(textOf(real.error()).find("azimuth.driver: \"simple\" is only simulated"), std::string::npos);
 }
 
 // Story: tried out first, with its sensor and its north applied; the adapter named at the next start then pointed 37.4°

@@ -2,9 +2,9 @@
 #include "app/station_thread.h"
 
 #include "core/base/clock.h"
+#include "core/moteus_mount/link_factory.h"
 #include "core/moteus_mount/moteus_connection.h"
 #include "core/profile/setting.h"
-#include "core/station/link_factory.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QSignalSpy>

@@ -86,8 +86,11 @@ std::vector<CalibrationPoint> sunPoints(const PointingTerms& hidden, const SunDa
         AxisPosition axes = model.toAxes(aim).axes;
         axes.azimuth += Angle::fromDegrees(gaussian(random, noise) / std::cos(truth.elevation.radians()));
         axes.elevation += Angle::fromDegrees(gaussian(random, noise));
-        points.push_back(
-            {.axes = axes, .truth = truth, .sigma = Angle::fromDegrees(noise), .when = {}, .label = "Sun"});
+        points.push_back({.axes = axes,
+                          .truth = truth,
+                          .sigma = Angle::fromDegrees(noise),
+                          .when = {},
+                          .label = QStringLiteral("Sun")});
     }
     return points;
 }

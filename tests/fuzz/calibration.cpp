@@ -37,24 +37,24 @@ void checkAccepted(const CalibrationHistory& history)
         for (const CalibrationPoint& point : record.points) {
             require(point.axes.azimuth.isFinite() && point.sigma > Angle{}, "a point is finite, and has a sigma");
         }
-        require(!hasControlCharacters(record.title), "a title is printable");
+        require(!hasControlCharacters(record.title.toStdString()), "a title is printable");
     }
     const auto written = toText(history);
     require(written.has_value(), "an accepted history can be written");
-    const auto again = parseHistory(*written, "a.toml");
+    const auto again = parseHistory(*written, QStringLiteral("a.toml"));
     require(again.has_value() && toText(*again) == written, "a written history reads back as the same text");
 }
 
 void checkTerms(std::string_view text)
 {
-    const auto sheet = parseTerms(text, "a.toml");
+    const auto sheet = parseTerms(text, QStringLiteral("a.toml"));
     if (!sheet) {
         checkReason(textOf(sheet.error()));
         return;
     }
     accept();
     const std::string written = toText(*sheet);
-    const auto again = parseTerms(written, "a.toml");
+    const auto again = parseTerms(written, QStringLiteral("a.toml"));
     require(again.has_value() && toText(*again) == written, "written terms read back as the same text");
 }
 
@@ -62,7 +62,7 @@ CalibrationRecord example()
 {
     CalibrationRecord record;
     record.when = std::chrono::sys_days{std::chrono::year{2026} / 11 / 21} + std::chrono::milliseconds(51825123);
-    record.title = "Two points of the Sun";
+    record.title = QStringLiteral("Two points of the Sun");
     record.mount = {.azimuthDrive = "4f2c1a90-11d2-4c6b-9f00-0123456789ab",
                     .elevationDrive = "",
                     .site = RecordSite{38.7_deg, -9.1_deg, 120.0}};
@@ -73,8 +73,9 @@ CalibrationRecord example()
     curve.unreliable = {{.from = 350_deg, .to = 10_deg, .residual = -15_deg}};
     record.sensor = Change<SensorMounting>{
         .before = {}, .after = {.sense = {}, .azimuthOffset = 3_deg, .elevationOffset = {}, .curve = curve}};
-    record.points = {{.axes = {370_deg, 30_deg}, .truth = {47.4_deg, 30_deg}, .when = record.when, .label = "Sun"},
-                     {.axes = {10_deg, 60_deg}, .truth = {47.4_deg, 60_deg}, .when = record.when, .label = "Moon"}};
+    record.points = {
+        {.axes = {370_deg, 30_deg}, .truth = {47.4_deg, 30_deg}, .when = record.when, .label = QStringLiteral("Sun")},
+        {.axes = {10_deg, 60_deg}, .truth = {47.4_deg, 60_deg}, .when = record.when, .label = QStringLiteral("Moon")}};
     return record;
 }
 
@@ -146,7 +147,7 @@ void feed(std::span<const std::uint8_t> input)
     const auto power = power::parsePower(asText(input));
     require(!power || std::abs(*power) <= power::kLargestPower, "a power is one in dB");
     checkTerms(asText(input));
-    const auto history = parseHistory(asText(input), "a.toml");
+    const auto history = parseHistory(asText(input), QStringLiteral("a.toml"));
     if (!history) {
         checkReason(textOf(history.error()));
         return;

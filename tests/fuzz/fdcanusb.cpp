@@ -5,7 +5,7 @@
 #include "core/can/fdcanusb_link.h"
 #include "core/can/fdcanusb_protocol.h"
 #include "core/can/line_checksum.h"
-#include "core/can/line_splitter.h"
+#include "core/serial/line_splitter.h"
 #include "core/sim_bus/fdcanusb_request.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/pseudo_terminal.h"
@@ -55,7 +55,7 @@ Lines checkedLines(std::string_view bytes)
     const Lines whole = split(bytes, bytes.size());
     require(split(bytes, 1) == whole && split(bytes, 7) == whole, "lines do not depend on how the bytes arrive");
     for (const std::string& line : whole.lines) {
-        require(!line.empty() && line.size() <= kMaxLineLength, "a line is neither empty nor overlong");
+        require(!line.empty() && line.size() <= LineSplitter::kLongestLine, "a line is neither empty nor overlong");
         require(line.find_first_of("\r\n") == std::string::npos, "a line has no line end in it");
     }
     return whole;
@@ -279,7 +279,7 @@ Grammar grammar()
                       "\x1b[2J",
                       std::string(64, 'A'),
                       std::string(128, '0'),
-                      std::string(kMaxLineLength, 'x')};
+                      std::string(LineSplitter::kLongestLine, 'x')};
     grammar.separators = " \r\n";
     grammar.maxLength = kFdcanusbMaxInput;
     grammar.repair = repairChecksums;

@@ -30,7 +30,7 @@ Profile lyingLow()
 
 void checkWrittenBack(const std::vector<pointing::HorizonPoint>& points)
 {
-    const auto again = parseHorizon(toHorizonText(points, "mast"), "b.txt");
+    const auto again = parseHorizon(toHorizonText(points, "mast"), QStringLiteral("b.txt"));
     require(again.has_value() || points.size() + 1 > kMaxHorizonPoints, "a written horizon can be read");
     if (again) {
         const pointing::Skyline before(points);
@@ -44,7 +44,7 @@ void checkWrittenBack(const std::vector<pointing::HorizonPoint>& points)
 
 bool feedHorizon(std::string_view text)
 {
-    const auto horizon = parseHorizon(text, "a.txt");
+    const auto horizon = parseHorizon(text, QStringLiteral("a.txt"));
     if (!horizon) {
         const std::string error = textOf(horizon.error());
         require(error.starts_with("a.txt:"), "the reason begins with the file");

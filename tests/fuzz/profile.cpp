@@ -50,7 +50,7 @@ void checkAccepted(const Profile& profile)
 void checkWrittenBack(const Profile& profile)
 {
     const std::string written = toToml(profile);
-    const auto again = parseProfile(written, "b.toml");
+    const auto again = parseProfile(written, QStringLiteral("b.toml"));
     require(again.has_value(), "a written profile can be read");
     require(*again == profile, "a written profile reads back as it was");
     require(toToml(*again) == written, "writing it again changes nothing");
@@ -160,7 +160,7 @@ Grammar grammar()
 
 void feed(std::span<const std::uint8_t> input)
 {
-    const auto profile = parseProfile(asText(input), "a.toml");
+    const auto profile = parseProfile(asText(input), QStringLiteral("a.toml"));
     if (!profile) {
         checkError(textOf(profile.error()), input.size());
         return;

@@ -50,11 +50,12 @@ installed() {
     return "$missing"
 }
 
-# What the program relies on: the limits that it asks for and a watchdog that it feeds.
+# What the program relies on: the limits that it asks for, a watchdog that it feeds, a folder for its local socket.
 service_unit() {
     local unit=$there/lib/systemd/system/boresightd.service line status=0
     # shellcheck disable=SC2016  # systemd expands it
-    for line in 'ExecReload=/bin/kill -HUP $MAINPID' 'WatchdogSec=10' 'LimitRTPRIO=20' 'LimitMEMLOCK=infinity' 'Type=notify'; do
+    for line in 'ExecReload=/bin/kill -HUP $MAINPID' 'WatchdogSec=10' 'LimitRTPRIO=20' 'LimitMEMLOCK=infinity' 'Type=notify' \
+        'RuntimeDirectory=boresight' 'RuntimeDirectoryMode=0700' 'Environment=XDG_RUNTIME_DIR=%t'; do
         grep -qxF -- "$line" "$unit" || {
             echo "the service has no $line"
             status=1

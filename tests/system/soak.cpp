@@ -103,13 +103,13 @@ Soak::Soak(unsigned seed)
       m_bus(m_clock, sim::commissionedPair({.azimuth = 0_deg, .elevation = 10_deg}))
 {
     m_bus.inject({.kind = sim::FaultKind::LostReply, .value = kLostReply});
-    start(memory::EnteredPlace{.place = truth(), .looked = m_clock.utc()});
+    start(EnteredPlace{.place = truth(), .looked = m_clock.utc()});
     m_troubles = true;
 }
 
 Soak::~Soak() = default;
 
-void Soak::start(const std::optional<memory::EnteredPlace>& standingAt)
+void Soak::start(const std::optional<EnteredPlace>& standingAt)
 {
     m_station = std::make_unique<Station>(
         m_profile, moteusRotator(std::make_unique<LentLink>(*this), {m_stateDir.path(), Simulation::Off, standingAt}),

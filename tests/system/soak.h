@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/memory/entered_place.h"
 #include "core/memory/memory_file.h"
+#include "core/mount/entered_place.h"
 #include "core/sim_bus/simulated_link.h"
 #include "core/station/station.h"
 #include "tests/fakes/manual_clock.h"
@@ -77,7 +77,7 @@ public:
 private:
     class LentLink;
 
-    void start(const std::optional<memory::EnteredPlace>& standingAt);
+    void start(const std::optional<EnteredPlace>& standingAt);
     void end();
     void tick();
     void wait(Seconds time);

@@ -2,6 +2,7 @@
 #include "ui/kit/format.h"
 
 #include "core/base/numbers.h"
+#include "core/messages/no_data.h"
 
 #include <QCoreApplication>
 #include <QDateTime>

@@ -12,7 +12,7 @@
 // How numbers become text on the screen: fixed decimals, sign, unit, and when a number is too old to be shown.
 namespace boresight::ui {
 
-// A number is live for half a second, dimmed with its age until two seconds, and not shown any more after that.
+// A number is live for half a second, dimmed with its age until kNoDataAfter, and not shown any more after that.
 enum class Freshness
 {
     Live,
@@ -21,7 +21,6 @@ enum class Freshness
 };
 
 inline constexpr std::chrono::milliseconds kLateAfter{500};
-inline constexpr std::chrono::milliseconds kNoDataAfter{2000};
 
 [[nodiscard]] Freshness freshness(const std::optional<std::chrono::milliseconds>& age);
 

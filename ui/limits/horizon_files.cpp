@@ -31,9 +31,8 @@ Result<QString> importHorizon(ProfileDraft& draft, const QString& path)
     if (text.size() > kLargest) {
         return failure(ErrorCode::InvalidInput, HorizonFiles::tr("the file is too long for a horizon"));
     }
-    const Result<profile::HorizonText> read =
-        profile::parseHorizon(std::string_view(text.constData(), static_cast<std::size_t>(text.size())),
-                              QFileInfo(path).fileName().toStdString());
+    const Result<profile::HorizonText> read = profile::parseHorizon(
+        std::string_view(text.constData(), static_cast<std::size_t>(text.size())), QFileInfo(path).fileName());
     if (!read) {
         return tl::unexpected(read.error());
     }

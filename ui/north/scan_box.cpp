@@ -52,7 +52,7 @@ QString foundText(const calibration::CrossScan& scan)
 }
 
 // What the receiver said last, how long ago, or what is wrong with its line.
-Sentence lineSentence(const power::LineStatus& line)
+Sentence lineSentence(const PowerLineStatus& line)
 {
     if (!line.problem.isEmpty()) {
         return {line.problem, Tone::Warning, Symbol::Warning};

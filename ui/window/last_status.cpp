@@ -3,6 +3,7 @@
 
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
+#include "core/messages/no_data.h"
 #include "ui/kit/format.h"
 
 namespace boresight::ui {

@@ -9,7 +9,7 @@ namespace {
 CalibrationRecord step(int north)
 {
     CalibrationRecord record;
-    record.title = std::to_string(north);
+    record.title = QString::number(north);
     record.terms.before.azimuthOffset = Angle::fromDegrees(north - 1);
     record.terms.after.azimuthOffset = Angle::fromDegrees(north);
     return record;

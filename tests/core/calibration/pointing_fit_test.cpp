@@ -41,7 +41,7 @@ CalibrationPoint pointAt(const PointingTerms& terms, Angle azimuth, Angle elevat
             .truth = truth,
             .sigma = 0.01_deg,
             .when = {},
-            .label = "source"};
+            .label = QStringLiteral("source")};
 }
 
 // All round the sky, low and high.

@@ -41,7 +41,7 @@ CalibrationRecord full()
 {
     CalibrationRecord record;
     record.when = at(2026, 11, 21, std::chrono::milliseconds(77696123));
-    record.title = R"(Six points of the Sun, "by eye" \ é)";
+    record.title = QStringLiteral(R"(Six points of the Sun, "by eye" \ é)");
     record.mount = {.azimuthDrive = "18c0a7a5-2d94-4d3c-9d5e-0d1f0b7e1a01",
                     .elevationDrive = "18c0a7a5-2d94-4d3c-9d5e-0d1f0b7e1a02",
                     .site = RecordSite{Angle::fromDegrees(38.7223), Angle::fromDegrees(-9.1393), 120.5}};
@@ -57,12 +57,12 @@ CalibrationRecord full()
                              .truth = {47.5_deg, 30.25_deg},
                              .sigma = 0.03_deg,
                              .when = at(2026, 11, 21, std::chrono::milliseconds(5)),
-                             .label = "Sun"});
+                             .label = QStringLiteral("Sun")});
     record.points.push_back({.axes = {-10_deg, 60_deg},
                              .truth = {27.5_deg, 60.25_deg},
                              .sigma = 0.1_deg,
                              .when = at(2026, 2, 1, std::chrono::milliseconds(0)),
-                             .label = "",
+                             .label = QStringLiteral(""),
                              .isUsed = false});
     return record;
 }
@@ -83,7 +83,7 @@ std::string written(const CalibrationHistory& history)
 
 std::string recordReason(const std::string& text)
 {
-    const auto history = parseHistory(text, "calibration.toml");
+    const auto history = parseHistory(text, QStringLiteral("calibration.toml"));
     return history ? "accepted" : textOf(history.error());
 }
 
@@ -101,7 +101,7 @@ TEST(RecordText, EverythingSurvives)
 {
     const CalibrationHistory history({full(), bare(), full()}, 2, {full()});
     const std::string text = written(history);
-    const auto read = parseHistory(text, "calibration.toml");
+    const auto read = parseHistory(text, QStringLiteral("calibration.toml"));
     ASSERT_TRUE(read.has_value()) << textOf(read.error());
     EXPECT_EQ(read->inForce(), 2U);
     ASSERT_EQ(read->entries().size(), 3U);
@@ -127,7 +127,7 @@ TEST(RecordText, EverythingSurvives)
     EXPECT_NEAR(record.points[0].axes.azimuth.degrees(), 370.0, 1e-9);
     EXPECT_NEAR(record.points[0].truth.elevation.degrees(), 30.25, 1e-9);
     EXPECT_EQ(record.points[0].when, full().points[0].when);
-    EXPECT_EQ(record.points[0].label, "Sun");
+    EXPECT_EQ(record.points[0].label, QStringLiteral("Sun"));
     EXPECT_TRUE(record.points[0].isUsed);
     EXPECT_FALSE(record.points[1].isUsed);
     EXPECT_FALSE(read->entries()[1].mount.site.has_value());
@@ -154,7 +154,7 @@ TEST(RecordText, IsReadable)
 
 TEST(RecordText, AnEmptyHistoryIsOne)
 {
-    const auto read = parseHistory(written({}), "calibration.toml");
+    const auto read = parseHistory(written({}), QStringLiteral("calibration.toml"));
     ASSERT_TRUE(read.has_value());
     EXPECT_EQ(*read, CalibrationHistory());
 }
@@ -228,7 +228,7 @@ TEST(RecordText, WritesNothingThatCannotBeReadAgain)
     ASSERT_FALSE(text.has_value());
     EXPECT_THAT(textOf(text.error()), HasSubstr("axis_azimuth_deg"));
     CalibrationRecord controls = full();
-    controls.title = "two\nlines";
+    controls.title = QStringLiteral("two\nlines");
     EXPECT_THAT(written(CalibrationHistory({controls}, 1)), HasSubstr("title = \"two?lines\""));
 }
 

@@ -43,7 +43,7 @@ elevation_sag 0 deg
 
 std::string termsReason(const std::string& text)
 {
-    const auto sheet = parseTerms(text, "roof.terms");
+    const auto sheet = parseTerms(text, QStringLiteral("roof.terms"));
     return sheet ? "accepted" : textOf(sheet.error());
 }
 
@@ -61,7 +61,7 @@ TEST(TermsText, EverythingSurvives)
 {
     const TermSheet sheet = fullTerms();
     const std::string text = toText(sheet);
-    const auto read = parseTerms(text, "roof.terms");
+    const auto read = parseTerms(text, QStringLiteral("roof.terms"));
     ASSERT_TRUE(read) << textOf(read.error());
     EXPECT_EQ(sheet.mountName, read->mountName);
     EXPECT_EQ(sheet.when, read->when);
@@ -85,7 +85,7 @@ TEST(TermsText, NothingThatIsNotKnownIsInvented)
     const std::string text = toText(TermSheet{});
     EXPECT_EQ(std::string::npos, text.find("site:"));
     EXPECT_EQ(std::string::npos, text.find("drive:"));
-    const auto read = parseTerms(text, "bare.terms");
+    const auto read = parseTerms(text, QStringLiteral("bare.terms"));
     ASSERT_TRUE(read) << textOf(read.error());
     EXPECT_EQ(TermSheet{}, *read);
 }
@@ -106,7 +106,8 @@ TEST(TermsText, IsReadableToPeople)
 
 TEST(TermsText, ReadsWhatPeopleType)
 {
-    const auto read = parseTerms("\xef\xbb\xbf# by hand: last summer\r\n\r\n  " + kSmall + "\t# the end", "roof.terms");
+    const auto read = parseTerms("\xef\xbb\xbf# by hand: last summer\r\n\r\n  " + kSmall + "\t# the end",
+                                 QStringLiteral("roof.terms"));
     ASSERT_TRUE(read) << textOf(read.error());
     EXPECT_NEAR(37.4, read->terms.azimuthOffset.degrees(), 1e-12);
     EXPECT_NEAR(-0.36, read->terms.tiltEast.degrees(), 1e-12);
@@ -150,7 +151,7 @@ TEST(TermsText, SaysWhatIsWrongInTheHeader)
 
 TEST(TermsText, AllIsToldAtOnceButNoFlood)
 {
-    EXPECT_EQ("e.terms:0: azimuth_offset", textOf(parseTerms("", "e.terms").error()).substr(0, 25));
+    EXPECT_EQ("e.terms:0: azimuth_offset", textOf(parseTerms("", QStringLiteral("e.terms")).error()).substr(0, 25));
     std::string rubbish;
     for (int i = 0; i < 1000; ++i) {
         rubbish += "x\x1b[2J 1 deg\n";

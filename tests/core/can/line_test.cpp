@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/can/line_checksum.h"
-#include "core/can/line_splitter.h"
+#include "core/serial/line_splitter.h"
 
 #include <gmock/gmock.h>
 
@@ -53,7 +53,7 @@ TEST(LineSplitter, AnySplitGivesTheSameLines)
 TEST(LineSplitter, LongestLinePassesALongerOneIsCountedAndTheNextIsWhole)
 {
     LineSplitter splitter;
-    const std::string longest(kMaxLineLength, 'x');
+    const std::string longest(LineSplitter::kLongestLine, 'x');
     EXPECT_THAT(linesOf(splitter, longest + "\n"), ElementsAre(longest));
     EXPECT_THAT(linesOf(splitter, longest + "y"), IsEmpty());
     EXPECT_THAT(linesOf(splitter, std::string(1000000, 'z')), IsEmpty());

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/local_socket/local_command.h"
 
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
 #include <gtest/gtest.h>
 
 namespace boresight::local {
@@ -33,6 +37,27 @@ TEST(LocalCommandTest, TheAnswerIsOneLine)
     EXPECT_EQ(reason.error().code, ErrorCode::Refused);
     EXPECT_EQ(reason.error().text, QStringLiteral("STOP is latched. Reset STOP first."));
     EXPECT_EQ(parseAnswer("RPRT 0\n").error().code, ErrorCode::Protocol);
+}
+
+// REQ-LOCALSOCKET-930: A station of the own user is asked before the service of the system, whose socket is in the
+// folder that systemd makes for it.
+TEST(LocalCommandTest, TheServiceIsAskedWhereTheUserHasNoStation)
+{
+    constexpr std::uint16_t kPort = 4533;
+    const QTemporaryDir user;
+    const QTemporaryDir system;
+    const QString own = socketPath(user.path(), kPort);
+    const auto asked = [&] { return socketToAsk(user.path(), system.path(), kPort); };
+    EXPECT_EQ(socketToAsk({}, system.path(), kPort), QString());
+    EXPECT_EQ(asked(), own) << "it may come";
+    ASSERT_TRUE(QDir(system.path()).mkdir(QStringLiteral("boresight")));
+    EXPECT_EQ(asked(), socketPath(system.path(), kPort)) << "even if this user cannot see the socket";
+    EXPECT_EQ(socketToAsk({}, system.path(), kPort), socketPath(system.path(), kPort));
+    ASSERT_TRUE(QDir(user.path()).mkdir(QStringLiteral("boresight")));
+    EXPECT_EQ(asked(), socketPath(system.path(), kPort)) << "the folder of a station that has ended";
+    QFile socket(own);
+    ASSERT_TRUE(socket.open(QIODevice::WriteOnly));
+    EXPECT_EQ(asked(), own);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // Real sockets in a folder of the test; the clock is turned by hand.
 #include "core/local_socket/local_server.h"
 
+#include "core/base/file_descriptor.h"
 #include "tests/fakes/hand_turned_timers.h"
 #include "tests/fakes/wait_until.h"
 
@@ -13,9 +14,11 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
-#include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace boresight::local {
@@ -39,6 +42,8 @@ mode_t rightsOf(const QString& path)
 class LocalServerTest : public testing::Test
 {
 protected:
+    static constexpr std::size_t kRoom = 256;  // for an answer
+
     [[nodiscard]] Result<> listen() { return server.listen(runtime.path(), kPort); }
 
     // Connects, and the server has taken the connection.
@@ -65,15 +70,19 @@ protected:
     void leaveASocket() const
     {
         ASSERT_TRUE(QDir(runtime.path()).mkpath(QStringLiteral("boresight")));
+        const FileDescriptor dead(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+        ASSERT_EQ(withAddress(::bind, dead), 0);
+        ASSERT_TRUE(QFile::exists(path));
+    }
+    // bind() or connect() at the path.
+    int withAddress(int (*call)(int, const sockaddr*, socklen_t), const FileDescriptor& socket) const
+    {
         sockaddr_un address = {};
         address.sun_family = AF_UNIX;
         const QByteArray name = QFile::encodeName(path);
         std::ranges::copy(name, address.sun_path);
         const void* const untyped = &address;
-        const int dead = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-        ASSERT_EQ(::bind(dead, static_cast<const sockaddr*>(untyped), sizeof address), 0);
-        ::close(dead);
-        ASSERT_TRUE(QFile::exists(path));
+        return call(socket.number(), static_cast<const sockaddr*>(untyped), sizeof address);
     }
 
     QTemporaryDir runtime;
@@ -136,6 +145,29 @@ TEST_F(LocalServerTest, TheNinthIsSentAwayUntilTheSilentOnesAreClosed)
     }
     EXPECT_EQ(ask("take\n"), "ok\n");
     EXPECT_THAT(asked, ElementsAre(LocalCommand::Take));
+}
+
+// Story: the ninth was closed while its line was still on the way, so it saw a broken pipe in place of the reason.
+// REQ-LOCALSOCKET-931: The answer reaches a client that is still sending.
+TEST_F(LocalServerTest, TheNinthReadsItsAnswerAlthoughItStillSends)
+{
+    ASSERT_TRUE(listen());
+    std::vector<std::unique_ptr<QLocalSocket>> silent;
+    for (int i = 1; i <= LocalServer::kMostClients; ++i) {
+        silent.push_back(client(i));
+    }
+    const FileDescriptor ninth(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    ASSERT_EQ(withAddress(::connect, ninth), 0);
+    const auto isAnswered = [this] {
+        return std::ranges::any_of(server.findChildren<LocalConversation*>(), &LocalConversation::isOver);
+    };
+    ASSERT_TRUE(waitUntil(isAnswered));
+    EXPECT_EQ(::send(ninth.number(), "take\n", 5, MSG_NOSIGNAL), 5);
+    std::array<char, kRoom> answer{};
+    const auto size = ::recv(ninth.number(), answer.data(), answer.size(), 0);
+    ASSERT_GT(size, 0);
+    EXPECT_THAT(std::string(answer.data(), static_cast<std::size_t>(size)), StartsWith("error: Too many programs"));
+    EXPECT_THAT(asked, IsEmpty());
 }
 
 // REQ-LOCALSOCKET-03

@@ -14,7 +14,7 @@ namespace {
 
 calibration::CalibrationRecord north(int degrees)
 {
-    calibration::CalibrationRecord record{.title = "North"};
+    calibration::CalibrationRecord record{.title = QStringLiteral("North")};
     record.terms.after.azimuthOffset = Angle::fromDegrees(degrees);
     return record;
 }
@@ -73,18 +73,18 @@ TEST_F(CalibrationFileTest, ThePointsLieBesideTheHistory)
 {
     {
         CalibrationFile file(path());
-        file.keepPoints({.title = "Points",
+        file.keepPoints({.title = QStringLiteral("Points"),
                          .points = {{.axes = {.azimuth = 12_deg, .elevation = 30_deg},
                                      .truth = {.azimuth = 50_deg, .elevation = 30_deg},
                                      .sigma = 0.1_deg,
-                                     .label = "Sun"}}});
+                                     .label = QStringLiteral("Sun")}}});
     }
     EXPECT_FALSE(QFile::exists(path())) << "nothing was applied";
     CalibrationFile file(path());
     EXPECT_TRUE(file.problem().isEmpty()) << file.problem().toStdString();
     ASSERT_EQ(1U, file.points().size());
-    EXPECT_EQ("Sun", file.points().front().label);
-    file.keepPoints({.title = "Points"});
+    EXPECT_EQ(QStringLiteral("Sun"), file.points().front().label);
+    file.keepPoints({.title = QStringLiteral("Points")});
     file.flush();
     EXPECT_TRUE(CalibrationFile(path()).points().empty());
 }

@@ -23,7 +23,7 @@ NewPoint keptPoint(Angle azimuth)
 TEST(KeptPoints, SixtyAreEnough)
 {
     NorthRig rig;
-    calibration::CalibrationRecord record{.title = "Points", .mount = rig.mount.today()};
+    calibration::CalibrationRecord record{.title = QStringLiteral("Points"), .mount = rig.mount.today()};
     record.points.resize(59);
     rig.file.keepPoints(record);
     KeptPoints many(rig.control, rig.file, rig.mount, rig.model, rig.clock, rig.log);

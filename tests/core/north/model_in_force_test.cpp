@@ -15,7 +15,7 @@ using calibration::Term;
 // With a tilt, as a swing finds it.
 calibration::CalibrationRecord swingRecord()
 {
-    calibration::CalibrationRecord record{.title = "North from the compass swing"};
+    calibration::CalibrationRecord record{.title = QStringLiteral("North from the compass swing")};
     record.terms.after = {.azimuthOffset = 37.4_deg, .tiltNorth = 0.5_deg, .tiltEast = -0.3_deg};
     record.sigmas[indexOf(Term::AzimuthOffset)] = 2_deg;
     record.sigmas[indexOf(Term::TiltNorth)] = 0.05_deg;
@@ -27,7 +27,7 @@ calibration::CalibrationRecord swingRecord()
 // With north, as the Sun gives it on top of `swing`.
 calibration::CalibrationRecord sunRecord(const calibration::CalibrationRecord& swing)
 {
-    calibration::CalibrationRecord record{.title = "Pointing model from 1 point"};
+    calibration::CalibrationRecord record{.title = QStringLiteral("Pointing model from 1 point")};
     record.terms.after = swing.terms.after;
     record.terms.after.azimuthOffset = 38.1_deg;
     record.sigmas = swing.sigmas;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/orientation_stream/serial_source.h"
 
-#include "core/can/port_holder.h"
+#include "core/serial/port_holder.h"
 #include "core/sim/simulated_sensor.h"
 #include "tests/fakes/hand_turned_timers.h"
 #include "tests/fakes/manual_clock.h"

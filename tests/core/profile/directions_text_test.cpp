@@ -15,7 +15,7 @@ const std::string kBus = "\n[bus]\nname = \"socketcan:can0\"  # on the roof\n";
 
 std::string confirmed(const std::string& toml)
 {
-    const auto text = withDirectionsConfirmed(toml, "m.toml");
+    const auto text = withDirectionsConfirmed(toml, QStringLiteral("m.toml"));
     return text ? *text : textOf(text.error());
 }
 
@@ -39,10 +39,10 @@ TEST(DirectionsText, TheFileThatTheProgramWritesIsConfirmed)
     Profile profile;
     profile.bus = "socketcan:can0";
     profile.mount.directions = Directions::Unconfirmed;
-    const auto text = withDirectionsConfirmed(toToml(profile), "m.toml");
+    const auto text = withDirectionsConfirmed(toToml(profile), QStringLiteral("m.toml"));
     ASSERT_TRUE(text) << textOf(text.error());
     profile.mount.directions = Directions::Confirmed;
-    EXPECT_EQ(*parseProfile(*text, "m.toml"), profile);
+    EXPECT_EQ(*parseProfile(*text, QStringLiteral("m.toml")), profile);
 }
 
 TEST(DirectionsText, WhatCannotBeEditedIsRefused)

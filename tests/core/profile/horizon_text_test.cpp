@@ -15,7 +15,7 @@ namespace {
 // "0:10 90:20", or the error.
 std::string pointsOf(std::string_view text)
 {
-    const auto horizon = parseHorizon(text, "h.txt");
+    const auto horizon = parseHorizon(text, QStringLiteral("h.txt"));
     if (!horizon) {
         return textOf(horizon.error());
     }
@@ -53,7 +53,7 @@ TEST(HorizonText, SortsByAzimuth)
 // The side of a tower: two points above each other. The line must not lie below any of them.
 TEST(HorizonText, OfOneAzimuthTheHighestElevationCounts)
 {
-    const auto horizon = parseHorizon("10 0\n10 20\n30 20\n30 0\n0 5\n360 7\n50 1\n50 1\n", "h.txt");
+    const auto horizon = parseHorizon("10 0\n10 20\n30 20\n30 0\n0 5\n360 7\n50 1\n50 1\n", QStringLiteral("h.txt"));
     ASSERT_TRUE(horizon) << textOf(horizon.error());
     EXPECT_EQ(horizon->points, (std::vector<pointing::HorizonPoint>{
                                    {0_deg, 7_deg}, {10_deg, 20_deg}, {30_deg, 20_deg}, {50_deg, 1_deg}}));
@@ -113,7 +113,7 @@ TEST(HorizonText, WritesItClosedThroughNorth)
     EXPECT_EQ(text,
               "# Horizon of mast?2: azimuth from north, elevation, in degrees; straight lines between\n"
               "0.0 15.25\n90.0 10.0\n270.0 20.5\n360.0 15.25\n");
-    const auto again = parseHorizon(text, "h.txt");
+    const auto again = parseHorizon(text, QStringLiteral("h.txt"));
     ASSERT_TRUE(again) << textOf(again.error());
     const pointing::Skyline before(horizon);
     const pointing::Skyline after(again->points);
@@ -121,5 +121,5 @@ TEST(HorizonText, WritesItClosedThroughNorth)
         const Angle angle = Angle::fromDegrees(azimuth);
         EXPECT_NEAR(before.at(angle).degrees(), after.at(angle).degrees(), 1e-9) << azimuth;
     }
-    EXPECT_FALSE(parseHorizon(toHorizonText({}, "mast"), "h.txt")) << "no points: nothing to read";
+    EXPECT_FALSE(parseHorizon(toHorizonText({}, "mast"), QStringLiteral("h.txt"))) << "no points: nothing to read";
 }

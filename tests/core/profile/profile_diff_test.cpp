@@ -129,7 +129,7 @@ TEST(ProfileDiff, WhatIsWrittenAlikeIsTheSame)
     Profile from;
     from.park.azimuth = Angle::fromDegrees(0.1 + 0.2);
     from.limits.horizon = {{Angle::fromDegrees(0.1 + 0.2), -5_deg}};
-    const auto read = parseProfile(toToml(from), "m.toml");
+    const auto read = parseProfile(toToml(from), QStringLiteral("m.toml"));
     ASSERT_TRUE(read) << textOf(read.error());
     EXPECT_TRUE(changesBetween(from, *read).empty());
 }

@@ -16,7 +16,7 @@ namespace {
 
 std::string errorsOf(std::string_view toml)
 {
-    const auto profile = parseProfile(toml, "m.toml");
+    const auto profile = parseProfile(toml, QStringLiteral("m.toml"));
     return profile ? "accepted" : textOf(profile.error());
 }
 
@@ -32,7 +32,7 @@ QByteArray contentOf(const QString& path)
 // inverted, 0° is -0.25 turn, 90° is -0.5 turn, travel 0…90°.
 TEST(ProfileFile, NothingButTheVersionIsTheReferenceMount)
 {
-    const auto profile = parseProfile("version = 1\n", "m.toml");
+    const auto profile = parseProfile("version = 1\n", QStringLiteral("m.toml"));
     ASSERT_TRUE(profile) << textOf(profile.error());
     EXPECT_EQ(*profile, Profile{});
     EXPECT_EQ(profile->azimuth.geometry.toMotor(360_deg).turns(), 1.0);
@@ -47,7 +47,7 @@ TEST(ProfileFile, NothingButTheVersionIsTheReferenceMount)
 TEST(ProfileFile, TheDefaultFileReadsBackAsTheDefault)
 {
     const std::string text = toToml(Profile{});
-    const auto profile = parseProfile(text, "m.toml");
+    const auto profile = parseProfile(text, QStringLiteral("m.toml"));
     ASSERT_TRUE(profile) << textOf(profile.error());
     EXPECT_EQ(*profile, Profile{});
     EXPECT_NE(text.find("# Upper end of the permitted travel, as an axis angle: 370° is not 10°.\n"
@@ -65,7 +65,9 @@ TEST(ProfileFile, TheDefaultFileReadsBackAsTheDefault)
 // confirm them.
 TEST(ProfileFile, TheDirectionsOfARealMountAreUnconfirmedUntilItsFileSaysSo)
 {
-    const auto directionsOf = [](const std::string& toml) { return parseProfile(toml, "m.toml")->mount.directions; };
+    const auto directionsOf = [](const std::string& toml) {
+        return parseProfile(toml, QStringLiteral("m.toml"))->mount.directions;
+    };
     const std::string real = "version = 1\n[bus]\nname = \"socketcan:can0\"\n";
     EXPECT_EQ(directionsOf("version = 1\n"), Directions::Confirmed) << "the simulated mount";
     EXPECT_EQ(directionsOf(real), Directions::Unconfirmed);
@@ -123,7 +125,7 @@ TEST(ProfileFile, EveryValueSurvivesTheRoundTrip)
                     .clientId = "b1",
                     .publish = Publish::On,
                     .prefix = "shack/mount"};
-    const auto again = parseProfile(toToml(changed), "m.toml");
+    const auto again = parseProfile(toToml(changed), QStringLiteral("m.toml"));
     ASSERT_TRUE(again) << textOf(again.error());
     EXPECT_EQ(*again, changed);
 }
@@ -293,10 +295,10 @@ TEST(ProfileFile, ANumberHasNoMoreDecimalsThanTheFile)
 {
     EXPECT_EQ(errorsOf("version = 1\nelevation.travel_max_deg = 1e-320\n"),
               "m.toml:2: elevation.travel_min_deg: 0.00° is not below elevation.travel_max_deg (0.00°)");
-    const auto profile = parseProfile("version = 1\npark.azimuth_deg = 12.3456789012345\n", "m.toml");
+    const auto profile = parseProfile("version = 1\npark.azimuth_deg = 12.3456789012345\n", QStringLiteral("m.toml"));
     ASSERT_TRUE(profile) << textOf(profile.error());
     EXPECT_EQ(profile->park.azimuth, Angle::fromDegrees(12.345678901));
-    EXPECT_EQ(parseProfile(toToml(*profile), "m.toml"), profile);
+    EXPECT_EQ(parseProfile(toToml(*profile), QStringLiteral("m.toml")), profile);
 }
 
 TEST(ProfileFile, BrokenSyntaxNamesItsLine)

@@ -60,7 +60,7 @@ TEST(SensorSettings, SurviveTheRoundTrip)
                       .disagreementTime = Seconds(3.0),
                       .stillCurrent = 0.4,
                       .swingCurrent = 7.5};
-    const auto again = parseProfile(toToml(profile), "m.toml");
+    const auto again = parseProfile(toToml(profile), QStringLiteral("m.toml"));
     ASSERT_TRUE(again) << textOf(again.error());
     EXPECT_EQ(*again, profile);
 }

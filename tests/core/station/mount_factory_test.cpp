@@ -16,6 +16,8 @@
 namespace boresight {
 namespace {
 
+constexpr Simulation kSimple{.on = true, .driver = profile::AxisDriver::Simple};
+
 // Story: switched to a stored profile of a simple rotator, the program took two moteus on its bus for that one.
 // REQ-STATION-49: The bus of a real mount is not opened with a profile that is only fit for a simulation. The alarm
 // says why.
@@ -46,7 +48,7 @@ TEST(MountFactory, TheSimulatedSensorIsOnTheTwoMoteusOnly)
     profile.sensor.source = profile::SensorSource::Simulated;
     const MountFactory mounts(profile, clock);
     EXPECT_TRUE(mounts.sensors(profile, Simulation::Reference)(profile, broker));
-    EXPECT_FALSE(mounts.sensors(profile, Simulation::Simple)(profile, broker));
+    EXPECT_FALSE(mounts.sensors(profile, kSimple)(profile, broker));
     EXPECT_FALSE(mounts.sensors(profile, Simulation::Off)(profile, broker));
     profile.elevation.driver = profile::AxisDriver::None;
     EXPECT_FALSE(mounts.sensors(profile, Simulation::Reference)(profile, broker));
@@ -61,7 +63,8 @@ TEST(MountFactory, TheSimulatedSensorIsOnTheTwoMoteusOnly)
 class Made
 {
 public:
-    Made(profile::AxisDriver azimuth, profile::AxisDriver elevation, Simulation simulation = Simulation::Reference)
+    Made(profile::AxisDriver azimuth, profile::AxisDriver elevation,
+         const Simulation& simulation = Simulation::Reference)
     {
         m_profile.azimuth.driver = azimuth;
         m_profile.elevation.driver = elevation;
@@ -152,10 +155,29 @@ TEST(MountFactory, TwoKindsOfDriversAreOneMount)
 // REQ-STATION-50
 TEST(MountFactory, TheSimpleSimulationHasTheAxesOfTheProfile)
 {
-    Made made(AxisDriver::Moteus, AxisDriver::None, Simulation::Simple);
+    Made made(AxisDriver::Moteus, AxisDriver::None, kSimple);
     ASSERT_TRUE(made.can().has(Axis::Azimuth));
     EXPECT_FALSE(made.can().axes[0]->watchdog);
     EXPECT_FALSE(made.can().has(Axis::Elevation));
+}
+
+// REQ-STATION-930: Each driver that a profile can name makes a mount.
+TEST(MountFactory, EveryDriverOfTheListIsMade)
+{
+    for (const profile::DriverKind& kind : profile::kDriverKinds) {
+        ASSERT_EQ(&profile::kindOf(kind.driver), &kind) << "in the order of the enumerators";
+        if (kind.driver == AxisDriver::None) {
+            continue;
+        }
+        for (const bool named : {true, false}) {
+            const AxisDriver other = kind.driver == AxisDriver::Simple ? AxisDriver::Moteus : AxisDriver::Simple;
+            Made made(named ? kind.driver : other, named ? kind.driver : other, {.on = true, .driver = kind.driver});
+            EXPECT_TRUE(made.can().has(Axis::Azimuth) && made.can().has(Axis::Elevation)) << kind.name;
+            EXPECT_EQ(made.can().axes[0]->watchdog, kind.driver == AxisDriver::Moteus) << kind.name;
+            made.run(Seconds(8.0));
+            EXPECT_TRUE(made.driver().answers()) << kind.name;
+        }
+    }
 }
 
 }  // namespace

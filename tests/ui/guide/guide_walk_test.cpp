@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the first start to the first safe move: the real window, the real station, the simulated mount with its physics.
 // The clock is turned by hand, also that of the window's dead-man.
+#include "core/moteus_mount/link_factory.h"
 #include "core/moteus_mount/moteus_connection.h"
 #include "core/sim_bus/simulated_link.h"
-#include "core/station/link_factory.h"
 #include "core/station/station.h"
 #include "tests/fakes/hand_turned_timers.h"
 #include "tests/fakes/manual_clock.h"

@@ -258,7 +258,7 @@ TEST_F(NorthTest, TheScanTellsWhatTheReceiverSays)
     show(CalibrationStep::Body, status);
     choose("The peak of the received power, by a cross scan");
     EXPECT_TRUE(text("Power of the receiver").isEmpty()) << "the profile names none";
-    const auto tell = [&](const power::LineStatus& line) {
+    const auto tell = [&](const PowerLineStatus& line) {
         CalibrationStatus calibration = *status.calibration;
         calibration.powerLine = line;
         status.calibration = std::make_shared<const CalibrationStatus>(calibration);

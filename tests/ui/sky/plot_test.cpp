@@ -2,12 +2,11 @@
 #include "core/pointing/sun_keep_out.h"
 #include "tests/ui/event_loop.h"
 #include "tests/ui/sample_status.h"
+#include "tests/ui/sky/expect_near.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/value_label.h"
 #include "ui/sky/plot_tools.h"
 #include "ui/sky/polar_plot.h"
-#include "ui/sky/sky_limits.h"
-#include "ui/sky/sky_zoom.h"
 
 #include <QApplication>
 #include <QPainter>
@@ -21,43 +20,6 @@
 
 namespace boresight::ui {
 namespace {
-
-void expectNear(QPointF actual, QPointF expected, double tolerance)
-{
-    EXPECT_NEAR(actual.x(), expected.x(), tolerance);
-    EXPECT_NEAR(actual.y(), expected.y(), tolerance);
-}
-
-// REQ-UI-08 (SkyProjection.*): The plot has north up and east right. Qwt's grid lies where the markers are.
-TEST(SkyProjection, NorthIsUpAndEastIsRight)
-{
-    const SkyProjection sky{QPointF(100, 100), 90.0};
-    expectNear(sky.toPixel({0_deg, 0_deg}), {100, 10}, 1e-9);
-    expectNear(sky.toPixel({90_deg, 0_deg}), {190, 100}, 1e-9);
-    expectNear(sky.toPixel({180_deg, 30_deg}), {100, 160}, 1e-9);
-    expectNear(sky.toPixel({270_deg, 60_deg}), {70, 100}, 1e-9);
-    expectNear(sky.toPixel({123_deg, 90_deg}), {100, 100}, 1e-9);
-}
-
-TEST(SkyProjection, FlippedLiesAtItsSkyPlaceAndBelowTheHorizonOnTheRim)
-{
-    const SkyProjection sky{QPointF(100, 100), 90.0};
-    expectNear(sky.toPixel({0_deg, 120_deg}), sky.toPixel({180_deg, 60_deg}), 1e-9);
-    expectNear(sky.toPixel({90_deg, -5_deg}), {190, 100}, 1e-9);
-}
-
-TEST(SkyProjection, PixelAndSkyRoundTrip)
-{
-    const SkyProjection sky{QPointF(240.5, 250.5), 210.0};
-    for (double azimuth = 0.0; azimuth < 360.0; azimuth += 7.5) {
-        for (double elevation = 0.0; elevation < 90.0; elevation += 7.5) {
-            const SkyPointing there{Angle::fromDegrees(azimuth), Angle::fromDegrees(elevation)};
-            const SkyPointing back = sky.toSky(sky.toPixel(there));
-            EXPECT_NEAR((back.azimuth - there.azimuth).wrapped180().degrees(), 0.0, 1e-6);
-            EXPECT_NEAR(back.elevation.degrees(), elevation, 1e-6);
-        }
-    }
-}
 
 // The plain tone of the sky at this elevation, in any theme. A raster rounds.
 bool isSky(const QColor& colour, Angle elevation)
@@ -263,60 +225,6 @@ TEST_F(PlotTest, IsDescribedInWords)
     EXPECT_TRUE(plot.accessibleDescription().startsWith(QStringLiteral("Last seen at az 62.0°")));
 }
 
-// REQ-UI-20 (SkyLimits.*)
-TEST(SkyLimits, OnlyWhatTheAxesCannotReach)
-{
-    EXPECT_TRUE(unreachable({{-90_deg, 450_deg}, {0_deg, 90_deg}}).empty());
-    EXPECT_TRUE(unreachable({}).empty());
-
-    const auto sectors = unreachable({{-150_deg, 150_deg}, {10_deg, 85_deg}});
-    ASSERT_EQ(sectors.size(), 3u);
-    EXPECT_EQ(sectors[0].toElevation, 10_deg);
-    EXPECT_EQ(sectors[1].fromElevation, 85_deg);
-    EXPECT_EQ(sectors[2].fromAzimuth, 150_deg);
-    EXPECT_NEAR(sectors[2].toAzimuth.degrees(), 210.0, 1e-9);
-}
-
-TEST(SkyLimits, OverTheTopReachesAClosedSectorFromTheOtherSide)
-{
-    EXPECT_TRUE(unreachable({{-150_deg, 150_deg}, {0_deg, 180_deg}}).empty());
-    const auto sectors = unreachable({{-150_deg, 150_deg}, {0_deg, 150_deg}});
-    ASSERT_EQ(sectors.size(), 1u);
-    EXPECT_NEAR(sectors[0].toElevation.degrees(), 30.0, 1e-9);
-}
-
-TEST(SkyLimits, TheLimitsCountAsFarAsTheTravelGoes)
-{
-    pointing::Region region;
-    const Travel travel{{-90_deg, 450_deg}, {0_deg, 90_deg}};
-    EXPECT_EQ(permitted(region, travel), travel);
-    EXPECT_TRUE(sectorsOf(region, travel).empty());
-    region.azimuth = {-30_deg, 200_deg};
-    region.elevation.min = 8_deg;
-    region.keepOuts = {{"mast", 350_deg, 10_deg, 0_deg, 40_deg}};
-    const auto sectors = sectorsOf(region, travel);
-    ASSERT_EQ(sectors.size(), 3u);
-    EXPECT_EQ(sectors[0].kind, SectorKind::Band);
-    EXPECT_EQ(sectors[1].fromAzimuth, 200_deg);
-    EXPECT_NEAR(sectors[1].toAzimuth.degrees(), 330.0, 1e-9);
-    EXPECT_EQ(sectors[2].name, QStringLiteral("mast"));
-    EXPECT_NEAR(sectors[2].toAzimuth.degrees(), 370.0, 1e-9);
-}
-
-TEST(SkyLimits, TheHorizonIsClosedThroughNorth)
-{
-    const SkyProjection sky{QPointF(250, 250), 225.0};
-    const QPainterPath line = horizonLine({{90_deg, 20_deg}, {270_deg, 40_deg}}, sky);
-    EXPECT_TRUE(horizonLine({}, sky).isEmpty());
-    // Half way between the points, on both sides: 30°. Inside the line is the sky above the horizon.
-    for (const Angle azimuth : {0_deg, 180_deg}) {
-        EXPECT_TRUE(line.contains(sky.toPixel({azimuth, 30.5_deg})));
-        EXPECT_FALSE(line.contains(sky.toPixel({azimuth, 29.5_deg})));
-    }
-    EXPECT_TRUE(line.contains(sky.toPixel({90_deg, 20.5_deg})));
-    EXPECT_FALSE(line.contains(sky.toPixel({270_deg, 39.5_deg})));
-}
-
 // REQ-UI-20: The plot draws the region of the profile in force, again only when it changes. What is edited is dashed
 // until applied.
 TEST_F(PlotTest, TheRegionInForceIsDrawnAndItsNewOneWithTheNextStatus)
@@ -453,24 +361,6 @@ TEST_F(PlotTest, TheWheelMagnifiesAndComesBackToTheWholeSky)
     EXPECT_NEAR(plot.zoom().magnification(), 18.0, 1e-9);  // one beam width from the middle to the edge
     turn(-100);
     EXPECT_FALSE(plot.zoom().isOn());
-}
-
-// REQ-UI-23 (SkyZoom.*)
-TEST(SkyZoom, TheGridIsFineEnoughAndOnlyWhereItIsSeen)
-{
-    SkyZoom zoom;
-    zoom.centreOn({350_deg, 20_deg});
-    zoom.toggle(0.5_deg);
-    const QRectF view(0, 0, 500, 500);
-    const SkyGrid grid = gridOf(zoom.projection({view.center(), 230.0}), view);
-    ASSERT_GE(grid.elevations.size(), 3u);
-    EXPECT_LE(grid.elevations.size(), 12u);
-    EXPECT_NEAR(grid.elevations.front(), 20.0, 5.0);
-    ASSERT_GE(grid.azimuths.size(), 3u);
-    EXPECT_LE(grid.azimuths.size(), 12u);
-    for (const double azimuth : grid.azimuths) {
-        EXPECT_NEAR(azimuth, 350.0, 6.0);
-    }
 }
 
 TEST_F(PlotTest, IsSavedAsPngAndSvg)

@@ -4,7 +4,7 @@
 #include "tests/fakes/real_mount.h"
 #include "tests/fakes/text_of.h"
 #include "tests/fakes/wait_until.h"
-#include "tests/system/boresightd_process.h"
+#include "tests/system/programs/boresightd_process.h"
 #include "tests/system/standing.h"
 
 #include <QTest>

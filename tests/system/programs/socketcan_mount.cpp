@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/system/socketcan_mount.h"
+#include "tests/system/programs/socketcan_mount.h"
 
 #include "core/base/numbers.h"
 #include "tests/fakes/real_mount.h"

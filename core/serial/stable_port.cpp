@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/can/stable_port.h"
+#include "core/serial/stable_port.h"
 
 #include <QDir>
 #include <QFileInfo>

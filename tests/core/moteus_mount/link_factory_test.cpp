@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/station/link_factory.h"
+#include "core/moteus_mount/link_factory.h"
 
 #include "core/sim_bus/simulated_link.h"
 #include "core/survey/protections.h"

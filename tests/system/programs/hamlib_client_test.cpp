@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/units/quantity.h"
 #include "tests/fakes/wait_until.h"
-#include "tests/system/boresightd_process.h"
+#include "tests/system/programs/boresightd_process.h"
 
 #include <QDeadlineTimer>
 #include <QStandardPaths>

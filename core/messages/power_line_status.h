@@ -9,9 +9,9 @@
 #include <optional>
 
 // How the line of the received power does, for the screen. Plain values.
-namespace boresight::power {
+namespace boresight {
 
-struct LineStatus
+struct PowerLineStatus
 {
     QString name;                    // "UDP 127.0.0.1:4540"; empty: the profile names none
     QString problem;                 // one sentence; empty: all is well
@@ -21,4 +21,4 @@ struct LineStatus
     std::uint64_t refused = 0;       // lines that could not be read for sure
 };
 
-}  // namespace boresight::power
+}  // namespace boresight

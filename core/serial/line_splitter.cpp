@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/can/line_splitter.h"
+#include "core/serial/line_splitter.h"
 
 #include <utility>
 
-namespace boresight::fdcanusb {
+namespace boresight {
 
 void LineSplitter::add(std::string_view bytes, const std::function<void(std::string_view)>& onLine)
 {
     for (const char character : bytes) {
         const bool lineEnd = character == '\n' || character == '\r';
-        if (!lineEnd && m_line.size() < kMaxLineLength) {
+        if (!lineEnd && m_line.size() < kLongestLine) {
             m_line += character;
             continue;
         }
@@ -33,4 +33,4 @@ void LineSplitter::clear()
     m_overlong = false;
 }
 
-}  // namespace boresight::fdcanusb
+}  // namespace boresight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/can/serial_port_check.h"
+#include "core/serial/serial_port_check.h"
 
 #include "core/base/text.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // boresightd --simulate=simple: the whole station on the plainest rotator, driven over rotctld.
 #include "tests/fakes/wait_until.h"
-#include "tests/system/boresightd_process.h"
+#include "tests/system/programs/boresightd_process.h"
 
 #include <gtest/gtest.h>
 

@@ -4,15 +4,17 @@
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/can/can_link.h"
-#include "core/mount/simulation.h"
+#include "core/mount/mount_kind.h"
 #include "core/profile/profile.h"
 #include "core/sim/simulated_pair.h"
-#include "core/station/sensor_factory.h"
 
 #include <memory>
+#include <string>
 
 // Makes the bus of a name: "socketcan:IFACE", "fdcanusb:PATH" or "simulated". Not opened yet.
 namespace boresight {
+
+struct SimulatedMount;
 
 // A simulated mount of its own, as delivered.
 [[nodiscard]] Result<std::unique_ptr<CanLink>> makeLink(const std::string& busName, const Clock& clock);
@@ -31,18 +33,16 @@ public:
 
     // The link that it made before is gone by then. Of a name that means no bus one that says so when it is opened.
     [[nodiscard]] std::unique_ptr<CanLink> make(const std::string& busName) const;
-    // To the mount of this profile, or to the simulated one in its place, which has a drive for each axis that has one
-    // in the profile.
-    [[nodiscard]] std::unique_ptr<CanLink> make(const profile::Profile& profile, Simulation simulation) const;
-    // Also of the sensor on the simulated mount, while that one is connected.
-    [[nodiscard]] SensorMaker sensors(bool simulated) const
-    {
-        return sensorMaker(m_clock, simulated ? m_simulated : nullptr);
-    }
+    // To the mount of this profile, or to the simulated one in its place, which has a drive for each axis of `start`.
+    [[nodiscard]] std::unique_ptr<CanLink> make(const profile::Profile& profile, const MountStart& start) const;
+    [[nodiscard]] const std::shared_ptr<SimulatedMount>& simulated() const { return m_simulated; }
 
 private:
     const Clock& m_clock;
     std::shared_ptr<SimulatedMount> m_simulated;
 };
+
+// The moteus at the buses that `links` makes.
+[[nodiscard]] MountKind moteusRotators(const LinkMaker& links);
 
 }  // namespace boresight

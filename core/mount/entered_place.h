@@ -5,7 +5,7 @@
 #include "core/units/sky.h"
 
 // Where the mount stood when somebody looked at it, entered on the command line. Mechanical angles. Plain value.
-namespace boresight::memory {
+namespace boresight {
 
 struct EnteredPlace
 {
@@ -15,4 +15,4 @@ struct EnteredPlace
     bool operator==(const EnteredPlace&) const = default;
 };
 
-}  // namespace boresight::memory
+}  // namespace boresight

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "tests/fakes/program.h"
-#include "tests/system/boresightd_process.h"
-#include "tests/system/starved_time.h"
+#include "tests/system/programs/boresightd_process.h"
+#include "tests/system/programs/starved_time.h"
 
 #include <QString>
 #include <QTemporaryDir>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/system/starved_time.h"
+#include "tests/system/programs/starved_time.h"
 
 #include <pthread.h>
 #include <sched.h>

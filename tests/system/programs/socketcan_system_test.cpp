@@ -3,7 +3,7 @@
 // and can-utils as an independent witness, as the cable and as a rude neighbour.
 #include "core/moteus/diagnostic.h"
 #include "core/tracking/emergency_braking.h"
-#include "tests/system/socketcan_mount.h"
+#include "tests/system/programs/socketcan_mount.h"
 
 #include <QCoreApplication>
 #include <QFile>

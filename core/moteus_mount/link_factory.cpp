@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/station/link_factory.h"
+#include "core/moteus_mount/link_factory.h"
 
 #include "core/base/bus_name.h"
 #include "core/can/fdcanusb_link.h"
 #include "core/can/socketcan_link.h"
 #include "core/can/unusable_link.h"
+#include "core/moteus_mount/moteus_connection.h"
 #include "core/sim_bus/simulated_link.h"
 #include "core/survey/protections.h"
+
+#include <algorithm>
 
 namespace boresight {
 
@@ -72,13 +75,13 @@ LinkMaker::LinkMaker(const profile::Profile& profile, const Clock& clock)
     m_simulated->sensor.truth() = sim::truthToBeFound();
 }
 
-std::unique_ptr<CanLink> LinkMaker::make(const profile::Profile& profile, Simulation simulation) const
+std::unique_ptr<CanLink> LinkMaker::make(const profile::Profile& profile, const MountStart& start) const
 {
-    if (simulation == Simulation::Off) {
+    if (!start.simulation.on) {
         return make(profile.bus);
     }
     for (const Axis axis : kAxes) {
-        m_simulated->pair.setFitted(axis, isMoteus(profile, axis));
+        m_simulated->pair.setFitted(axis, std::ranges::find(start.axes, axis) != start.axes.end());
     }
     return make(toString(BusName{}));
 }
@@ -87,6 +90,13 @@ std::unique_ptr<CanLink> LinkMaker::make(const std::string& busName) const
 {
     auto link = makeLinkTo(busName, m_clock, m_simulated);
     return link ? std::move(*link) : std::make_unique<UnusableLink>(QString::fromStdString(busName), link.error());
+}
+
+MountKind moteusRotators(const LinkMaker& links)
+{
+    return [links](const profile::Profile& profile, const MountStart& start) {
+        return moteusRotator(links.make(profile, start), start);
+    };
 }
 
 }  // namespace boresight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/can/port_holder.h"
+#include "core/serial/port_holder.h"
 
 #include "core/base/numbers.h"
 #include "core/base/process_name.h"

@@ -8,15 +8,15 @@
 #include <string_view>
 
 // Cuts a byte stream into lines, however the bytes are split on their way. LF, CR and CR LF end a line; empty lines
-// are skipped. A line longer than the protocol allows is thrown away up to its end and counted. Holds at most one line.
-namespace boresight::fdcanusb {
-
-// The adapter's own limit for one line, without its end.
-inline constexpr std::size_t kMaxLineLength = 300;
+// are skipped. A line that is too long is thrown away up to its end and counted. Holds at most one line.
+namespace boresight {
 
 class LineSplitter
 {
 public:
+    // The limit of the fdcanusb itself for one line, without its end.
+    static constexpr std::size_t kLongestLine = 300;
+
     // Calls `onLine` for each line that is now complete. The view is valid during the call only.
     void add(std::string_view bytes, const std::function<void(std::string_view)>& onLine);
     // Forgets a half line: after a re-open it belongs to nothing.
@@ -29,4 +29,4 @@ private:
     std::uint64_t m_overlongLines = 0;
 };
 
-}  // namespace boresight::fdcanusb
+}  // namespace boresight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/system/boresightd_process.h"
+#include "tests/system/programs/boresightd_process.h"
 
 #include "tests/fakes/wait_until.h"
 

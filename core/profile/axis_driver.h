@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QtGlobal>
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+// What can turn an axis: the one list of drivers. Choices of the profile, checks and --simulate=NAME come from it. A
+// rotator of another kind has its name and its line here; what makes it is a line in core/station/mount_factory.cpp.
+namespace boresight::profile {
+
+enum class AxisDriver
+{
+    Moteus,
+    Simple,
+    None
+};
+
+struct DriverKind
+{
+    AxisDriver driver;
+    std::string_view name;       // in the profile
+    std::string_view simulated;  // what turns an axis in a simulation; English
+    bool onlySimulated = false;
+    bool hasId = false;         // each axis has a controller of its own, with an id on the bus
+    bool sensorInside = false;  // two simulated axes carry a simulated orientation sensor
+};
+
+// In the order of the enumerators.
+inline constexpr std::array kDriverKinds{
+    DriverKind{.driver = AxisDriver::Moteus,
+               .name = "moteus",
+               .simulated = "a moteus drive",
+               .hasId = true,
+               .sensorInside = true},
+    DriverKind{.driver = AxisDriver::Simple,
+               .name = "simple",
+               .simulated = "a rotator of whole degrees, without rates and watchdog",
+               .onlySimulated = true},
+    DriverKind{.driver = AxisDriver::None, .name = "none", .simulated = {}},
+};
+
+[[nodiscard]] constexpr const DriverKind& kindOf(AxisDriver driver)
+{
+    return kDriverKinds[static_cast<std::size_t>(driver)];
+}
+
+// Of the setting, for people. Names what is not plain from the name of a driver.
+inline constexpr const char* kDriverMeaning = QT_TRANSLATE_NOOP(
+    "Text",
+    "What turns the axis. Each axis may have its own driver. \"simple\" is simulated only: a rotator of whole degrees "
+    "without a watchdog. With \"none\" the mount has no such axis.");
+
+}  // namespace boresight::profile

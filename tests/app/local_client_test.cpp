@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/local_client.h"
+
+#include "core/local_socket/local_server.h"
+
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+namespace boresight::ctl {
+namespace {
+
+// Story: a command that came while the window reconnected its station was told that there is none.
+// REQ-CTL-930: A command waits for a station that reconnects, within the time in which a station has to answer.
+TEST(LocalClient, WaitsForAStationThatReconnects)
+{
+    constexpr std::uint16_t kPort = 4533;
+    constexpr int kAttempts = 3;
+    const QTemporaryDir runtime;
+    const auto path = [&runtime] { return local::socketPath(runtime.path(), kPort); };
+    local::LocalServer server([](local::LocalCommand) { return Result<>{}; });
+    int attempts = 0;
+    QLocalSocket socket;
+    const QDeadlineTimer patience(std::chrono::minutes(1));
+    EXPECT_TRUE(connectBy(patience, path, socket, [&] {
+        if (++attempts == kAttempts) {
+            ASSERT_TRUE(server.listen(runtime.path(), kPort));
+        }
+    }));
+    EXPECT_EQ(attempts, kAttempts);
+}
+
+// REQ-CTL-930
+TEST(LocalClient, DoesNotWaitForEver)
+{
+    QLocalSocket socket;
+    EXPECT_FALSE(connectBy(
+        QDeadlineTimer(0), [] { return QStringLiteral("/nowhere/4533.sock"); }, socket, [] { FAIL(); }));
+}
+
+}  // namespace
+}  // namespace boresight::ctl
