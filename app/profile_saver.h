@@ -44,7 +44,7 @@ private:
     KeptProfile m_kept;
     NextProfile m_next;
 
-    profile::Profile m_first;
+    profile::Profile m_first;  // no profile is in force yet when it is read
     QThreadPool m_worker;
 };
 

@@ -79,13 +79,14 @@ void Arming::giveAuthority()
     m_taken.reset();
 }
 
+Result<> Arming::mayResetStop() const
+{
+    return m_stopLatched ? Result<>{} : failure(ErrorCode::Refused, Text::tr("STOP is not latched"));
+}
+
 Result<> Arming::resetStop()
 {
-    if (!m_stopLatched) {
-        return failure(ErrorCode::Refused, Text::tr("STOP is not latched"));
-    }
-    m_stopLatched = false;
-    return {};
+    return mayResetStop().map([this] { m_stopLatched = false; });
 }
 
 bool Arming::losesConnection(SteadyTime now)

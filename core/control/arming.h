@@ -43,6 +43,7 @@ public:
 
     // Nothing moves until reset; a STOP also takes the authority from the clients.
     void latchStop();
+    [[nodiscard]] Result<> mayResetStop() const;
     Result<> resetStop();
     [[nodiscard]] bool stopLatched() const { return m_stopLatched; }
 

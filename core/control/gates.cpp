@@ -149,6 +149,16 @@ AngularRate Gates::fastestJog() const
     return confirmed ? jog.fast : std::min(jog.fast, profile::kFastestUnconfirmed);
 }
 
+Result<> Gates::isElevation(Angle elevation) const
+{
+    const Angle top = std::max(90_deg, m_of.model.elevation().travel.max);
+    if (elevation > top) {
+        return failure(ErrorCode::OutOfRange,
+                       Text::tr("elevation %1 above limit %2").arg(degreesText(elevation, 2), degreesText(top, 2)));
+    }
+    return {};
+}
+
 Result<> Gates::hasAxis(Axis axis) const
 {
     if (m_of.mount.capabilities().has(axis)) {
@@ -284,6 +294,38 @@ Result<> Gates::mayLeaveBus() const
 Result<> Gates::mayProve(const Source& source) const
 {
     return hasService().and_then([&] { return mayPoint(source); }).and_then([this] { return drivesRest(); });
+}
+
+Result<> Gates::mayEndProof() const
+{
+    return m_of.mount.proofRunning() ? Result<>{} : failure(ErrorCode::Refused, Text::tr("no proof is running"));
+}
+
+Result<> Gates::mayTakeBus() const
+{
+    return hasService().and_then([this] { return m_of.mount.service()->mayTakeBus(); });
+}
+
+Result<> Gates::mayChooseTurn(Axis axis) const
+{
+    return mayLeaveBus().and_then([&] { return m_of.mount.service()->mayChooseWrap(axis); });
+}
+
+Result<> Gates::mayResetStop() const
+{
+    return m_of.arming.mayResetStop().and_then([this]() -> Result<> {
+        if (m_of.mount.underOrders() && !m_of.motion.atRest()) {
+            return failure(ErrorCode::Refused,
+                           Text::tr("The mount is still braking. Reset STOP when it stands still."));
+        }
+        return {};
+    });
+}
+
+Result<> Gates::mayClearTrim() const
+{
+    return m_of.motion.trim() != AxisPosition{} ? Result<>{}
+                                                : failure(ErrorCode::Refused, Text::tr("The target has no trim."));
 }
 
 bool Gates::isInSunBand(const AxisPosition& place) const

@@ -40,6 +40,8 @@ public:
     [[nodiscard]] AxisPosition park() const;
     // The same direction, where the azimuth cable is wound least.
     [[nodiscard]] Result<AxisPosition> unwound() const;
+    // To a client 95° is the equal direction behind the zenith; an operator who asks for it has slipped.
+    [[nodiscard]] Result<> isElevation(Angle elevation) const;
     [[nodiscard]] Result<> hasAxis(Axis axis) const;
     [[nodiscard]] Result<> isFresh(Axis axis) const;  // measured within kOldestPosition
     // It stands still at an angle that is known and fresh, which may be given another number.
@@ -52,6 +54,11 @@ public:
     [[nodiscard]] Result<> mayLeaveBus() const;
     [[nodiscard]] Result<> hasService() const;                    // something can be done to the mount itself
     [[nodiscard]] Result<> mayProve(const Source& source) const;  // how the axes stop
+    [[nodiscard]] Result<> mayEndProof() const;
+    [[nodiscard]] Result<> mayTakeBus() const;
+    [[nodiscard]] Result<> mayChooseTurn(Axis axis) const;  // answer which wrap it is on
+    [[nodiscard]] Result<> mayResetStop() const;
+    [[nodiscard]] Result<> mayClearTrim() const;  // there is one
     [[nodiscard]] Result<> mayGiveControl() const;
     [[nodiscard]] Result<> mayGiveLead(std::uint64_t clientId) const;
     // Whether other terms of the pointing model would leave the motion what it is.

@@ -39,6 +39,13 @@ Result<AxisPosition> Helm::placeOf(const SkyPointing& direction) const
     return resolved.position;
 }
 
+Result<AxisPosition> Helm::aimOf(const SkyPointing& direction) const
+{
+    return placeOf(direction).and_then([&](const AxisPosition& place) {
+        return Gates(view()).isElevation(direction.elevation).map([&] { return place; });
+    });
+}
+
 Result<AxisPosition> Helm::placeAlong(Axis axis, Angle angle, const AxisPosition& from) const
 {
     constexpr int kRounds = 3;  // on a mast that leans one angle of the beam depends on both axes
@@ -69,6 +76,36 @@ Result<> Helm::reaches(const SkyPointing& direction) const
         }
         return mayGoTo(place);
     });
+}
+
+Result<> Helm::mayAim(const SkyPointing& direction) const
+{
+    return aimOf(direction).and_then([this](const AxisPosition& place) { return mayGoTo(turnWithAWay(place)); });
+}
+
+// In brief: the direction stands beside it.
+QString Helm::obstacleAt(const SkyPointing& direction) const
+{
+    const auto place = aimOf(direction);
+    return place ? m_of.motion.region().obstacle(*place) : place.error().text;
+}
+
+std::optional<SkyPointing> Helm::nearestTo(const SkyPointing& direction) const
+{
+    const pointing::Resolved resolved = view().model.resolve(direction, heading());
+    const auto place = pointing::nearestPermitted(m_of.motion.region(), resolved.position);
+    const auto beam = place ? std::optional(view().model.toSky(*place)) : std::nullopt;
+    return beam && mayAim(*beam) ? beam : std::nullopt;
+}
+
+DirectionVerdict Helm::judge(const SkyPointing& direction) const
+{
+    const Result<> may = mayAim(direction);
+    if (may) {
+        return {};
+    }
+    const QString obstacle = obstacleAt(direction);
+    return {.whyNot = obstacle.isEmpty() ? may.error().text : obstacle, .nearest = nearestTo(direction)};
 }
 
 Result<> Helm::goTo(const AxisPosition& place, Activity activity, const Source& by, const QString& what)

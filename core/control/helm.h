@@ -53,10 +53,14 @@ public:
     [[nodiscard]] Result<> mayGoTo(const AxisPosition& place) const;
     // The axes of a direction, on the wrap nearest to where they are going; an error when they do not reach it.
     [[nodiscard]] Result<AxisPosition> placeOf(const SkyPointing& direction) const;
+    // The same for a direction that the operator asks for.
+    [[nodiscard]] Result<AxisPosition> aimOf(const SkyPointing& direction) const;
     // The same for an azimuth or an elevation alone: the other axis stays where it is in `from`.
     [[nodiscard]] Result<AxisPosition> placeAlong(Axis axis, Angle angle, const AxisPosition& from) const;
     // Whether the beam can be pointed there from where it is.
     [[nodiscard]] Result<> reaches(const SkyPointing& direction) const;
+    // Whether a go-to of the operator to this direction would be refused, whatever stands in the way of any motion.
+    [[nodiscard]] DirectionVerdict judge(const SkyPointing& direction) const;
 
     // `what` is shown and logged while the motion goes on.
     Result<> goTo(const AxisPosition& place, Activity activity, const Source& by, const QString& what);
@@ -96,6 +100,9 @@ private:
     [[nodiscard]] QString arrivalText(const AxisPosition& place) const;
     [[nodiscard]] Result<> mayRun(const AxisRates& rates, Activity activity, const Source& by) const;
     [[nodiscard]] AxisPosition turnWithAWay(const AxisPosition& place) const;
+    [[nodiscard]] Result<> mayAim(const SkyPointing& direction) const;
+    [[nodiscard]] QString obstacleAt(const SkyPointing& direction) const;
+    [[nodiscard]] std::optional<SkyPointing> nearestTo(const SkyPointing& direction) const;
     [[nodiscard]] std::optional<CableGuard::TurnBack> turnBackTo(const AxisPosition& place, const Source& by) const;
     void beginTurnBack(const std::optional<CableGuard::TurnBack>& back);
     Result<> follow(pointing::Resolved resolved, const SkyPointing& asked, const Source& by, const QString& what);

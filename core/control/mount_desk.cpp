@@ -38,7 +38,7 @@ Result<> MountDesk::ask(const request::ReleaseBus&, const Source& by)
 Result<> MountDesk::ask(const request::TakeBus&, const Source& by)
 {
     return operatorOnly(by)
-        .and_then([this] { return gates().hasService(); })
+        .and_then([this] { return gates().mayTakeBus(); })
         .and_then([this] { return service().takeBus(); })
         .map([&] {
             m_log.add(Severity::Advisory, by.name, Text::tr("takes the bus back, and reads the drives again"));
@@ -47,7 +47,7 @@ Result<> MountDesk::ask(const request::TakeBus&, const Source& by)
 
 Result<> MountDesk::ask(const request::ChooseTurn& wanted, const Source& by)
 {
-    return operatorOnly(by).and_then([this] { return gates().mayLeaveBus(); }).and_then([&] {
+    return operatorOnly(by).and_then([&] { return gates().mayChooseTurn(wanted.axis); }).and_then([&] {
         m_helm.takeOver(by);
         return service().chooseWrap(wanted.axis, wanted.angle, by.name);
     });
@@ -72,12 +72,10 @@ Result<> MountDesk::ask(const request::ProveCrashStop& wanted, const Source& by)
 
 Result<> MountDesk::ask(const request::EndProof&, const Source& by)
 {
-    if (!m_mount.proofRunning()) {
-        return failure(ErrorCode::Refused, Text::tr("no proof is running"));
-    }
-    service().endProof(Text::tr("ended by the %1").arg(Text::of(by.name.toStdString())));
-    m_helm.hold(Activity::Holding);
-    return {};
+    return gates().mayEndProof().map([&] {
+        service().endProof(Text::tr("ended by the %1").arg(Text::of(by.name.toStdString())));
+        m_helm.hold(Activity::Holding);
+    });
 }
 
 }  // namespace boresight

@@ -39,6 +39,7 @@ Permissions PermissionReport::permissions() const
     judgePlaces(may);
     judgeJogs(may);
     judgeDrives(may);
+    judgeControl(may);
     return may;
 }
 
@@ -73,6 +74,7 @@ void PermissionReport::judgeDrives(Permissions& may) const
     const Gates gates(m_of);
     for (const Axis axis : kAxes) {
         judge(may, setAction(axis), gates.maySet(axis));
+        judge(may, chooseTurnAction(axis), gates.mayChooseTurn(axis));
     }
     const Result<> rest = gates.drivesRest();
     judge(may, Action::ReadDrives, gates.mayReadDrives());
@@ -81,6 +83,18 @@ void PermissionReport::judgeDrives(Permissions& may) const
     judge(may, Action::ReleaseBus, gates.mayLeaveBus());
     judge(may, Action::Reconnect, rest);
     judge(may, Action::ProveCrashStop, gates.mayProve(kTheOperator));
+    judge(may, Action::EndProof, gates.mayEndProof());
+    judge(may, Action::TakeBus, gates.mayTakeBus());
+}
+
+// Who has the control, and what brings the mount back. The operator may take the control at any time.
+void PermissionReport::judgeControl(Permissions& may) const
+{
+    const Gates gates(m_of);
+    judge(may, Action::Rearm, m_of.arming.mayRearm(kTheOperator));
+    judge(may, Action::ResetStop, gates.mayResetStop());
+    judge(may, Action::ClearTrim, gates.mayClearTrim());
+    judge(may, Action::GiveAuthority, gates.mayGiveControl());
 }
 
 }  // namespace boresight

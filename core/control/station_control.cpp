@@ -164,10 +164,7 @@ Result<> StationControl::handle(const request::Stop&, const Source& source)
 
 Result<> StationControl::handle(const request::ResetStop&, const Source& source)
 {
-    if (m_mount.underOrders() && !m_motion.atRest()) {
-        return failure(ErrorCode::Refused, Text::tr("The mount is still braking. Reset STOP when it stands still."));
-    }
-    return m_arming.resetStop().map([&] {
+    return gates().mayResetStop().and_then([this] { return m_arming.resetStop(); }).map([&] {
         m_log.add(Severity::Advisory, source.name, Text::tr("resets STOP, and nothing moves until the next command"));
     });
 }
@@ -193,10 +190,16 @@ Result<> StationControl::handle(const request::Rearm&, const Source& source)
 Result<> StationControl::handle(const request::ClearTrim&, const Source& source)
 {
     return operatorOnly(source).map([&] {
-        if (m_motion.trim() != AxisPosition{}) {
+        if (gates().mayClearTrim()) {
             m_helm.setTrim({}, source);
         }
     });
+}
+
+// The station sends judge() with its answer.
+Result<> StationControl::handle(const request::JudgeDirection&, const Source& source)
+{
+    return operatorOnly(source);
 }
 
 Result<> StationControl::handle(const request::AcknowledgeAlarms&, const Source&)

@@ -93,6 +93,8 @@ public:
     [[nodiscard]] bool waitsSinceRearm(const Source& client) const { return m_lead.waits(client.clientId); }
     // Whether the beam can be pointed there from where it is, by all that is permitted.
     [[nodiscard]] Result<> reaches(const SkyPointing& direction) const { return m_helm.reaches(direction); }
+    // Whether the operator may send the mount there, by the gates that a go-to passes.
+    [[nodiscard]] DirectionVerdict judge(const SkyPointing& direction) const { return m_helm.judge(direction); }
     [[nodiscard]] const pointing::PermittedRegion& region() const { return m_motion.region(); }
     // Those of the profile, as far as the rotator can go along.
     [[nodiscard]] const tracking::MotionLimits& limits(Axis axis) const { return m_motion.limits(axis); }
@@ -135,6 +137,7 @@ private:
     Result<> handle(const request::Stop& wanted, const Source& source);
     Result<> handle(const request::ResetStop& wanted, const Source& source);
     Result<> handle(const request::Rearm& wanted, const Source& source);
+    Result<> handle(const request::JudgeDirection& wanted, const Source& source);
     Result<> handle(const request::AcknowledgeAlarms& wanted, const Source& source);
     Result<> handle(const request::ClearTrim& wanted, const Source& source);
     Result<> handle(const request::AcknowledgeAlarm& wanted, const Source& source);

@@ -65,6 +65,15 @@ enum class Action
     DiscardCalibration,
     UndoCalibration,
     RedoCalibration,
+    Rearm,
+    ResetStop,
+    ClearTrim,  // where the target has no trim the screen does not offer it, but it is never refused
+    TakeAuthority,
+    GiveAuthority,
+    ChooseAzimuthTurn,  // the answer to the question which wrap the axis is on
+    ChooseElevationTurn,
+    TakeBus,
+    EndProof,
     Count
 };
 
@@ -93,6 +102,11 @@ template <class Which>
 [[nodiscard]] constexpr Action setAction(Axis axis)
 {
     return actionOf(Action::SetAzimuth, axis);
+}
+
+[[nodiscard]] constexpr Action chooseTurnAction(Axis axis)
+{
+    return actionOf(Action::ChooseAzimuthTurn, axis);
 }
 
 class Permissions

@@ -33,6 +33,10 @@ struct PointAxis  // go to this azimuth or elevation of a direction; the other a
     Axis axis = Axis::Azimuth;
     Angle angle;
 };
+struct JudgeDirection  // asks whether PointSky would be refused: see Answer::verdict. Moves nothing
+{
+    SkyPointing direction;
+};
 struct Jog  // dead-man: must be repeated within kJogKeepAlive, else the axes stop; zero rates end it
 {
     AxisRates rates;
@@ -212,13 +216,14 @@ using CalibrationRequest =
                  request::UndoCalibration, request::RedoCalibration>;
 
 using Request =
-    std::variant<request::PointSky, request::PointAxes, request::PointAxis, request::Jog, request::Move, request::Step,
-                 request::Follow, request::Nudge, request::ClearTrim, request::Horizon, request::Hold, request::Stop,
-                 request::ResetStop, request::Park, request::Home, request::Unwind, request::Rearm,
-                 request::TakeAuthority, request::GiveAuthority, request::GiveLead, request::SetReadOnly,
-                 request::Disconnect, request::AcknowledgeAlarms, request::AcknowledgeAlarm, request::ApplyProfile,
-                 request::Reconnect, request::ReadDrives, request::FixDrives, request::SwitchOff, request::ReleaseBus,
-                 request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof, CalibrationRequest>;
+    std::variant<request::PointSky, request::PointAxes, request::PointAxis, request::JudgeDirection, request::Jog,
+                 request::Move, request::Step, request::Follow, request::Nudge, request::ClearTrim, request::Horizon,
+                 request::Hold, request::Stop, request::ResetStop, request::Park, request::Home, request::Unwind,
+                 request::Rearm, request::TakeAuthority, request::GiveAuthority, request::GiveLead,
+                 request::SetReadOnly, request::Disconnect, request::AcknowledgeAlarms, request::AcknowledgeAlarm,
+                 request::ApplyProfile, request::Reconnect, request::ReadDrives, request::FixDrives, request::SwitchOff,
+                 request::ReleaseBus, request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof,
+                 CalibrationRequest>;
 
 // A request of the screen, numbered so that the answer finds the control that sent it.
 struct NumberedRequest

@@ -288,11 +288,22 @@ struct LogEntry
     QString alarm = {};  // the id of the alarm in the catalogue; empty: no alarm
 };
 
+// Whether the mount may be sent to a direction, as far as the direction is concerned. What stands in the way of any
+// motion is in the permissions.
+struct DirectionVerdict
+{
+    QString whyNot = {};                      // empty: it may
+    std::optional<SkyPointing> nearest = {};  // the nearest direction that is allowed, where this one is not
+
+    bool operator==(const DirectionVerdict&) const = default;
+};
+
 // The answer to one request of the screen; `error` empty means accepted.
 struct Answer
 {
     std::uint64_t requestId = 0;
-    std::optional<Error> error;
+    std::optional<Error> error = {};
+    std::optional<DirectionVerdict> verdict = {};  // of JudgeDirection
 };
 
 // One parcel to the screen. The station sends the next only after the last was taken, so a stalled screen gets the

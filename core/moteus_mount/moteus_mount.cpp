@@ -369,22 +369,30 @@ QString MoteusMount::leaveBus()
     return Text::tr("releases the bus to other tools, and drives that held continue in their time-out mode");
 }
 
-Result<> MoteusMount::takeBus()
+Result<> MoteusMount::mayTakeBus() const
 {
-    if (!m_busLeft) {
-        return failure(ErrorCode::Refused, Text::tr("the bus is not released to other tools"));
-    }
-    m_busLeft = false;
-    m_started = m_clock.now();  // the drives have had no question yet
-    return {};
+    return m_busLeft ? Result<>{} : failure(ErrorCode::Refused, Text::tr("the bus is not released to other tools"));
 }
 
-Result<> MoteusMount::chooseWrap(Axis axis, Angle angle, const QString& source)
+Result<> MoteusMount::takeBus()
+{
+    return mayTakeBus().map([this] {
+        m_busLeft = false;
+        m_started = m_clock.now();  // the drives have had no question yet
+    });
+}
+
+Result<> MoteusMount::mayChooseWrap(Axis axis) const
 {
     if (!has(axis)) {
         return failure(ErrorCode::NotAvailable, Text::tr("No moteus turns this axis."));
     }
-    return m_turns.choose(axis, angle, m_drives.drive(axis), source);
+    return m_turns.mayChoose(axis, m_drives.drive(axis));
+}
+
+Result<> MoteusMount::chooseWrap(Axis axis, Angle angle, const QString& source)
+{
+    return mayChooseWrap(axis).and_then([&] { return m_turns.choose(axis, angle, m_drives.drive(axis), source); });
 }
 
 Result<> MoteusMount::mayProve(AngularRate rate, const TravelRange& azimuths, const TravelRange& elevations)

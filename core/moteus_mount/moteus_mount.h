@@ -87,7 +87,9 @@ public:
     [[nodiscard]] Result<> mayBeWritten() const override;
     [[nodiscard]] QString switchOff() override;
     [[nodiscard]] QString leaveBus() override;
+    [[nodiscard]] Result<> mayTakeBus() const override;
     Result<> takeBus() override;
+    [[nodiscard]] Result<> mayChooseWrap(Axis axis) const override;
     [[nodiscard]] Result<> chooseWrap(Axis axis, Angle angle, const QString& source) override;
     [[nodiscard]] Result<> mayProve(AngularRate rate, const TravelRange& azimuths,
                                     const TravelRange& elevations) override;

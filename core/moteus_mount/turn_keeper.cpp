@@ -332,16 +332,24 @@ void TurnKeeper::addTurning(Axis axis, TurnQuestion& question) const
     }
 }
 
-Result<> TurnKeeper::choose(Axis axis, Angle angle, Drive& drive, const QString& source)
+Result<> TurnKeeper::mayChoose(Axis axis, const Drive& drive) const
 {
-    const auto asked = question(axis, drive);
-    if (!asked) {
+    if (!question(axis, drive)) {
         return failure(ErrorCode::Refused,
                        Text::tr("Boresight did not ask where the axis of the %1 is.").arg(drive.label()));
     }
     if (!drive.canBeReferenced()) {
         return failure(ErrorCode::Refused, Text::tr("The drive is busy. Try again in a second."));
     }
+    return {};
+}
+
+Result<> TurnKeeper::choose(Axis axis, Angle angle, Drive& drive, const QString& source)
+{
+    if (const Result<> may = mayChoose(axis, drive); !may) {
+        return may;
+    }
+    const auto asked = question(axis, drive);
     Angle place = angle;
     if (!asked->candidates.empty()) {
         place = nearestOf(asked->candidates, angle);

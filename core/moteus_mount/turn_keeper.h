@@ -44,6 +44,8 @@ public:
     void forget(Axis axis, const std::optional<QString>& doubt = std::nullopt);
     // With what is known about the drive: judges, and writes the answer into the drive. Call each tick.
     void judge(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now);
+    // The operator is asked about the axis, and its drive can take an answer now.
+    [[nodiscard]] Result<> mayChoose(Axis axis, const Drive& drive) const;
     // The operator has looked: the axis stands at about `angle`. Refused if the drive's direction contradicts it.
     Result<> choose(Axis axis, Angle angle, Drive& drive, const QString& source);
 

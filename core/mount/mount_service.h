@@ -27,8 +27,11 @@ public:
 
     // Leaves the bus to other tools, and takes it back. The first returns what the log says of it.
     [[nodiscard]] virtual QString leaveBus() = 0;
+    [[nodiscard]] virtual Result<> mayTakeBus() const = 0;
     virtual Result<> takeBus() = 0;
 
+    // The operator is asked which wrap the axis is on, and an answer can be taken now; else the reason.
+    [[nodiscard]] virtual Result<> mayChooseWrap(Axis axis) const = 0;
     // The operator has looked: the axis stands at about `angle`. `source` is named in the log.
     [[nodiscard]] virtual Result<> chooseWrap(Axis axis, Angle angle, const QString& source) = 0;
 

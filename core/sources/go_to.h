@@ -17,9 +17,6 @@ public:
 
 protected:
     [[nodiscard]] bool serves(const Source& by) const override { return by.kind != SourceKind::Client; }
-
-private:
-    [[nodiscard]] Result<> isElevation(Angle elevation) const;
 };
 
 }  // namespace boresight::sources

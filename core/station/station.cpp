@@ -274,9 +274,16 @@ void Station::request(const NumberedRequest& numbered)
     if (!answer) {
         m_log.add(Severity::Warning, operatorSource().name, Text::tr("refused: %1").arg(answer.error().text));
     }
-    m_answers.push_back(
-        {.requestId = numbered.id, .error = answer ? std::optional<Error>() : std::optional(answer.error())});
+    m_answers.push_back({.requestId = numbered.id,
+                         .error = answer ? std::optional<Error>() : std::optional(answer.error()),
+                         .verdict = answer ? verdictOn(numbered.request) : std::nullopt});
     hurry(numbered.request);
+}
+
+std::optional<DirectionVerdict> Station::verdictOn(const Request& request) const
+{
+    const auto* const asked = std::get_if<request::JudgeDirection>(&request);
+    return asked != nullptr ? std::optional(m_control.judge(asked->direction)) : std::nullopt;
 }
 
 Result<> Station::askNow(const Request& request, const Source& by)

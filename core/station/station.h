@@ -105,6 +105,7 @@ private:
     [[nodiscard]] Result<> obey(const Request& request, const Source& by);
     [[nodiscard]] Result<> askNow(const Request& request, const Source& by);
     void hurry(const Request& request);
+    [[nodiscard]] std::optional<DirectionVerdict> verdictOn(const Request& request) const;
     [[nodiscard]] Result<> carryOut(const Request& request);
     void openServer();
     void refuseToStart();

@@ -57,6 +57,9 @@ StationStatus judged(StationStatus status)
     }
     judgeCalibration(status);
     status.calibration = known;
+    if (!status.trim) {
+        status.permissions.refuse(Action::ClearTrim, QStringLiteral("The target has no trim."));
+    }
     addBeam(status, pointing::PointingModel(status.profile->pointing));
     return status;
 }

@@ -13,7 +13,9 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 // A shown and active window at 1024×700 with a clock turned by hand, and everything it asks of the station. Its beat,
@@ -25,8 +27,10 @@ class WindowFixture : public ::testing::Test
 protected:
     explicit WindowFixture(const WindowSettings& windowSettings = settings()) : window(clock, windowSettings)
     {
-        QObject::connect(&window, &MainWindow::requested, &window,
-                         [this](const NumberedRequest& request) { requests.push_back(request); });
+        QObject::connect(&window, &MainWindow::requested, &window, [this](const NumberedRequest& request) {
+            const bool isQuestion = std::holds_alternative<request::JudgeDirection>(request.request);
+            (isQuestion ? questions : requests).push_back(request);
+        });
         window.resize(1024, 700);
         window.QWidget::show();
         window.activateWindow();
@@ -41,7 +45,15 @@ protected:
     // The keys of all panels that are always there.
     static constexpr std::string_view kPanels = "123456789";
 
-    void give(const StationUpdate& update) { window.showUpdate(update); }
+    // With the verdicts on the directions that the window has asked about.
+    void give(StationUpdate update)
+    {
+        for (const NumberedRequest& one : std::exchange(questions, {})) {
+            update.answers.push_back(
+                {.requestId = one.id, .verdict = judge(std::get<request::JudgeDirection>(one.request).direction)});
+        }
+        window.showUpdate(update);
+    }
     void elapse(Seconds time) { timers.elapse(time); }
 
     template <class T>
@@ -66,7 +78,10 @@ protected:
     }
 
     fakes::ManualClock clock;
-    std::vector<NumberedRequest> requests;
+    std::vector<NumberedRequest> requests;   // without the questions
+    std::vector<NumberedRequest> questions;  // not answered yet
+    // What the station says to a question.
+    std::function<DirectionVerdict(const SkyPointing&)> judge = [](const SkyPointing&) { return DirectionVerdict{}; };
     MainWindow window;
     fakes::HandTurnedTimers timers{window, clock};
 };

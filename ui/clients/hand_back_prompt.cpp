@@ -31,6 +31,7 @@ void HandBackPrompt::showStatus(const StationStatus& status)
     if (wanted && isHidden()) {
         notice().setValue({});
     }
+    m_handBack->setBlocked(status.permissions.reason(Action::GiveAuthority));
     setVisible(wanted);
 }
 

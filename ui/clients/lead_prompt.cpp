@@ -69,6 +69,7 @@ void LeadPrompt::showStatus(const StationStatus& status)
         notice().setValue({});
     }
     m_asking = found->id;
+    m_give->setBlocked(found->leadObstacle);
     setText(question(shortName(status, *found)));
     show();
 }

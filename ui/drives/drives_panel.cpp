@@ -207,7 +207,7 @@ void DrivesPanel::showStatus(const StationStatus& status)
                           released ? tr("Open the adapter again and read the drives anew")
                                    : tr("Leave the adapter to other tools (tview, moteus_tool). Nothing moves until it "
                                         "is taken back."));
-    m_release->setBlocked(released ? QString() : status.permissions.reason(Action::ReleaseBus));
+    m_release->setBlocked(status.permissions.reason(released ? Action::TakeBus : Action::ReleaseBus));
     showProof();
     showWhetherPossible(status);
 }
@@ -243,7 +243,7 @@ void DrivesPanel::showProof()
                               : tr("Run …"),
                       running ? tr("Feed the drives again and hold")
                               : tr("Move each axis, stop feeding its drive, measure; asks first"));
-    m_run->setBlocked(running ? QString() : m_status.permissions.reason(Action::ProveCrashStop));
+    m_run->setBlocked(m_status.permissions.reason(running ? Action::EndProof : Action::ProveCrashStop));
     m_rate->setEnabled(!running);
     m_proof->setValue(drives.proofText, running ? Tone::Advisory : Tone::Secondary,
                       running ? Symbol::Advisory : Symbol::None);

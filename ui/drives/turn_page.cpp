@@ -203,7 +203,7 @@ void TurnPage::showAnswer()
     }
     m_answer->setBlocked(!angle               ? tr("select where the axis stands first")
                          : m_fresh.isActive() ? tr("read the question first")
-                                              : QString());
+                                              : m_status.permissions.reason(chooseTurnAction(*m_axis)));
 }
 
 void TurnPage::readField()

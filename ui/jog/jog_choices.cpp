@@ -34,8 +34,9 @@ QString shownRate(AngularRate rate)
 
 }  // namespace
 
-JogChoices::JogChoices(JogPad& pad, QWidget* parent)
+JogChoices::JogChoices(const ProfileDraft& draft, JogPad& pad, QWidget* parent)
     : QWidget(parent),
+      m_draft(draft),
       m_pad(pad),
       m_rate(new ValueLabel(tr("Rate while held"), fonts::label(), {}, this)),
       m_slider(new RateSlider(this))
@@ -90,13 +91,7 @@ QWidget* JogChoices::makeSteps()
 
 void JogChoices::showStatus(const StationStatus& status)
 {
-    const AngularRate fastest = status.permissions.fastestJog;
-    const bool same = status.profile->jog == rates() && fastest == m_fastest;
-    m_profile = status.profile;
-    if (same) {
-        return;
-    }
-    m_fastest = fastest;
+    m_fastest = status.permissions.fastestJog;
     m_slider->setEnds(rates().slow, rates().fast);
     showRate();
 }

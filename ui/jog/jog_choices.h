@@ -2,11 +2,10 @@
 #pragma once
 
 #include "core/messages/station_status.h"
-#include "core/profile/profile.h"
+#include "ui/link/profile_draft.h"
 
 #include <QWidget>
 
-#include <memory>
 #include <optional>
 
 // How the pad moves: the rate while held, between the slow and the fast one of the profile in force, and the size of a
@@ -23,7 +22,7 @@ class JogChoices : public QWidget
     Q_OBJECT
 
 public:
-    explicit JogChoices(JogPad& pad, QWidget* parent = nullptr);
+    JogChoices(const ProfileDraft& draft, JogPad& pad, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
 
@@ -31,14 +30,14 @@ private:
     [[nodiscard]] QLayout* makeRate();
     [[nodiscard]] QWidget* makeSteps();
     void choose(AngularRate rate);
-    [[nodiscard]] const profile::JogSettings& rates() const { return m_profile->jog; }
+    [[nodiscard]] const profile::JogSettings& rates() const { return m_draft.inForce().jog; }
     void showRate();
 
+    const ProfileDraft& m_draft;
     JogPad& m_pad;
     ValueLabel* m_rate;
     RateSlider* m_slider;
     std::optional<AngularRate> m_chosen;  // empty: the normal rate of the profile
-    std::shared_ptr<const profile::Profile> m_profile = std::make_shared<const profile::Profile>();  // shown last
     AngularRate m_fastest;
 };
 

@@ -20,7 +20,7 @@ JogPanel::JogPanel(const Clock& clock, ProfileDraft& draft, RequestDesk& desk, c
     : QWidget(parent),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_pad(new JogPad(clock, desk, *m_notice, this)),
-      m_choices(new JogChoices(*m_pad, this)),
+      m_choices(new JogChoices(draft, *m_pad, this)),
       m_goTo(new GoToBar(desk, *m_notice, recentGoTos, this)),
       m_presets(new PresetBar(draft, desk, *m_notice, this)),
       m_horizon(new CommandButton(tr("Horizon"),
@@ -149,7 +149,7 @@ void JogPanel::showTrim()
     const SkyPointing trim = m_status.trim.value_or(SkyPointing{});
     const QString text = tr("Trim: AZ %1 EL %2").arg(signedAngleText(trim.azimuth), signedAngleText(trim.elevation));
     m_trim->setValue(m_status.trim ? text : tr("No trim"), m_status.trim ? Tone::Normal : Tone::Secondary);
-    m_clearTrim->setBlocked(m_status.trim ? QString() : tr("The target has no trim."));
+    m_clearTrim->setBlocked(m_status.permissions.reason(Action::ClearTrim));
     m_clearTrim->setCommand(tr("Clear trim"), tr("%1. Your steps are added to the targets of the clients.").arg(text));
 }
 

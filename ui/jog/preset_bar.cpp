@@ -5,7 +5,6 @@
 #include "ui/kit/format.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/touch_combo.h"
-#include "ui/link/forbidden.h"
 #include "ui/link/profile_draft.h"
 
 #include <QHBoxLayout>
@@ -34,7 +33,8 @@ PresetBar::PresetBar(ProfileDraft& draft, RequestDesk& desk, ValueLabel& notice,
       m_go(new CommandButton(tr("Go to"), tr("Go to this preset by the shortest way (Enter)"), desk, notice, this)),
       m_save(new CommandButton(tr("Save here"), tr("Save the present direction of the mount under this name"), desk,
                                notice, this)),
-      m_delete(new CommandButton(tr("Delete"), tr("Delete this preset from the list"), desk, notice, this))
+      m_delete(new CommandButton(tr("Delete"), tr("Delete this preset from the list"), desk, notice, this)),
+      m_question(desk, this)
 {
     build();
     connect(m_names, &QComboBox::editTextChanged, this, &PresetBar::lookUp);
@@ -43,6 +43,7 @@ PresetBar::PresetBar(ProfileDraft& draft, RequestDesk& desk, ValueLabel& notice,
     connect(m_save, &QPushButton::clicked, this, &PresetBar::save);
     connect(m_delete, &QPushButton::clicked, this, &PresetBar::remove);
     connect(m_delete, &CommandButton::accepted, m_names, &QComboBox::clearEditText);
+    connect(&m_question, &DirectionQuestion::answered, this, &PresetBar::showPermissions);
 }
 
 void PresetBar::build()
@@ -81,6 +82,9 @@ void PresetBar::showStatus(const StationStatus& status)
         showPresets();
         lookUp();
     }
+    if (isVisible()) {
+        m_question.showStatus(status);
+    }
     showPermissions();
 }
 
@@ -94,7 +98,11 @@ void PresetBar::showPresets()
 void PresetBar::lookUp()
 {
     const profile::Preset* const preset = chosen();
-    m_forbidden = preset ? whyForbidden(m_status, preset->direction) : QString();
+    if (preset != nullptr) {
+        m_question.ask(preset->direction);
+    } else {
+        m_question.drop();
+    }
     m_names->setAccessibleDescription(preset ? directionText(preset->direction) : QString());
     m_go->setCommand(tr("Go to"), preset
                                       ? tr("Go to %1 by the shortest way (Enter)").arg(directionText(preset->direction))
@@ -112,7 +120,7 @@ void PresetBar::showPermissions()
 QString PresetBar::whyNoGo() const
 {
     const QString reason = m_status.permissions.reason(Action::Point);
-    return !reason.isEmpty() ? reason : chosen() ? m_forbidden : tr("There is no preset with this name.");
+    return !reason.isEmpty() ? reason : chosen() ? m_question.whyNot() : tr("There is no preset with this name.");
 }
 
 QString PresetBar::whyNoSave() const

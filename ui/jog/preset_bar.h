@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/messages/station_status.h"
+#include "ui/link/direction_question.h"
 
 #include <QWidget>
 
@@ -11,7 +12,6 @@ namespace boresight::ui {
 
 class CommandButton;
 class ProfileDraft;
-class RequestDesk;
 class TouchCombo;
 class ValueLabel;
 
@@ -42,8 +42,8 @@ private:
     CommandButton* m_go;
     CommandButton* m_save;
     CommandButton* m_delete;
+    DirectionQuestion m_question;  // about the chosen one
     StationStatus m_status;
-    QString m_forbidden;
 };
 
 }  // namespace boresight::ui

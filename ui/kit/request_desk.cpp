@@ -8,10 +8,17 @@ namespace {
 constexpr std::size_t kMaxWaiting = 200;
 }  // namespace
 
-void RequestDesk::send(const Request& request, QObject* asker, Reply reply)
+void RequestDesk::send(const Request& request, QObject* asker, const Reply& reply)
+{
+    ask(request, asker, [reply](const Answer& answer) { reply(answer.error); });
+}
+
+void RequestDesk::ask(const Request& request, QObject* asker, WholeReply reply)
 {
     if (m_waiting.size() >= kMaxWaiting) {
-        answer(m_waiting.begin(), Error{ErrorCode::NoAnswer, tr("the station does not answer")});
+        const auto eldest = m_waiting.begin();
+        answer(eldest,
+               {.requestId = eldest->first, .error = Error{ErrorCode::NoAnswer, tr("the station does not answer")}});
     }
     const std::uint64_t id = ++m_last;
     m_waiting.emplace(id, Waiting{asker, std::move(reply)});
@@ -23,17 +30,17 @@ void RequestDesk::take(const std::vector<Answer>& answers)
     for (const Answer& one : answers) {
         const auto waiting = m_waiting.find(one.requestId);
         if (waiting != m_waiting.end()) {
-            answer(waiting, one.error);
+            answer(waiting, one);
         }
     }
 }
 
-void RequestDesk::answer(std::map<std::uint64_t, Waiting>::iterator waiting, const std::optional<Error>& error)
+void RequestDesk::answer(std::map<std::uint64_t, Waiting>::iterator waiting, const Answer& answer)
 {
     const Waiting asked = std::move(waiting->second);
     m_waiting.erase(waiting);  // before the reply: it may send again
     if (asked.asker) {
-        asked.reply(error);
+        asked.reply(answer);
     }
 }
 

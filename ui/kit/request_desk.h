@@ -21,11 +21,14 @@ class RequestDesk : public QObject
 
 public:
     using Reply = std::function<void(const std::optional<Error>&)>;
+    using WholeReply = std::function<void(const Answer&)>;
 
     using QObject::QObject;
 
     // `reply` is called once, unless `asker` is gone by then.
-    void send(const Request& request, QObject* asker, Reply reply);
+    void send(const Request& request, QObject* asker, const Reply& reply);
+    // The same for a question: its answer says more than yes or no.
+    void ask(const Request& question, QObject* asker, WholeReply reply);
     void take(const std::vector<Answer>& answers);
 
 Q_SIGNALS:
@@ -35,10 +38,10 @@ private:
     struct Waiting
     {
         QPointer<QObject> asker;
-        Reply reply;
+        WholeReply reply;
     };
 
-    void answer(std::map<std::uint64_t, Waiting>::iterator waiting, const std::optional<Error>& error);
+    void answer(std::map<std::uint64_t, Waiting>::iterator waiting, const Answer& answer);
 
     std::map<std::uint64_t, Waiting> m_waiting;
     std::uint64_t m_last = 0;

@@ -8,6 +8,7 @@
 #include <QPointer>
 
 #include <algorithm>
+#include <utility>
 
 namespace boresight::ui {
 
@@ -28,6 +29,10 @@ ProfileDraft::ProfileDraft(RequestDesk& desk, QObject* parent)
 
 void ProfileDraft::showStatus(const StationStatus& status)
 {
+    const QString obstacle = status.permissions.reason(Action::Reconnect);
+    if (std::exchange(m_reconnectObstacle, obstacle) != obstacle) {
+        Q_EMIT permissionChanged();
+    }
     if (status.profile == m_inForce && status.waitingKeys == m_waitingKeys) {
         return;
     }
@@ -192,7 +197,7 @@ QString ProfileDraft::whyNoApply() const
     if (!m_problems.empty()) {
         return problemText(m_problems.front());
     }
-    return {};
+    return leavesSimulation() ? m_reconnectObstacle : QString();
 }
 
 QString ProfileDraft::whyNoRevert() const
@@ -216,7 +221,7 @@ QString ProfileDraft::whyNoReconnect() const
     if (m_asked) {
         return tr("the station has not answered yet");
     }
-    return m_waitingKeys.empty() ? tr("nothing waits for a reconnect") : QString();
+    return m_waitingKeys.empty() ? tr("nothing waits for a reconnect") : m_reconnectObstacle;
 }
 
 void ProfileDraft::apply(QObject* asker, const RequestDesk::Reply& reply)

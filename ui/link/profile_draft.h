@@ -78,6 +78,7 @@ public:
 
 Q_SIGNALS:
     void changed();
+    void permissionChanged();  // whether the station lets it reconnect
 
 private:
     using Profiles = std::vector<profile::Profile>;
@@ -100,6 +101,7 @@ private:
     profile::Profile m_edited;
     std::vector<profile::Problem> m_problems;
     std::vector<std::string> m_waitingKeys;
+    QString m_reconnectObstacle = Permissions().reason(Action::Reconnect);
     std::optional<profile::Profile> m_asked;     // sent, not answered
     std::optional<profile::Profile> m_alone;     // sent by applyAlone(), and not seen in force yet
     std::optional<profile::Profile> m_accepted;  // the last one that the station took

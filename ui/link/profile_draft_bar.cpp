@@ -69,6 +69,7 @@ ProfileDraftBar::ProfileDraftBar(ProfileDraft& draft, RequestDesk& desk, QWidget
     });
     connect(m_keep, &QPushButton::clicked, &m_draft, &ProfileDraft::keepEdits);
     connect(&m_draft, &ProfileDraft::changed, this, &ProfileDraftBar::showDraft);
+    connect(&m_draft, &ProfileDraft::permissionChanged, this, &ProfileDraftBar::showDraft);
     showDraft();
 }
 

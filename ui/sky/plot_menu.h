@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/units/sky.h"
+#include "core/messages/station_status.h"
+#include "ui/link/direction_question.h"
 
 #include <QObject>
 #include <QPoint>
-
-#include <functional>
-#include <optional>
+#include <QTimer>
 
 class QWidget;
 
 // What can be done at one place of the sky: go there, or change the draft of the profile there. What cannot be done is
-// disabled and says why. Nothing happens before an entry is chosen.
+// disabled and says why. It opens with the answer of the station about the place, so that no entry moves under the
+// mouse. Nothing happens before an entry is chosen.
 namespace boresight::ui {
 
 class ProfileDraft;
@@ -22,18 +22,9 @@ class PlotMenu : public QObject
     Q_OBJECT
 
 public:
-    // What the station says about a place before it is asked: why the mount may not go there (empty: it may), and the
-    // nearest place that is allowed.
-    struct Advice
-    {
-        QString whyNot = {};
-        std::optional<SkyPointing> nearest = {};
-    };
-    using Adviser = std::function<Advice(const SkyPointing&)>;
+    PlotMenu(const ProfileDraft& draft, RequestDesk& desk, QWidget* parent);
 
-    PlotMenu(const ProfileDraft& draft, QWidget* parent);
-
-    void setAdviser(const Adviser& adviser) { m_adviser = adviser; }
+    void showStatus(const StationStatus& status) { m_whyNoMotion = status.permissions.reason(Action::Point); }
     void open(const SkyPointing& place, const QPoint& globalPos);
 
 Q_SIGNALS:
@@ -42,12 +33,18 @@ Q_SIGNALS:
     void keepOutWanted(const boresight::SkyPointing& place);
 
 private:
+    void show();
+    void show(const QString& whyNot, const std::optional<SkyPointing>& nearest);
     [[nodiscard]] QString whyNoPoint() const;
     [[nodiscard]] QString whyNoKeepOut() const;
 
     const ProfileDraft& m_draft;
     QWidget& m_plot;
-    Adviser m_adviser;
+    QString m_whyNoMotion;  // to any place
+    SkyPointing m_place;
+    QPoint m_at;
+    DirectionQuestion m_question;
+    QTimer m_patience{this};  // with a station that does not answer
 };
 
 }  // namespace boresight::ui

@@ -104,7 +104,7 @@ QwtScaleDiv scaleDiv(double from, double to, const std::vector<double>& lines)
 
 }  // namespace
 
-PolarPlot::PolarPlot(ProfileDraft& draft, QWidget* parent)
+PolarPlot::PolarPlot(ProfileDraft& draft, RequestDesk& desk, QWidget* parent)
     : QWidget(parent),
       m_grid(std::make_unique<QwtPolarGrid>()),
       m_regionItem(std::make_unique<RegionItem>()),
@@ -113,7 +113,7 @@ PolarPlot::PolarPlot(ProfileDraft& draft, QWidget* parent)
       m_markers(new SkyMarkers(this)),
       m_editor(new PlotEditor(draft, this)),
       m_tools(new PlotTools(this)),
-      m_menu(new PlotMenu(draft, this))
+      m_menu(new PlotMenu(draft, desk, this))
 {
     setAccessibleName(tr("Sky plot"));
     setToolTipDuration(5000);
@@ -368,6 +368,7 @@ void PolarPlot::showStatus(const StationStatus& status)
     showRegion(status);
     showCable(status);
     showMarkers(status);
+    m_menu->showStatus(status);
 }
 
 // Its track is a part of the ground; what moves on it is not.

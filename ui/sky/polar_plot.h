@@ -32,12 +32,11 @@ class PolarPlot : public QWidget
     Q_OBJECT
 
 public:
-    explicit PolarPlot(ProfileDraft& draft, QWidget* parent = nullptr);
+    PolarPlot(ProfileDraft& draft, RequestDesk& desk, QWidget* parent = nullptr);
     ~PolarPlot() override;
 
     void showStatus(const StationStatus& status);
     void setPicked(const std::optional<SkyPointing>& direction);
-    void setAdviser(const PlotMenu::Adviser& adviser) { m_menu->setAdviser(adviser); }
     void describe(const StationStatus& status);  // in words, for screen readers; once a second is enough
     void setEditing(bool on);
     void toggleZoom();

@@ -7,6 +7,7 @@
 #include "ui/kit/push_button.h"
 #include "ui/kit/symbol.h"
 #include "ui/kit/value_label.h"
+#include "ui/link/profile_draft.h"
 #include "ui/window/flow_row.h"
 
 #include <QMouseEvent>
@@ -48,6 +49,23 @@ AlarmHelp recoveryOf(const StationStatus& status)
     return status.stopLatched ? AlarmHelp::ResetStop : AlarmHelp::None;
 }
 
+// Why the button that helps cannot act now; empty: it can, and what only opens a panel always can.
+QString whyNot(AlarmHelp help, const Permissions& may)
+{
+    switch (help) {
+        case AlarmHelp::Rearm:
+            return may.reason(Action::Rearm);
+        case AlarmHelp::ResetStop:
+            return may.reason(Action::ResetStop);
+        case AlarmHelp::Unwind:
+            return may.reason(Action::Unwind);
+        case AlarmHelp::Reconnect:
+            return may.reason(Action::Reconnect);
+        default:
+            return {};
+    }
+}
+
 // A latched STOP is no alarm of the station: the operator knows it, and needs the way back.
 std::optional<Alarm> mostUrgent(const StationStatus& status)
 {
@@ -87,8 +105,9 @@ QString listOf(const std::vector<Alarm>& alarms)
 
 }  // namespace
 
-AlarmCard::AlarmCard(RequestDesk& desk, QWidget* parent)
+AlarmCard::AlarmCard(const ProfileDraft& draft, RequestDesk& desk, QWidget* parent)
     : QWidget(parent),
+      m_draft(draft),
       m_what(new ValueLabel(tr("Worst alarm"), boldOf(fonts::text()), {}, this)),
       m_advice(new ValueLabel(tr("What was done and what to do"), fonts::label(), {}, this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
@@ -140,7 +159,6 @@ void AlarmCard::showStatus(const StationStatus& status)
 {
     m_shown = mostUrgent(status);
     m_recovery = recoveryOf(status);
-    m_profile = status.profile;
     showAlarm(status);
     showButtons(status);
     showCount(status);
@@ -172,14 +190,13 @@ void AlarmCard::showAlarm(const StationStatus& status)
 void AlarmCard::showButtons(const StationStatus& status)
 {
     const AlarmHelp shown = m_shown && m_shown->active ? m_shown->help : AlarmHelp::None;
-    // Re-arm and Reset stop are there when they can act, and once.
+    // Re-arm and Reset stop are there while a fault or STOP is latched, and once.
     const bool recovers = shown == AlarmHelp::Rearm || shown == AlarmHelp::ResetStop;
     m_help->setVisible(shown != AlarmHelp::None && !recovers);
     m_help->setCommand(buttonText(shown), m_shown ? m_shown->remedy : QString());
-    m_help->setBlocked(shown == AlarmHelp::Unwind      ? status.permissions.reason(Action::Unwind)
-                       : shown == AlarmHelp::Reconnect ? status.permissions.reason(Action::Reconnect)
-                                                       : QString());
+    m_help->setBlocked(whyNot(shown, status.permissions));
     m_recover->setVisible(m_recovery != AlarmHelp::None);
+    m_recover->setBlocked(whyNot(m_recovery, status.permissions));
     m_recover->setCommand(buttonText(m_recovery == AlarmHelp::None ? AlarmHelp::ResetStop : m_recovery),
                           m_recovery == AlarmHelp::Rearm
                               ? tr("Clear the drive fault. The mount then stands in STANDBY. Nothing moves by itself.")
@@ -228,7 +245,7 @@ void AlarmCard::help(AlarmHelp help, CommandButton& button)
             button.ask(request::Unwind{});
             return;
         case AlarmHelp::Reconnect:
-            button.ask(request::Reconnect{*m_profile});
+            button.ask(request::Reconnect{m_draft.applied()});
             return;
         case AlarmHelp::MovePark:
         case AlarmHelp::OpenProtection:

@@ -5,7 +5,6 @@
 
 #include <QWidget>
 
-#include <memory>
 #include <optional>
 
 class QPushButton;
@@ -17,6 +16,7 @@ class QPushButton;
 namespace boresight::ui {
 
 class CommandButton;
+class ProfileDraft;
 class RequestDesk;
 class ValueLabel;
 
@@ -25,7 +25,7 @@ class AlarmCard : public QWidget
     Q_OBJECT
 
 public:
-    explicit AlarmCard(RequestDesk& desk, QWidget* parent = nullptr);
+    AlarmCard(const ProfileDraft& draft, RequestDesk& desk, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
     void beat(SteadyTime now, bool flashing);
@@ -55,6 +55,7 @@ private:
     void showWhetherNeeded();
     void help(AlarmHelp help, CommandButton& button);
 
+    const ProfileDraft& m_draft;
     ValueLabel* m_what;
     ValueLabel* m_advice;
     ValueLabel* m_notice;
@@ -64,7 +65,6 @@ private:
     CommandButton* m_acknowledge;
     QPushButton* m_count;
     std::optional<Alarm> m_shown;
-    std::shared_ptr<const profile::Profile> m_profile;  // in force
     AlarmHelp m_recovery = AlarmHelp::None;
     bool m_flashing = false;
     bool m_symbolShown = true;

@@ -18,6 +18,7 @@ void AuthorityButton::showStatus(const StationStatus& status)
     setCommand(ours ? tr("Give to clients") : tr("Take control"),
                ours ? tr("Let rotctld clients move the mount again")
                     : tr("Keep the mount for the operator: motion commands of clients are refused"));
+    setBlocked(status.permissions.reason(ours ? Action::GiveAuthority : Action::TakeAuthority));
 }
 
 }  // namespace boresight::ui

@@ -9,13 +9,10 @@
 #include "ui/jog/gamepad.h"
 #include "ui/jog/jog_panel.h"
 #include "ui/kit/accessibility.h"
-#include "ui/kit/command_button.h"
 #include "ui/kit/focus_frame.h"
 #include "ui/kit/format.h"
-#include "ui/kit/prompt_bar.h"
 #include "ui/kit/value_label.h"
 #include "ui/limits/limits_panel.h"
-#include "ui/link/forbidden.h"
 #include "ui/link/motion_state.h"
 #include "ui/log/log_panel.h"
 #include "ui/look/desk_style.h"
@@ -33,6 +30,7 @@
 #include "ui/window/help_page.h"
 #include "ui/window/main_menu.h"
 #include "ui/window/panel_tabs.h"
+#include "ui/window/pick_prompt.h"
 #include "ui/window/progress_line.h"
 #include "ui/window/sensor_readout.h"
 #include "ui/window/stop_keys.h"
@@ -75,8 +73,8 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_last(clock),
       m_header(new HeaderBar(this)),
       m_progress(new ProgressLine(this)),
-      m_alarms(new AlarmCard(m_desk, this)),
-      m_plot(new PolarPlot(m_draft, this)),
+      m_alarms(new AlarmCard(m_draft, m_desk, this)),
+      m_plot(new PolarPlot(m_draft, m_desk, this)),
       m_plotCell(new QGridLayout),
       m_strip(new QWidget(this)),
       m_readout(new AxisReadout(this)),
@@ -88,10 +86,8 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_authority(new AuthorityButton(m_desk, m_alarms->notice(), this)),
       m_leadBar(new LeadPrompt(m_desk, this)),
       m_handBackBar(new HandBackPrompt(m_desk, this)),
-      m_pickBar(new PromptBar(tr("Direction under the cursor"), {directionText({359.99_deg, -89.99_deg})}, 1, this)),
+      m_pickBar(new PickPrompt(m_desk, this)),
       m_closeBar(new ClosePrompt(this)),
-      m_goHere(new CommandButton(tr("Go here"), tr("Go to this direction by the nearest turn"), m_desk,
-                                 m_pickBar->notice(), m_pickBar)),
       m_help(new HelpPage(this)),
       m_about(new AboutPage(this)),
       m_menu(new MainMenu(settings.language, *this)),
@@ -112,18 +108,9 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(&m_desk, &RequestDesk::requested, this, &MainWindow::requested);
     connect(m_header, &HeaderBar::stopPressed, this, &MainWindow::stop);
     connect(m_stopKeys, &StopKeys::stopPressed, this, &MainWindow::stop);
-    connect(m_plot, &PolarPlot::clicked, this, &MainWindow::pick);
-    connect(m_plot, &PolarPlot::goHereWanted, this, [this](const SkyPointing& direction) {
-        pick(direction);
-        goToPicked();
-    });
-    m_plot->setAdviser([this](const SkyPointing& direction) -> PlotMenu::Advice {
-        const StationStatus& status = m_last.received();
-        const QString reason = status.permissions.reason(Action::Point);
-        return reason.isEmpty() ? PlotMenu::Advice{.whyNot = whyForbidden(status, direction),
-                                                   .nearest = nearestAllowed(status, direction)}
-                                : PlotMenu::Advice{.whyNot = reason};
-    });
+    connect(m_plot, &PolarPlot::clicked, m_pickBar, &PickPrompt::pick);
+    connect(m_plot, &PolarPlot::goHereWanted, m_pickBar, &PickPrompt::goTo);
+    connect(m_pickBar, &PickPrompt::picked, m_plot, &PolarPlot::setPicked);
     connect(&m_panels->log(), &LogPanel::beepWanted, this, &QApplication::beep);
     connect(&m_panels->log(), &LogPanel::soundChanged, this, &MainWindow::alarmSoundChanged);
     connect(&m_panels->jog(), &JogPanel::stopPressed, this, &MainWindow::stop);
@@ -222,10 +209,6 @@ void MainWindow::addPrompts()
     m_plotCell->addWidget(m_leadBar, 0, 0, Qt::AlignLeft | Qt::AlignBottom);
     m_plotCell->addWidget(m_handBackBar, 0, 0, Qt::AlignHCenter | Qt::AlignBottom);
     m_plotCell->addWidget(m_closeBar, 0, 0, Qt::AlignHCenter | Qt::AlignTop);
-    m_pickBar->addButton(*m_goHere);
-    connect(m_pickBar->addButton(tr("Dismiss")), &QPushButton::clicked, this, &MainWindow::unpick);
-    connect(m_goHere, &QPushButton::clicked, this, &MainWindow::goToPicked);
-    connect(m_goHere, &CommandButton::accepted, this, &MainWindow::unpick);
     connect(m_closeBar, &ClosePrompt::confirmed, this, &MainWindow::closeRequested);
 }
 
@@ -273,7 +256,6 @@ void MainWindow::addKey(const QKeySequence& key, void (MainWindow::*act)())
 
 void MainWindow::showUpdate(const StationUpdate& update)
 {
-    const bool newProfile = update.status.profile != m_last.received().profile;
     m_last.take(update.status);
     m_panels->log().append(update.log);
     m_panels->charts().charts().add(update.samples);
@@ -285,9 +267,6 @@ void MainWindow::showUpdate(const StationUpdate& update)
     }
     m_desk.take(update.answers);
     m_draft.showStatus(update.status);
-    if (newProfile && m_picked) {
-        pick(*m_picked);  // what is forbidden may have changed
-    }
     showStatus(m_last.now());
     if (m_guideProgress.open && m_guide == nullptr) {
         openGuide();  // not before it is known which mount it is about
@@ -313,13 +292,7 @@ void MainWindow::showStatus(const StationStatus& status)
     if (!isMoving(status)) {
         m_closeBar->withdraw();
     }
-    blockGoHere(status);
-}
-
-void MainWindow::blockGoHere(const StationStatus& status)
-{
-    const QString reason = status.permissions.reason(Action::Point);
-    m_goHere->setBlocked(reason.isEmpty() ? m_forbidden : reason);
+    m_pickBar->showStatus(status);
 }
 
 // Ten times a second, whether the station speaks or not: old numbers age, alarms flash, the pad disarms.
@@ -355,25 +328,6 @@ void MainWindow::warn(const QString& what)
     m_alarms->notice().setValue(what, Tone::Warning, what.isEmpty() ? Symbol::None : Symbol::Warning);
 }
 
-void MainWindow::pick(const SkyPointing& direction)
-{
-    m_picked = direction;
-    m_plot->setPicked(direction);
-    m_pickBar->setText(directionText(direction));
-    m_forbidden = whyForbidden(m_last.received(), direction);
-    m_pickBar->notice().setValue(m_forbidden, Tone::Warning, m_forbidden.isEmpty() ? Symbol::None : Symbol::Warning);
-    blockGoHere(m_last.now());
-    m_pickBar->show();
-}
-
-void MainWindow::unpick()
-{
-    m_picked.reset();
-    m_forbidden.clear();
-    m_plot->setPicked(std::nullopt);
-    m_pickBar->hide();
-}
-
 // A wide window has room for all at once: sky, panels, and the charts beside them.
 void MainWindow::resizeEvent(QResizeEvent* event)
 {
@@ -390,13 +344,6 @@ void MainWindow::resizeEvent(QResizeEvent* event)
         m_panels->charts().takeBack();
     }
     m_panels->offerCharts(!beside);
-}
-
-void MainWindow::goToPicked()
-{
-    if (m_picked) {
-        m_goHere->ask(request::PointSky{*m_picked});
-    }
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)
@@ -437,7 +384,7 @@ void MainWindow::chooseTheme(ThemeKind theme, Brightness brightness)
 
 void MainWindow::showEditing(bool on)
 {
-    unpick();
+    m_pickBar->withdraw();
     if (on) {
         m_panels->bringUp(m_panels->limits());
     }

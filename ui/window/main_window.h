@@ -13,8 +13,6 @@
 #include <QMainWindow>
 #include <QTimer>
 
-#include <optional>
-
 class QGridLayout;
 class QStackedWidget;
 
@@ -28,7 +26,6 @@ class AlarmCard;
 class AuthorityButton;
 class AxisReadout;
 class ClosePrompt;
-class CommandButton;
 class DiagnosticsSaver;
 class Gamepad;
 class GuidePage;
@@ -39,9 +36,9 @@ class LeadPrompt;
 class MainMenu;
 class ManualWindow;
 class PanelTabs;
+class PickPrompt;
 class PolarPlot;
 class ProgressLine;
-class PromptBar;
 class SensorReadout;
 class StopKeys;
 class ValueLabel;
@@ -95,10 +92,6 @@ private:
     void stop();
     void showStatus(const StationStatus& status);
     void beat();
-    void pick(const SkyPointing& direction);
-    void unpick();
-    void blockGoHere(const StationStatus& status);
-    void goToPicked();
     void nextTheme();
     void chooseTheme(ThemeKind theme, Brightness brightness);
     void showEditing(bool on);  // of the limits on the plot
@@ -141,9 +134,8 @@ private:
     AuthorityButton* m_authority;
     LeadPrompt* m_leadBar;
     HandBackPrompt* m_handBackBar;
-    PromptBar* m_pickBar;
+    PickPrompt* m_pickBar;
     ClosePrompt* m_closeBar;
-    CommandButton* m_goHere;
     HelpPage* m_help;
     ManualWindow* m_manual = nullptr;  // made when it is first opened
     AboutPage* m_about;
@@ -151,8 +143,6 @@ private:
     StopKeys* m_stopKeys;
     DiagnosticsSaver* m_diagnostics;
     QString m_stateDir;
-    std::optional<SkyPointing> m_picked;
-    QString m_forbidden;  // why the mount may not point there
     QTimer m_beat{this};
     int m_beats = 0;
     bool m_mayClose = false;

@@ -49,6 +49,13 @@ void proving(StationRig& rig)
     rig.run(Seconds(0.2));
 }
 
+void braking(StationRig& rig)
+{
+    moving(rig);
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    rig.run(Seconds(0.1));
+}
+
 void stopped(StationRig& rig)
 {
     standing(rig);
@@ -106,6 +113,25 @@ void turnUnknown(StationRig& rig)
     rig.mount.driveRestarted(Axis::Azimuth);
 }
 
+void turnAsked(StationRig& rig)
+{
+    turnUnknown(rig);
+    auto restarted = rig.factsOf(Axis::Azimuth);
+    restarted.bootedAt = rig.clock.now();
+    rig.azimuth.home = moteus::HomeState::Rotor;
+    rig.learn(Axis::Azimuth, restarted);
+    rig.run(Seconds(1.5));
+    ASSERT_TRUE(rig.control.status().drives->azimuth.turnQuestion);
+}
+
+// One of the places where the drive says that the axis may be, inside its travel.
+Angle placeOf(const StationRig& rig, Axis axis)
+{
+    const DrivesStatus drives = *rig.control.status().drives;
+    const auto& question = (axis == Axis::Azimuth ? drives.azimuth : drives.elevation).turnQuestion;
+    return question && !question->candidates.empty() ? question->candidates[question->candidates.size() / 2] : Angle{};
+}
+
 AxisRates jogging(JogDirection direction, AngularRate rate)
 {
     switch (direction) {
@@ -157,15 +183,50 @@ Request requestOf(Action action, const StationRig& rig)
             return request::ProveCrashStop{2_deg_s};
         case Action::Reconnect:
             return request::Reconnect{rig.profile};
+        case Action::Rearm:
+            return request::Rearm{};
+        case Action::ResetStop:
+            return request::ResetStop{};
+        case Action::TakeAuthority:
+            return request::TakeAuthority{};
+        case Action::GiveAuthority:
+            return request::GiveAuthority{};
+        case Action::ChooseAzimuthTurn:
+            return request::ChooseTurn{Axis::Azimuth, placeOf(rig, Axis::Azimuth)};
+        case Action::ChooseElevationTurn:
+            return request::ChooseTurn{Axis::Elevation, placeOf(rig, Axis::Elevation)};
+        case Action::TakeBus:
+            return request::TakeBus{};
+        case Action::EndProof:
+            return request::EndProof{};
         default:
             return request::PointAxes{{110_deg, 40_deg}};
     }
 }
 
-constexpr std::array kAsked{Action::Point,      Action::Park,       Action::Home,          Action::Unwind,
-                            Action::JogUp,      Action::JogDown,    Action::JogLeft,       Action::JogRight,
-                            Action::StepRight,  Action::ReadDrives, Action::FixDrives,     Action::SwitchOff,
-                            Action::ReleaseBus, Action::Reconnect,  Action::ProveCrashStop};
+constexpr std::array kAsked{Action::Point,
+                            Action::Park,
+                            Action::Home,
+                            Action::Unwind,
+                            Action::JogUp,
+                            Action::JogDown,
+                            Action::JogLeft,
+                            Action::JogRight,
+                            Action::StepRight,
+                            Action::ReadDrives,
+                            Action::FixDrives,
+                            Action::SwitchOff,
+                            Action::ReleaseBus,
+                            Action::TakeBus,
+                            Action::Reconnect,
+                            Action::ProveCrashStop,
+                            Action::EndProof,
+                            Action::Rearm,
+                            Action::ResetStop,
+                            Action::TakeAuthority,
+                            Action::GiveAuthority,
+                            Action::ChooseAzimuthTurn,
+                            Action::ChooseElevationTurn};
 
 struct Scene
 {
@@ -181,6 +242,8 @@ void PrintTo(const Scene& one, std::ostream* out)
 class PermissionsIn : public ::testing::TestWithParam<Scene>
 {};
 
+// REQ-CONTROL-921: Each button of the operator that acts on the mount is offered by the gate that judges its request,
+// with the same reason: motions, drives, bus, proof, re-arm, reset of STOP, who has control, the answer about a wrap.
 // The answer may add where else the mount could go.
 TEST_P(PermissionsIn, AnActionIsAnsweredAsItWasPublished)
 {
@@ -204,12 +267,49 @@ TEST_P(PermissionsIn, HoldIsNeverRefused)
 INSTANTIATE_TEST_SUITE_P(Permissions, PermissionsIn,
                          ::testing::Values(Scene{"nobodyAnswers", nobodyAnswers}, Scene{"standing", standing},
                                            Scene{"wound", wound}, Scene{"moving", moving}, Scene{"proving", proving},
-                                           Scene{"stopped", stopped}, Scene{"faulted", faulted},
-                                           Scene{"released", released}, Scene{"switchedOff", switchedOff},
-                                           Scene{"unfit", unfit}, Scene{"unconfirmed", unconfirmed},
+                                           Scene{"braking", braking}, Scene{"stopped", stopped},
+                                           Scene{"faulted", faulted}, Scene{"released", released},
+                                           Scene{"switchedOff", switchedOff}, Scene{"unfit", unfit},
+                                           Scene{"unconfirmed", unconfirmed},
                                            Scene{"homeBelowTheHorizon", homeBelowTheHorizon},
-                                           Scene{"turnUnknown", turnUnknown}),
+                                           Scene{"turnUnknown", turnUnknown}, Scene{"turnAsked", turnAsked}),
                          [](const auto& one) { return std::string(one.param.name); });
+
+// The scenes above show each of these both ways.
+TEST(Permissions, WhatBringsTheMountBackIsOfferedWhereItCanAct)
+{
+    const auto may = [](Situation situation) {
+        StationRig rig;
+        situation(rig);
+        return rig.control.status().permissions;
+    };
+    EXPECT_TRUE(may(faulted).allows(Action::Rearm));
+    EXPECT_FALSE(may(standing).allows(Action::Rearm));
+    EXPECT_TRUE(may(stopped).allows(Action::ResetStop));
+    EXPECT_EQ(may(braking).reason(Action::ResetStop),
+              QStringLiteral("The mount is still braking. Reset STOP when it stands still."));
+    EXPECT_EQ(may(moving).reason(Action::ResetStop), QStringLiteral("STOP is not latched"));
+    EXPECT_EQ(may(stopped).reason(Action::GiveAuthority), QStringLiteral("STOP is latched. Reset STOP first."));
+    EXPECT_TRUE(may(standing).allows(Action::GiveAuthority));
+    EXPECT_TRUE(may(turnAsked).allows(Action::ChooseAzimuthTurn));
+    EXPECT_FALSE(may(turnAsked).allows(Action::ChooseElevationTurn)) << "nobody asks about it";
+    EXPECT_TRUE(may(released).allows(Action::TakeBus));
+    EXPECT_FALSE(may(standing).allows(Action::TakeBus));
+    EXPECT_TRUE(may(proving).allows(Action::EndProof));
+    EXPECT_FALSE(may(standing).allows(Action::EndProof));
+}
+
+TEST(Permissions, ATrimIsClearedWhereThereIsOneAndTheRequestIsNeverRefused)
+{
+    StationRig rig;
+    ASSERT_TRUE(rig.setsOff(50.0, 30.0, Seconds(1.0)));
+    EXPECT_EQ(rig.control.status().permissions.reason(Action::ClearTrim), QStringLiteral("The target has no trim."));
+    EXPECT_TRUE(rig.ask(request::ClearTrim{}));
+    ASSERT_TRUE(rig.ask(request::Nudge{.azimuth = 0.5_deg}));
+    EXPECT_TRUE(rig.control.status().permissions.allows(Action::ClearTrim));
+    ASSERT_TRUE(rig.ask(request::ClearTrim{}));
+    EXPECT_FALSE(rig.control.status().permissions.allows(Action::ClearTrim));
+}
 
 TEST(Permissions, OfAStationThatNobodyKnowsForbidEverything)
 {

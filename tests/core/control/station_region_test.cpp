@@ -81,6 +81,71 @@ TEST(StationRegion, TheOperatorIsRefusedAForbiddenPlaceAndToldTheNearest)
     EXPECT_EQ(rig.commands(), 0U);
 }
 
+// REQ-CONTROL-920 (StationRegion.*): What the window shows of a direction before the operator sends the mount there is
+// judged by the gates of the go-to itself: forbidden where it would be refused, allowed where it would be accepted.
+TEST(StationRegion, ADirectionIsJudgedAsAGoToThereIsAnswered)
+{
+    pointing::Region region = roof();
+    region.azimuth = {-60_deg, 250_deg};
+    region.elevation = {5_deg, 85_deg};
+    int forbidden = 0;
+    int allowed = 0;
+    for (int azimuth = 0; azimuth < 360; azimuth += 15) {
+        for (const int elevation : {-5, 2, 12, 30, 60, 88, 95}) {
+            RegionRig rig(region);
+            const SkyPointing there{Angle::fromDegrees(azimuth), Angle::fromDegrees(elevation)};
+            const QString whyNot = rig.control.judge(there).whyNot;
+            EXPECT_EQ(whyNot.isEmpty(), rig.point(azimuth, elevation, kOperator).has_value())
+                << azimuth << " " << elevation << " " << whyNot.toStdString();
+            ++(whyNot.isEmpty() ? allowed : forbidden);
+        }
+    }
+    EXPECT_GT(forbidden, 20);
+    EXPECT_GT(allowed, 20);
+}
+
+// REQ-UI-712: For a place that is not allowed the menu of the plot offers the nearest one that is, as a direction from
+// 0° to 360°.
+TEST(StationRegion, TheNearestAllowedDirectionIsOneThatIsAllowed)
+{
+    RegionRig rig(roof());
+    EXPECT_EQ(rig.control.judge({20_deg, 60_deg}), DirectionVerdict{}) << "allowed itself";
+    for (const SkyPointing& place : {SkyPointing{315_deg, 35_deg}, SkyPointing{180_deg, 20_deg}}) {
+        const DirectionVerdict verdict = rig.control.judge(place);
+        EXPECT_NE(verdict.whyNot, QString());
+        ASSERT_TRUE(verdict.nearest);
+        EXPECT_EQ(rig.control.judge(*verdict.nearest), DirectionVerdict{});
+        EXPECT_GE(verdict.nearest->azimuth, 0_deg);
+        EXPECT_LT(verdict.nearest->azimuth, 360_deg);
+        EXPECT_LT(abs(verdict.nearest->elevation - place.elevation), 15_deg);
+    }
+    EXPECT_EQ(rig.control.judge({315_deg, 35_deg}).whyNot, QStringLiteral("the keep-out \"stationMast\""));
+}
+
+// A free place behind a wall from the horizon to the zenith: nowhere else is nearer.
+TEST(StationRegion, ADirectionWithoutAWayIsForbiddenAndHasNoOtherNearIt)
+{
+    pointing::Region region{.keepOuts = {stationMast(90_deg)}};
+    region.azimuth = {-100_deg, 200_deg};
+    RegionRig rig(region);
+    const DirectionVerdict verdict = rig.control.judge({280_deg, 5_deg});
+    EXPECT_TRUE(verdict.whyNot.contains(QStringLiteral("there is no way"))) << verdict.whyNot.toStdString();
+    EXPECT_FALSE(verdict.nearest);
+}
+
+// REQ-CONTROL-922: To ask about a direction moves nothing, takes no control and leaves no line in the log.
+TEST(StationRegion, AskingAboutADirectionChangesNothing)
+{
+    RegionRig rig(roof());
+    const auto lines = rig.log.lastNumber();
+    ASSERT_TRUE(rig.ask(request::JudgeDirection{{180_deg, 20_deg}}));
+    EXPECT_FALSE(rig.ask(request::JudgeDirection{{180_deg, 20_deg}}, kClient));
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(rig.commands(), 0U);
+    EXPECT_EQ(rig.control.status().authority, Authority::Clients);
+    EXPECT_EQ(rig.log.lastNumber(), lines);
+}
+
 // Story: 315° was typed, and -45° was refused.
 TEST(StationRegion, ARefusalNamesTheAzimuthAsItIsTyped)
 {

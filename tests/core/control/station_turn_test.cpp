@@ -95,6 +95,35 @@ TEST(StationTurns, OnlyTheOperatorJogsMeanwhileAndSlowly)
     EXPECT_FALSE(rig.mount.memory().turns[0]) << "jogged, the axis is not where the journal says";
 }
 
+// REQ-CONTROL-923: The board of an axis that was exchanged for another one stands on an unknown wrap: the mount is sent
+// nowhere until the operator has entered where it stands. Only the operator jogs it, slowly, and only after the drive
+// check has read the safety settings of the new board and found them safe.
+TEST(StationTurns, AnExchangedBoardIsOnlyJoggedSlowlyAndNotBeforeItWasChecked)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 45_deg}}));
+    rig.settle();
+    rig.azimuth.silent = rig.elevation.silent = true;
+    rig.run(Seconds(0.5));
+    rig.azimuth.mode = rig.elevation.mode = moteus::Mode::Stopped;
+    rig.azimuth.silent = rig.elevation.silent = false;
+    auto other = rig.factsOf(Axis::Azimuth);
+    other.uuid = QStringLiteral("b0000000-0000-0000-0000-000000000003");
+    rig.learn(Axis::Azimuth, other);
+    rig.mount.setFitness(failure(ErrorCode::Refused, QStringLiteral("The drive check has not run yet.")));
+    rig.run(Seconds(1.5));
+    ASSERT_TRUE(rig.ask(request::Rearm{}));
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.control.isTurnAsked(Axis::Azimuth));
+    EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 1_deg_s}})) << "nobody knows its safety settings";
+    rig.mount.setFitness({});
+    EXPECT_FALSE(rig.point(10.0, 10.0, kOperator));
+    EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 1_deg_s}}, kClient));
+    EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 3_deg_s}}));
+    EXPECT_TRUE(rig.ask(request::Jog{{.azimuth = 1_deg_s}})) << "to bring the cable where it can be judged";
+}
+
 TEST(StationTurns, TheAnswerIsWrittenIntoTheDriveAndThePlaceIsKept)
 {
     RestartedRig rig;

@@ -187,8 +187,8 @@ TEST_P(MountPromises, AMountThatBecomesUnfitEndsItsMotion)
     EXPECT_TRUE(bench->goTo(90.0, 60.0));
 }
 
-// REQ-MOUNT-601: A device that was exchanged for another one is not ordered before the
-// operator has said where it stands. A device that does not say who it is has no identity in the report.
+// REQ-MOUNT-601: A device that was exchanged for another one is sent nowhere before the operator has entered where it
+// stands. A device that does not say who it is has no identity in the report.
 TEST_P(MountPromises, AnotherDeviceIsNeverOrdered)
 {
     bench->run(Seconds(1.0));

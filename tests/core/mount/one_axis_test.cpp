@@ -133,6 +133,25 @@ TEST(OneAxis, AKeepOutHoldsAtAllAzimuthsWithoutOne)
     EXPECT_TRUE(bench.goTo(0.0, 45.0));
 }
 
+// Story: "Go here" was refused by the limits of an elevation that the mount does not have.
+// REQ-MOUNT-04
+TEST(OneAxis, ADirectionIsJudgedByTheAxisThatIsThere)
+{
+    profile::Profile profile = slowProfile();
+    profile.limits.horizon = {{.azimuth = 0_deg, .elevation = 15_deg}};
+    profile.limits.keepOuts = {
+        {.name = "mast", .azimuthFrom = 80_deg, .azimuthTo = 100_deg, .elevationMin = 20_deg, .elevationMax = 40_deg}};
+    SimpleBench both({.azimuth = true, .elevation = true}, profile);
+    SimpleBench one({.azimuth = true, .elevation = false}, profile);
+    for (SimpleBench* const bench : {&both, &one}) {
+        bench->run(Seconds(1.0));
+    }
+    EXPECT_EQ(both.control().judge({90_deg, 60_deg}).whyNot, QString());
+    EXPECT_NE(both.control().judge({60_deg, 10_deg}).whyNot, QString()) << "below the horizon";
+    EXPECT_TRUE(one.control().judge({90_deg, 60_deg}).whyNot.contains(QStringLiteral("mast")));
+    EXPECT_EQ(one.control().judge({60_deg, 10_deg}).whyNot, QString());
+}
+
 // Lisbon. The beam stays 10° away from the Sun.
 profile::Profile sunnyProfile()
 {

@@ -287,10 +287,15 @@ TEST_F(JogDeskTest, APresetIsChosenReplacedAndDeleted)
     give(samples::update(withPresets({{"south", {180_deg, 40_deg}}, {"house", {285_deg, 10_deg}}})));
     auto* const names = named<TouchCombo>("Preset");
     ASSERT_EQ(names->count(), 2);
+    judge = [](const SkyPointing& at) {
+        return DirectionVerdict{.whyNot = at.azimuth > 200_deg ? QStringLiteral("the keep-out \"house\"") : QString()};
+    };
     presetName().setText(QStringLiteral("house"));
+    give(samples::update(withPresets({{"south", {180_deg, 40_deg}}, {"house", {285_deg, 10_deg}}})));
     EXPECT_FALSE(named<CommandButton>("Go to")->isEnabled()) << "it lies in a keep-out";
     EXPECT_TRUE(named<CommandButton>("Go to")->toolTip().contains(QStringLiteral("house")));
     presetName().setText(QStringLiteral("south"));
+    EXPECT_TRUE(named<CommandButton>("Go to")->isEnabled()) << "the verdict on another direction does not count";
     click("Go to");
     EXPECT_EQ(asked<request::PointSky>().back().direction, (SkyPointing{180_deg, 40_deg}));
     click("Save here");

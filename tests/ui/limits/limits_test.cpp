@@ -2,14 +2,15 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/kit/command_button.h"
 #include "ui/limits/limits_panel.h"
-#include "ui/link/forbidden.h"
 #include "ui/sky/plot_editor.h"
 #include "ui/sky/polar_plot.h"
 #include "ui/window/panel_tabs.h"
 
+#include <QContextMenuEvent>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLineEdit>
+#include <QMenu>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -332,53 +333,53 @@ TEST_F(LimitsTest, KeepOutsAreAddedAndRemovedByButtons)
     EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled());
 }
 
-// REQ-UI-24: A place that the profile in force forbids is not offered, with the reason.
+// REQ-UI-24: A place that the station judges forbidden is not offered, with the reason.
 TEST_F(LimitsTest, TheBarSaysWhyAPickedPlaceIsForbiddenAndOffersNoWayThere)
 {
+    judge = [](const SkyPointing& at) {
+        return DirectionVerdict{.whyNot = at.azimuth < 100_deg && at.elevation < 40_deg ? QStringLiteral("the mast")
+                                          : at.azimuth > 100_deg                        ? QStringLiteral("the hill")
+                                                                                        : QString()};
+    };
     const auto pick = [&](Angle azimuth, Angle elevation) {
         QTest::mouseClick(under(), Qt::LeftButton, {}, pixel(azimuth, elevation));
+        give(samples::update(samples::bounded()));
         return named<CommandButton>("Go here");
     };
     EXPECT_TRUE(pick(20_deg, 60_deg)->isEnabled());
     EXPECT_FALSE(pick(68_deg, 30_deg)->isEnabled());
-    EXPECT_TRUE(named<CommandButton>("Go here")->toolTip().contains(QStringLiteral("mast")));
+    EXPECT_EQ(named<CommandButton>("Go here")->toolTip(), QStringLiteral("Go here: forbidden: the mast"));
     EXPECT_FALSE(pick(180_deg, 15_deg)->isEnabled()) << "below the hill";
     // The same place is permitted once the profile in force says so.
+    judge = [](const SkyPointing&) { return DirectionVerdict{}; };
     StationStatus status = samples::bounded();
     profile::Profile open = *status.profile;
     open.limits.horizon.clear();
     status.profile = std::make_shared<const profile::Profile>(open);
+    give(samples::update(status));  // asked with this one
     give(samples::update(status));
     EXPECT_TRUE(named<CommandButton>("Go here")->isEnabled());
 }
 
-// REQ-UI-712: For a place that is not allowed the menu of the plot offers the nearest one that is, as a direction from
-// 0° to 360°.
-TEST(Forbidden, TheNearestAllowedIsADirection)
+// A station that hangs: what needs no answer of it is offered all the same.
+TEST_F(LimitsTest, TheMenuOpensWithoutAnAnswerAfterHalfASecond)
 {
-    const StationStatus status = samples::bounded();
-    EXPECT_FALSE(nearestAllowed(status, {20_deg, 60_deg})) << "allowed itself";
-    for (const SkyPointing& place : {SkyPointing{300_deg, 25_deg}, SkyPointing{180_deg, 20_deg}}) {
-        EXPECT_NE(whyForbidden(status, place), QString());
-        const auto nearest = nearestAllowed(status, place);
-        ASSERT_TRUE(nearest);
-        EXPECT_EQ(whyForbidden(status, *nearest), QString());
-        EXPECT_GE(nearest->azimuth, 0_deg);
-        EXPECT_LT(nearest->azimuth, 360_deg);
-        EXPECT_LT(abs(nearest->elevation - place.elevation), 15_deg);
-    }
-}
-
-// As the station obeys them. Story: "Go here" was refused by the limits of an elevation that the mount does not have.
-// REQ-MOUNT-04
-TEST(Forbidden, OfAMissingAxisOnlyAKeepOutIsLeftAndHoldsForAllOfIt)
-{
-    StationStatus status = samples::bounded();
-    EXPECT_EQ(whyForbidden(status, {68_deg, 80_deg}), QString());
-    EXPECT_NE(whyForbidden(status, {180_deg, 10_deg}), QString()) << "below the hill";
-    status.capabilities.axes[index(Axis::Elevation)].reset();
-    EXPECT_TRUE(whyForbidden(status, {68_deg, 80_deg}).contains(QStringLiteral("mast")));
-    EXPECT_EQ(whyForbidden(status, {180_deg, 10_deg}), QString());
+    auto& markers = *window.findChild<SkyMarkers*>();
+    QContextMenuEvent event(QContextMenuEvent::Mouse, pixel(20_deg, 60_deg),
+                            markers.mapToGlobal(pixel(20_deg, 60_deg)));
+    QApplication::sendEvent(&markers, &event);
+    EXPECT_EQ(plot().findChild<QMenu*>(), nullptr);
+    elapse(Seconds(0.6));
+    auto* const menu = plot().findChild<QMenu*>();
+    ASSERT_NE(menu, nullptr);
+    const auto actions = menu->actions();
+    const auto entry = std::ranges::find_if(
+        actions, [](const QAction* action) { return action->text().startsWith(QStringLiteral("Go here")); });
+    ASSERT_NE(entry, actions.end());
+    EXPECT_EQ((*entry)->text(), QStringLiteral("Go here (the station does not answer)"));
+    EXPECT_FALSE((*entry)->isEnabled());
+    give(samples::update(samples::bounded()));
+    EXPECT_EQ(plot().findChildren<QMenu*>().size(), 1) << "the answer comes too late";
 }
 
 TEST_F(LimitsTest, AHorizonGoesOutAsTextAndComesBack)

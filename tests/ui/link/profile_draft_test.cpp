@@ -29,6 +29,7 @@ protected:
     void put(const Profile& profile, std::vector<std::string> waiting = {})
     {
         StationStatus status;
+        status.permissions = permissions;
         status.profile = std::make_shared<const Profile>(profile);
         status.waitingKeys = std::move(waiting);
         draft.showStatus(status);
@@ -55,6 +56,7 @@ protected:
     }
 
     Profile inForce;
+    Permissions permissions = Permissions::all();
     RequestDesk desk;
     ProfileDraft draft;
     QSignalSpy changes;
@@ -267,6 +269,25 @@ TEST_F(ProfileDraftTest, WhatWaitsForAReconnectIsAppliedAndGoesWithIt)
     EXPECT_TRUE(draft.whyNoReconnect().isEmpty());
     draft.reconnect(&asker, [](const std::optional<Error>&) {});
     EXPECT_EQ(std::get<request::Reconnect>(requests.back().request).profile.control.tickHz, 100);
+}
+
+// REQ-UI-920: Reconnect, and Apply that leaves the simulation, are offered when the station permits a reconnect.
+TEST_F(ProfileDraftTest, AReconnectIsOfferedWhenTheStationPermitsIt)
+{
+    put(inForce, {"control.tick_hz"});
+    QSignalSpy told(&draft, &ProfileDraft::permissionChanged);
+    permissions.refuse(Action::Reconnect, QStringLiteral("The mount moves. Stop it first."));
+    put(inForce, {"control.tick_hz"});
+    EXPECT_EQ(told.count(), 1);
+    EXPECT_EQ(draft.whyNoReconnect(), QStringLiteral("The mount moves. Stop it first."));
+    draft.edit([](Profile& p) { p.bus = "socketcan:can0"; });
+    ASSERT_TRUE(draft.leavesSimulation());
+    EXPECT_EQ(draft.whyNoApply(), QStringLiteral("The mount moves. Stop it first."));
+    permissions = Permissions::all();
+    put(inForce, {"control.tick_hz"});
+    EXPECT_EQ(told.count(), 2);
+    EXPECT_EQ(draft.whyNoReconnect(), QString());
+    EXPECT_EQ(draft.whyNoApply(), QString());
 }
 
 // Story: the bus typed in the table took the simulated mount's north along, and the real one pointed 37.4° beside. What

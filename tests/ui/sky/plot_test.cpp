@@ -37,7 +37,7 @@ bool isSky(const QColor& colour, Angle elevation)
 class PlotTest : public ::testing::Test
 {
 protected:
-    PlotTest() : draft(desk), plot(draft)
+    PlotTest() : draft(desk), plot(draft, desk)
     {
         plot.resize(500, 520);
         plot.show();

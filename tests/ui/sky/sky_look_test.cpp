@@ -60,8 +60,10 @@ StationStatus unwrapping()
 class SkyLook : public ::testing::Test
 {
 protected:
-    SkyLook() : draft(desk), plot(draft)
+    SkyLook() : draft(desk), plot(draft, desk)
     {
+        QObject::connect(&desk, &RequestDesk::requested, &desk,
+                         [this](const NumberedRequest& request) { asked = request; });
         plot.resize(660, 660);
         plot.show();
         EXPECT_TRUE(QTest::qWaitForWindowExposed(&plot, kPatienceMs));
@@ -110,15 +112,22 @@ protected:
         }
         return nullptr;
     }
-    void rightClick(const SkyPointing& at)
+    void rightClick(const SkyPointing& at, const DirectionVerdict& verdict = {})
     {
         auto& markers = *plot.findChild<SkyMarkers*>();
         const QPoint place = markers.projection().toPixel(at).toPoint();
         QContextMenuEvent event(QContextMenuEvent::Mouse, place, markers.mapToGlobal(place));
         QApplication::sendEvent(&markers, &event);
+        answer(verdict);
+    }
+    void answer(const DirectionVerdict& verdict = {})
+    {
+        EXPECT_TRUE(std::holds_alternative<request::JudgeDirection>(asked.request));
+        desk.take({{.requestId = asked.id, .verdict = verdict}});
     }
 
     RequestDesk desk;
+    NumberedRequest asked;
     ProfileDraft draft;
     PolarPlot plot;
 };
@@ -343,11 +352,6 @@ TEST_F(SkyLook, TheMenuOffersWhatCanBeDoneThere)
     show(everything());
     std::vector<SkyPointing> gone;
     QObject::connect(&plot, &PolarPlot::goHereWanted, &plot, [&](const SkyPointing& at) { gone.push_back(at); });
-    plot.setAdviser([](const SkyPointing& at) {
-        return at.elevation < 20_deg ? PlotMenu::Advice{.whyNot = QStringLiteral("the horizon is in the way"),
-                                                        .nearest = SkyPointing{300_deg, 20_deg}}
-                                     : PlotMenu::Advice{};
-    });
     rightClick({300_deg, 60_deg});
     ASSERT_NE(openedMenu(), nullptr);
     EXPECT_TRUE(gone.empty());
@@ -356,13 +360,12 @@ TEST_F(SkyLook, TheMenuOffersWhatCanBeDoneThere)
     ASSERT_EQ(gone.size(), 1U);
     EXPECT_LT(angleBetween(gone[0], {300_deg, 60_deg}), 0.5_deg);
     delete openedMenu();
-    rightClick({300_deg, 10_deg});
+    rightClick({300_deg, 10_deg}, {.whyNot = QStringLiteral("the horizon"), .nearest = SkyPointing{300_deg, 20_deg}});
     EXPECT_FALSE(entry("Go here")->isEnabled());
-    EXPECT_TRUE(entry("Go here")->text().contains(QStringLiteral("the horizon is in the way")));
+    EXPECT_EQ(entry("Go here")->text(), QStringLiteral("Go here (forbidden: the horizon)"));
     entry("Go to the nearest allowed: az 300.0°  el 20.0°")->trigger();
     EXPECT_EQ(gone.back(), (SkyPointing{300_deg, 20_deg}));
     delete openedMenu();
-    plot.setAdviser({});
     rightClick({300_deg, 60_deg});
     EXPECT_FALSE(plot.editor().isEditing());
     entry("Keep-out here")->trigger();
@@ -377,6 +380,7 @@ TEST_F(SkyLook, TheMenuAddsAHorizonPointAndIsReachedByKey)
     plot.setPicked(SkyPointing{300_deg, 60_deg});
     QContextMenuEvent byKey(QContextMenuEvent::Keyboard, QPoint(1, 1), plot.mapToGlobal(QPoint(1, 1)));
     QApplication::sendEvent(&plot, &byKey);
+    answer();
     ASSERT_NE(openedMenu(), nullptr);
     entry("Add horizon point")->trigger();
     EXPECT_TRUE(plot.editor().isEditing());

@@ -5,6 +5,7 @@
 #include "ui/kit/language.h"
 #include "ui/kit/request_desk.h"
 #include "ui/kit/value_label.h"
+#include "ui/link/profile_draft.h"
 #include "ui/window/alarm_card.h"
 
 #include <QApplication>
@@ -53,8 +54,9 @@ constexpr int kNarrow = 400;  // px
 TEST_P(AlarmFontsTest, NoAlarmOfTheCatalogueIsCut)
 {
     RequestDesk desk;
+    const ProfileDraft draft(desk);
     QWidget column;
-    auto* const card = new AlarmCard(desk, &column);
+    auto* const card = new AlarmCard(draft, desk, &column);
     auto* const box = new QVBoxLayout(&column);
     box->setContentsMargins(0, 0, 0, 0);
     box->addWidget(card);

@@ -121,8 +121,12 @@ TEST_P(CutTextTest, ThatTheMountTurnsBackIsWholeBelowTheState)
 TEST_P(CutTextTest, WhyADirectionIsForbiddenIsWhole)
 {
     give(samples::update(samples::bounded()));
+    judge = [](const SkyPointing&) {
+        return DirectionVerdict{.whyNot = QStringLiteral("the keep-out \"neighbour's chimney\"")};
+    };
     for (const double azimuth : {5.0, 95.0, 185.0, 275.0, 315.0}) {
         Q_EMIT window.findChild<PolarPlot*>()->clicked(SkyPointing{Angle::fromDegrees(azimuth), 1.5_deg});
+        give(samples::update(samples::bounded()));
         for (const PromptBar* const prompt : window.findChildren<PromptBar*>()) {
             if (prompt->isVisible()) {
                 expectWhole(*prompt);

@@ -13,6 +13,7 @@
 
 #include <QApplication>
 #include <QLineEdit>
+#include <QMenu>
 #include <QTest>
 
 #include <gtest/gtest.h>
@@ -198,6 +199,42 @@ TEST_F(DeskTest, PresetHorizonParkAndUnparkMoveTheAntennaWhereTheySay)
     EXPECT_EQ(rig.status().state, StationState::Hold);
     click("Delete");
     EXPECT_TRUE(rig.status().profile->presets.empty());
+}
+
+// What the window shows of a direction comes from the station, and follows the limits in force.
+// REQ-UI-24
+TEST_F(DeskTest, AForbiddenDirectionIsNotOfferedAndTheNearestAllowedIs)
+{
+    auto& plot = *window.findChild<PolarPlot*>();
+    profile::Profile drawn = *rig.status().profile;
+    drawn.presets = {{"mast", {90_deg, 30_deg}}};
+    drawn.limits.keepOuts = {{"mast", 60_deg, 120_deg, 0_deg, 40_deg}};
+    ASSERT_EQ(rig.ask(request::ApplyProfile{drawn}), "");
+    rig.run(Seconds(0.2));
+    named<QLineEdit>("Name of the preset").setText(QStringLiteral("mast"));
+    Q_EMIT plot.clicked({90_deg, 30_deg});
+    rig.run(Seconds(0.2));
+    for (const char* const name : {"Go to", "Go here"}) {
+        EXPECT_FALSE(named<CommandButton>(name).isEnabled()) << name;
+        EXPECT_TRUE(named<CommandButton>(name).toolTip().endsWith(QStringLiteral("forbidden: the keep-out \"mast\"")))
+            << named<CommandButton>(name).toolTip().toStdString();
+    }
+    plot.menu().open({90_deg, 30_deg}, plot.mapToGlobal(QPoint(200, 200)));
+    rig.run(Seconds(0.2));
+    auto* const menu = plot.findChild<QMenu*>();
+    ASSERT_NE(menu, nullptr);
+    for (QAction* const action : menu->actions()) {
+        if (action->text().startsWith(QStringLiteral("Go to the nearest allowed"))) {
+            action->trigger();
+        }
+    }
+    ASSERT_TRUE(rig.settle());
+    EXPECT_LT(rig.farthestFrom({90_deg, 40_deg}), 0.2_deg);
+
+    drawn.limits.keepOuts.clear();
+    ASSERT_EQ(rig.ask(request::ApplyProfile{drawn}), "");
+    rig.run(Seconds(0.2));
+    EXPECT_TRUE(named<CommandButton>("Go to").isEnabled());
 }
 
 // A step while a client is followed shifts the client's target, and the client keeps the mount.

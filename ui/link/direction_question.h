@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/messages/station_status.h"
+#include "ui/kit/request_desk.h"
+
+#include <QObject>
+
+#include <memory>
+#include <optional>
+
+// Asks the station whether the mount may be sent to a direction, and keeps the newest answer about this direction.
+// Never shows an answer about another one. Gui thread.
+namespace boresight::ui {
+
+class DirectionQuestion : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit DirectionQuestion(RequestDesk& desk, QObject* parent = nullptr) : QObject(parent), m_desk(desk) {}
+
+    void ask(const SkyPointing& direction);
+    void drop();  // nobody wants to know any more
+    // Asks again with another profile in force, and once a second: the Sun and the mount move.
+    void showStatus(const StationStatus& status);
+
+    // In the words of the station. Empty: the mount may go there, or there is no answer yet.
+    [[nodiscard]] QString whyNot() const;
+    // The nearest direction that is allowed. Empty where the direction itself is, and where there is no answer yet.
+    [[nodiscard]] std::optional<SkyPointing> nearest() const { return m_verdict.nearest; }
+
+Q_SIGNALS:
+    void answered();
+
+private:
+    void send();
+    void take(const Answer& answer);
+
+    RequestDesk& m_desk;
+    std::optional<SkyPointing> m_direction;
+    DirectionVerdict m_verdict;
+    std::uint64_t m_number = 0;  // of the last question: older ones have been about something else
+    bool m_waits = false;
+    std::shared_ptr<const profile::Profile> m_profile;  // in force at the last status: tells another one
+    UtcTime m_now{};
+    UtcTime m_sent{};
+};
+
+}  // namespace boresight::ui
