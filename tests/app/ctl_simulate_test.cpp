@@ -296,8 +296,8 @@ TEST_F(SimulateTest, AxisStopsWhenTheServiceIsKilledInMotion)
         return client.waitForEnd();
     };
     const QStringList go{QStringLiteral("P"), QStringLiteral("90"), QStringLiteral("45")};
-    // Where a busy machine ran neither program for longer than the drives' watchdog, they have stopped, perhaps before the
-    // first command came: it is refused then. They are re-armed and sent off again.
+    // Where a busy machine ran neither program for longer than the drives' watchdog, they have stopped, perhaps before
+    // the first command came: it is refused then. They are re-armed and sent off again.
     const auto moving = waitForTruth([&](const Truth& now) {
         if (now.azimuthMode != kPositionMode && ask(go) != 0) {
             static_cast<void>(ask({QStringLiteral("R"), QStringLiteral("1")}));
