@@ -314,9 +314,9 @@ QFont state()
     return fitted(QApplication::font(), 22);
 }
 
-QFont actual()
+QFont actual(int points)
 {
-    return sized(fixedWidth(), 28);
+    return sized(fixedWidth(), points);
 }
 
 QFont value()

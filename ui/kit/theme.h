@@ -90,13 +90,13 @@ inline constexpr double kRounding = 8;  // px, of a button or a card
 // no room for them. Words get smaller until their line fits. Large numbers keep their size: digits do not need the
 // whole line.
 namespace fonts {
-[[nodiscard]] QFont label();   // 10 pt or smaller, interface font
-[[nodiscard]] QFont text();    // 12 pt or smaller, interface font
-[[nodiscard]] QFont state();   // 22 pt or smaller, interface font
-[[nodiscard]] QFont actual();  // 28 pt, fixed width
-[[nodiscard]] QFont value();   // 16 pt, fixed width
-[[nodiscard]] QFont clock();   // 14 pt, fixed width
-[[nodiscard]] QFont small();   // 10 pt or smaller, fixed width
+[[nodiscard]] QFont label();             // 10 pt or smaller, interface font
+[[nodiscard]] QFont text();              // 12 pt or smaller, interface font
+[[nodiscard]] QFont state();             // 22 pt or smaller, interface font
+[[nodiscard]] QFont actual(int points);  // fixed width
+[[nodiscard]] QFont value();             // 16 pt, fixed width
+[[nodiscard]] QFont clock();             // 14 pt, fixed width
+[[nodiscard]] QFont small();             // 10 pt or smaller, fixed width
 
 [[nodiscard]] int lineRoom(const QFont& font);      // px: the line of DejaVu of this size
 [[nodiscard]] bool isOfNumbers(const QFont& font);  // actual(), value() or clock()

@@ -3,6 +3,7 @@
 
 #include "ui/kit/command_button.h"
 #include "ui/kit/value_label.h"
+#include "ui/profile/beam_box.h"
 #include "ui/profile/setting_delegate.h"
 #include "ui/profile/setting_filter.h"
 #include "ui/profile/setting_picture.h"
@@ -20,6 +21,7 @@ namespace boresight::ui {
 
 namespace {
 constexpr QSize kRowPicture{42, 28};
+constexpr const char* kBeamWidth = "mount.beam_width_deg";
 constexpr int kPictureFrom = 320;  // px of height: below it the rows need the room of the large picture
 }  // namespace
 
@@ -31,7 +33,8 @@ SettingsView::SettingsView(ProfileDraft& draft, QWidget* parent)
       m_shown(new QComboBox(this)),
       m_tree(new QTreeView(this)),
       m_picture(new SettingPictureView(this)),
-      m_explanation(new ValueLabel(tr("What the selected setting means"), fonts::label(), {}, this))
+      m_explanation(new ValueLabel(tr("What the selected setting means"), fonts::label(), {}, this)),
+      m_beam(new BeamBox(draft, this))
 {
     m_filter->setSourceModel(m_model);
     buildTree();
@@ -45,6 +48,7 @@ SettingsView::SettingsView(ProfileDraft& draft, QWidget* parent)
     meaning->addWidget(m_picture);
     meaning->addWidget(m_explanation, 1);
     column->addLayout(meaning);
+    column->addWidget(m_beam);
     m_explanation->setStretching(true);
     m_explanation->setLines(3);
     m_explanation->setCollapsing(true);
@@ -176,8 +180,9 @@ void SettingsView::explain()
     const bool isRoomy = height() >= kPictureFrom;
     m_explanation->setLines(isRoomy ? 3 : 2);
     m_explanation->updateGeometry();
-    m_picture->setKey(!isRoomy ? std::string()
-                               : m_tree->currentIndex().data(SettingTree::KeyRole).toString().toStdString());
+    const std::string key = m_tree->currentIndex().data(SettingTree::KeyRole).toString().toStdString();
+    m_picture->setKey(isRoomy ? key : std::string());
+    m_beam->setVisible(key == kBeamWidth);
     if (!m_refusal.isEmpty()) {
         m_explanation->setValue(m_refusal, Tone::Warning, Symbol::Warning);
         return;

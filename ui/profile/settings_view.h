@@ -14,6 +14,7 @@ class QTreeView;
 // selected line means. Enter edits the selected value; a choice opens its list.
 namespace boresight::ui {
 
+class BeamBox;
 class SettingFilter;
 class SettingPictureView;
 class SettingTree;
@@ -49,6 +50,7 @@ private:
     QTreeView* m_tree;
     SettingPictureView* m_picture;
     ValueLabel* m_explanation;
+    BeamBox* m_beam;  // below the explanation of the beam width
     QString m_refusal;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sky/plot_tools.h"
 
+#include "core/pointing/beam.h"
 #include "ui/kit/file_dialog.h"
 #include "ui/kit/format.h"
 #include "ui/kit/value_label.h"
@@ -17,6 +18,11 @@ namespace boresight::ui {
 namespace {
 constexpr int kPlotToolsGap = 4;  // px
 constexpr int kReadoutLines = 3;
+
+QString lossText(double loss)  // dB
+{
+    return QStringLiteral("-%1 dB").arg(loss, 0, 'f', 1);
+}
 
 // Over the sky of a magnified plot the words keep a ground of their own.
 ValueLabel* onGround(ValueLabel* label, Qt::Alignment alignment)
@@ -37,17 +43,20 @@ PlotTools::PlotTools(QWidget* parent)
           new PlotButton(PlotButton::Glyph::Save, tr("Save …"), tr("Save the plot as a picture (PNG or SVG)"), this)),
       m_offCaption(new ValueLabel(tr("Distance to the target"), fonts::label(), tr("off by"), this)),
       m_off(new ValueLabel(tr("Off by"), fonts::value(), angleText(Angle::fromDegrees(888.88)), this)),
+      m_loss(new ValueLabel(tr("Loss by pointing"), fonts::label(), lossText(12.0), this)),
       m_cable(new ValueLabel(tr("Azimuth cable"), fonts::label(), widestCableWords().place, this)),
       m_travel(new ValueLabel(tr("Travel of the azimuth cable"), fonts::label(), widestCableWords().travel, this)),
       m_readout(new ValueLabel(tr("Under the cursor"), fonts::label(), QStringLiteral("az 000.0°…000.0°"), this))
 {
     m_travel->setSymbolRoom(true);
-    for (ValueLabel* const label : {m_offCaption, m_off, m_cable, m_travel}) {
+    for (ValueLabel* const label : {m_offCaption, m_off, m_loss, m_cable, m_travel}) {
         onGround(label, Qt::AlignRight | Qt::AlignVCenter);
     }
     m_readout->setLines(kReadoutLines);
     onGround(m_readout, Qt::AlignLeft | Qt::AlignBottom);
     m_off->setToolTip(tr("The angle on the sky between the target and where the mount points"));
+    m_loss->setToolTip(
+        tr("What the pointing error costs in the middle of the main lobe. Beyond one beam width it is not told."));
     m_cable->setToolTip(
         tr("The angle of the azimuth axis. At 0° the cable is not wound. The ring around the sky shows the travel."));
     connect(m_edit, &QToolButton::toggled, this, &PlotTools::editToggled);
@@ -62,7 +71,7 @@ int PlotTools::readoutHeight() const
 
 QList<QWidget*> PlotTools::corners() const
 {
-    return {m_edit, m_zoom, m_save, m_offCaption, m_off, m_cable, m_travel};
+    return {m_edit, m_zoom, m_save, m_offCaption, m_off, m_loss, m_cable, m_travel};
 }
 
 void PlotTools::setFrame(const SkyFrame& frame)
@@ -95,7 +104,7 @@ void PlotTools::place()
         label->setGeometry(width() - size.width() - kPlotToolsGap, top, size.width(), size.height());
         return top + size.height();
     };
-    right(m_off, right(m_offCaption, kPlotToolsGap));
+    right(m_loss, right(m_off, right(m_offCaption, kPlotToolsGap)));
     const int travelTop = height() - m_travel->sizeHint().height() - 2;
     right(m_travel, travelTop);
     right(m_cable, travelTop - m_cable->sizeHint().height());
@@ -134,12 +143,15 @@ void PlotTools::showZoom(bool on)
     m_zoom->setChecked(on);
 }
 
-void PlotTools::showOffTarget(const std::optional<Angle>& error, bool unplanned)
+void PlotTools::showOffTarget(const std::optional<Angle>& error, Angle beamWidth, bool unplanned)
 {
-    const bool was = m_off->text().isEmpty();
+    const auto loss = error ? pointing::pointingLoss(*error, beamWidth) : std::nullopt;
+    const auto isShown = [this] { return std::pair(!m_off->text().isEmpty(), !m_loss->text().isEmpty()); };
+    const auto before = isShown();
     m_offCaption->setValue(error ? tr("off by") : QString(), Tone::Secondary);
     m_off->setValue(error ? angleText(*error) : QString(), unplanned ? Tone::Warning : Tone::Normal);
-    if (was != m_off->text().isEmpty()) {
+    m_loss->setValue(loss ? lossText(*loss) : QString(), unplanned ? Tone::Warning : Tone::Secondary);
+    if (before != isShown()) {
         showMask();
     }
 }

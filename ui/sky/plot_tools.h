@@ -30,7 +30,7 @@ public:
     void setFrame(const SkyFrame& frame);  // of the whole sky
     void showEditing(bool on);
     void showZoom(bool on);
-    void showOffTarget(const std::optional<Angle>& error, bool unplanned);
+    void showOffTarget(const std::optional<Angle>& error, Angle beamWidth, bool unplanned);
     void showCable(const CableWords& words);
     void setReadout(const QString& text);
     void save(const QString& path);
@@ -59,6 +59,7 @@ private:
     PlotButton* m_save;
     ValueLabel* m_offCaption;
     ValueLabel* m_off;
+    ValueLabel* m_loss;  // dB
     ValueLabel* m_cable;
     ValueLabel* m_travel;
     ValueLabel* m_readout;

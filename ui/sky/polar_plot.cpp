@@ -425,7 +425,8 @@ void PolarPlot::showMarkers(const StationStatus& status)
     markers.offTarget = markers.live && distanceTo(status, markers.expected).value_or(0_deg) > 0.5 * m_beamWidth;
     m_markers->setMarkers(markers, status.utc);
     m_markers->setBodies(status.bodies);
-    m_tools->showOffTarget(markers.live ? distanceTo(status, status.target) : std::nullopt, markers.offTarget);
+    m_tools->showOffTarget(markers.live ? distanceTo(status, status.target) : std::nullopt, m_beamWidth,
+                           markers.offTarget);
     m_caption = QString::fromStdString(status.profile->mount.name) + QStringLiteral("  ") + minuteText(status.utc);
 }
 

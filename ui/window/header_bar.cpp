@@ -6,6 +6,7 @@
 #include "ui/kit/value_label.h"
 #include "ui/kit/widest.h"
 #include "ui/look/glyph.h"
+#include "ui/window/authority_button.h"
 #include "ui/window/stop_button.h"
 
 #include <QGridLayout>
@@ -216,7 +217,7 @@ void setShown(ValueLabel& label, const Shown& shown)
 
 }  // namespace
 
-HeaderBar::HeaderBar(QWidget* parent)
+HeaderBar::HeaderBar(AuthorityButton& authority, QWidget* parent)
     : QWidget(parent),
       m_state(new ValueLabel(tr("Station state"), fonts::state(), widestStationState(fonts::state()), this)),
       m_reason(new ValueLabel(tr("Reason of the state"), fonts::label(), {}, this)),
@@ -232,12 +233,12 @@ HeaderBar::HeaderBar(QWidget* parent)
       m_menu(new QToolButton(this)),
       m_stop(new StopButton(this))
 {
-    build();
+    build(authority);
     connect(m_stop, &StopButton::pressed, this, &HeaderBar::stopPressed);
     connect(m_menu, &QToolButton::clicked, this, &HeaderBar::menuWanted);
 }
 
-void HeaderBar::build()
+void HeaderBar::build(AuthorityButton& authority)
 {
     for (ValueLabel* const wide : {m_reason, m_target, m_control}) {
         wide->setStretching(true);
@@ -258,30 +259,35 @@ void HeaderBar::build()
     targetRow->setSpacing(4);
     targetRow->addWidget(m_limited);
     targetRow->addWidget(m_target, 1);
-    targetRow->addWidget(m_sensor);  // in the row below there is no room for it at 1024 px
     auto* const linkRow = new QHBoxLayout;
     grid->addLayout(linkRow, 1, 1);
     linkRow->setSpacing(1);
-    for (ValueLabel* const link : {m_line, m_azimuth, m_elevation}) {
+    for (ValueLabel* const link : {m_line, m_azimuth, m_elevation, m_sensor}) {
         linkRow->addWidget(link);
     }
-    linkRow->addWidget(m_control, 1);
+    linkRow->addStretch(1);
+    auto* const control = new QVBoxLayout;
+    control->setSpacing(2);
+    control->addWidget(m_control);
+    control->addWidget(&authority, 0, Qt::AlignLeft);
 
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(4);
     grid->setVerticalSpacing(2);
     grid->addWidget(m_state, 0, 0);
     grid->addWidget(m_reason, 1, 0);
-    grid->addWidget(m_utc, 0, 2, Qt::AlignRight | Qt::AlignVCenter);
-    grid->addWidget(m_simulated, 1, 2, Qt::AlignRight | Qt::AlignVCenter);
+    grid->addLayout(control, 0, 2, 2, 1);
+    grid->addWidget(m_utc, 0, 3, Qt::AlignRight | Qt::AlignVCenter);
+    grid->addWidget(m_simulated, 1, 3, Qt::AlignRight | Qt::AlignVCenter);
     m_menu->setIcon(glyphIcon(Glyph::Menu));
     m_menu->setFixedSize(kMenuSize);
     m_menu->setFocusPolicy(Qt::TabFocus);
     m_menu->setAccessibleName(tr("Menu"));
     m_menu->setToolTip(tr("Menu: theme, full screen, language, guide, keys, diagnostics (F10 or Alt)"));
-    grid->addWidget(m_menu, 0, 3, 2, 1, Qt::AlignCenter);
-    grid->addWidget(m_stop, 0, 4, 2, 1, Qt::AlignCenter);
-    grid->setColumnStretch(1, 1);
+    grid->addWidget(m_menu, 0, 4, 2, 1, Qt::AlignCenter);
+    grid->addWidget(m_stop, 0, 5, 2, 1, Qt::AlignCenter);
+    grid->setColumnStretch(1, 3);
+    grid->setColumnStretch(2, 1);
 }
 
 const QWidget& HeaderBar::menuButton() const

@@ -12,6 +12,7 @@ class QToolButton;
 namespace boresight::ui {
 
 class StopButton;
+class AuthorityButton;
 class ValueLabel;
 
 class HeaderBar : public QWidget
@@ -19,7 +20,8 @@ class HeaderBar : public QWidget
     Q_OBJECT
 
 public:
-    explicit HeaderBar(QWidget* parent = nullptr);
+    // `authority` stands below who has the control.
+    explicit HeaderBar(AuthorityButton& authority, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
     void setOnlySimulated();  // says so by the word SIMULATED
@@ -33,7 +35,7 @@ Q_SIGNALS:
     void menuWanted();
 
 private:
-    void build();
+    void build(AuthorityButton& authority);
     void showState(const StationStatus& status);
     void showTarget(const StationStatus& status);
     void showLinks(const StationStatus& status);

@@ -8,6 +8,7 @@
 #include "ui/guide/guide_page.h"
 #include "ui/jog/gamepad.h"
 #include "ui/jog/jog_panel.h"
+#include "ui/jog/places_bar.h"
 #include "ui/kit/accessibility.h"
 #include "ui/kit/focus_frame.h"
 #include "ui/kit/format.h"
@@ -54,6 +55,7 @@ namespace {
 constexpr std::chrono::milliseconds kBeat{100};
 constexpr int kBeatsPerSecond = 10;
 constexpr int kWidthWithCharts = 1600;
+constexpr int kHeightWithSensor = 600;  // besides an alarm
 
 // Before the first widget is made: its size depends on the style, and what a screen reader is told of it is settled
 // with it.
@@ -71,9 +73,10 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_clock(clock),
       m_draft(m_desk),
       m_last(clock),
-      m_header(new HeaderBar(this)),
-      m_progress(new ProgressLine(this)),
       m_alarms(new AlarmCard(m_draft, m_desk, this)),
+      m_authority(new AuthorityButton(m_desk, m_alarms->notice(), this)),
+      m_header(new HeaderBar(*m_authority, this)),
+      m_progress(new ProgressLine(this)),
       m_plot(new PolarPlot(m_draft, m_desk, this)),
       m_plotCell(new QGridLayout),
       m_strip(new QWidget(this)),
@@ -81,9 +84,9 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_sensor(new SensorReadout(this)),
       m_side(new QStackedWidget(this)),
       m_panels(new PanelTabs(clock, m_desk, m_draft, settings, this)),
+      m_places(new PlacesBar(m_draft, m_desk, settings.recentGoTos, this)),
       m_guideProgress(settings.guide),
       m_lastCommand(new ValueLabel(tr("Last line of the log"), fonts::label(), {}, this)),
-      m_authority(new AuthorityButton(m_desk, m_alarms->notice(), this)),
       m_leadBar(new LeadPrompt(m_desk, this)),
       m_handBackBar(new HandBackPrompt(m_desk, this)),
       m_pickBar(new PickPrompt(m_desk, this)),
@@ -114,7 +117,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(&m_panels->log(), &LogPanel::beepWanted, this, &QApplication::beep);
     connect(&m_panels->log(), &LogPanel::soundChanged, this, &MainWindow::alarmSoundChanged);
     connect(&m_panels->jog(), &JogPanel::stopPressed, this, &MainWindow::stop);
-    connect(&m_panels->jog(), &JogPanel::recentGoTosChanged, this, &MainWindow::recentGoTosChanged);
+    connect(m_places, &PlacesBar::recentGoTosChanged, this, &MainWindow::recentGoTosChanged);
     connect(m_plot, &PolarPlot::editingChanged, this, &MainWindow::showEditing);
     connect(m_alarms, &AlarmCard::panelWanted, m_panels, &PanelTabs::open);
     connect(m_alarms, &AlarmCard::lineWanted, this, [this](const Alarm& alarm) {
@@ -185,6 +188,9 @@ QWidget* MainWindow::makeSide(QWidget& ground)
     column->addWidget(m_readout);
     column->addWidget(m_sensor);
     m_side->addWidget(m_panels);
+    // The guide needs the room and moves the mount by its own buttons.
+    connect(m_side, &QStackedWidget::currentChanged, m_places,
+            [this] { m_places->setVisible(m_side->currentWidget() == m_panels); });
     // While an alarm takes room in a low window, the panel scrolls.
     auto* const scroll = new QScrollArea(side);
     scroll->setFrameShape(QFrame::NoFrame);
@@ -194,10 +200,8 @@ QWidget* MainWindow::makeSide(QWidget& ground)
     scroll->setWidget(m_side);
     scroll->setMinimumWidth(m_side->minimumSizeHint().width());
     column->addWidget(scroll, 1);
-    auto* const bottom = new QHBoxLayout;
-    column->addLayout(bottom);
-    bottom->addWidget(m_lastCommand, 1);
-    bottom->addWidget(m_authority);
+    column->addWidget(m_places);
+    column->addWidget(m_lastCommand);
     m_lastCommand->setStretching(true);
     m_lastCommand->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     return side;
@@ -279,11 +283,13 @@ void MainWindow::showStatus(const StationStatus& status)
     m_header->showStatus(status);
     m_progress->setDone(status.slew ? std::optional(status.slew->done) : std::nullopt);
     m_alarms->showStatus(status);
+    fitColumn();
     m_authority->showStatus(status);
     m_plot->showStatus(status);
     m_readout->showStatus(status);
     m_sensor->showStatus(status.sensor);
     m_panels->showStatus(status);
+    m_places->showStatus(status);
     if (m_guide != nullptr) {
         m_guide->showStatus(status);
     }
@@ -328,10 +334,19 @@ void MainWindow::warn(const QString& what)
     m_alarms->notice().setValue(what, Tone::Warning, what.isEmpty() ? Symbol::None : Symbol::Warning);
 }
 
+// The panel keeps its room: an alarm takes that of the large numerals, and in a low window that of the sensor.
+void MainWindow::fitColumn()
+{
+    const int alarm = m_alarms->isHidden() ? 0 : m_alarms->sizeHint().height();
+    m_readout->setRoom(size() - QSize(0, alarm));
+    m_sensor->setRoom(height() - alarm >= kHeightWithSensor);
+}
+
 // A wide window has room for all at once: sky, panels, and the charts beside them.
 void MainWindow::resizeEvent(QResizeEvent* event)
 {
     QMainWindow::resizeEvent(event);
+    fitColumn();
     const bool beside = width() >= kWidthWithCharts;
     if (beside != m_strip->isHidden()) {
         return;
@@ -490,8 +505,8 @@ void MainWindow::toggleGuide()
 
 void MainWindow::goTo()
 {
-    m_panels->bringUp(m_panels->jog());
-    m_panels->jog().focusGoTo();
+    closeGuide();
+    m_places->focusGoTo();
 }
 
 void MainWindow::hold()
@@ -501,7 +516,7 @@ void MainWindow::hold()
 
 void MainWindow::park()
 {
-    m_panels->jog().park();
+    m_places->park();
 }
 
 void MainWindow::acknowledge()

@@ -37,6 +37,7 @@ class MainMenu;
 class ManualWindow;
 class PanelTabs;
 class PickPrompt;
+class PlacesBar;
 class PolarPlot;
 class ProgressLine;
 class SensorReadout;
@@ -91,6 +92,7 @@ private:
     void addKey(const QKeySequence& key, void (MainWindow::*act)());
     void stop();
     void showStatus(const StationStatus& status);
+    void fitColumn();
     void beat();
     void nextTheme();
     void chooseTheme(ThemeKind theme, Brightness brightness);
@@ -118,9 +120,10 @@ private:
     HostDesk m_host;
     ProfileDraft m_draft;
     LastStatus m_last;
+    AlarmCard* m_alarms;
+    AuthorityButton* m_authority;
     HeaderBar* m_header;
     ProgressLine* m_progress;
-    AlarmCard* m_alarms;
     PolarPlot* m_plot;
     QGridLayout* m_plotCell;  // the plot, and prompts over it
     QWidget* m_strip;         // the charts, in a wide window
@@ -128,10 +131,10 @@ private:
     SensorReadout* m_sensor;
     QStackedWidget* m_side;  // the panels, or the guide in their place
     PanelTabs* m_panels;
+    PlacesBar* m_places;
     GuideProgress m_guideProgress;
     GuidePage* m_guide = nullptr;  // made when it is first opened
     ValueLabel* m_lastCommand;
-    AuthorityButton* m_authority;
     LeadPrompt* m_leadBar;
     HandBackPrompt* m_handBackBar;
     PickPrompt* m_pickBar;

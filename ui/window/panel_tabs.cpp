@@ -27,7 +27,7 @@ namespace boresight::ui {
 PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft, const WindowSettings& settings,
                      QWidget* parent)
     : QTabWidget(parent),
-      m_jog(new JogPanel(clock, draft, desk, settings.recentGoTos, this)),
+      m_jog(new JogPanel(clock, draft, desk, this)),
       m_charts(new ChartsPanel(clock, this)),
       m_limits(new LimitsPanel(draft, desk, this)),
       m_clients(new ClientsPanel(draft, desk, this)),

@@ -72,8 +72,9 @@ SensorReadout::SensorReadout(QWidget* parent)
 
 void SensorReadout::showStatus(const SensorStatus& sensor)
 {
-    setVisible(sensor.configured());
-    if (!sensor.configured()) {
+    m_isConfigured = sensor.configured();
+    setVisible(m_isConfigured && m_hasRoom);
+    if (!m_isConfigured) {
         return;
     }
     const bool well = isWell(sensor);
@@ -83,6 +84,12 @@ void SensorReadout::showStatus(const SensorStatus& sensor)
                     well ? Tone::Secondary : Tone::Warning);
     m_detail->setValue(detailText(sensor), well && sensor.problem.isEmpty() ? Tone::Secondary : Tone::Warning);
     m_bars->showCalibration(sensor.direction && sensor.last ? sensor.last->calibration : std::nullopt);
+}
+
+void SensorReadout::setRoom(bool has)
+{
+    m_hasRoom = has;
+    setVisible(m_isConfigured && m_hasRoom);
 }
 
 }  // namespace boresight::ui

@@ -6,7 +6,8 @@
 #include <QWidget>
 
 // What the orientation sensor says, below the axes: its true direction, how old that is, how far it is from the axes,
-// and how well it is calibrated. Not there without a sensor.
+// and how well it is calibrated. Not there without a sensor, and
+// where an alarm needs its room. Gui thread.
 namespace boresight::ui {
 
 class CalibrationBars;
@@ -20,12 +21,15 @@ public:
     explicit SensorReadout(QWidget* parent = nullptr);
 
     void showStatus(const SensorStatus& sensor);
+    void setRoom(bool has);  // for it
 
 private:
     ValueLabel* m_direction;
     ValueLabel* m_age;
     ValueLabel* m_detail;
     CalibrationBars* m_bars;
+    bool m_isConfigured = false;
+    bool m_hasRoom = true;
 };
 
 }  // namespace boresight::ui

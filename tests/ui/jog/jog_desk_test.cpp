@@ -229,11 +229,26 @@ TEST_F(JogDeskTest, AnEmptyFieldKeepsItsAxis)
     requests.clear();
     click("Go");
     EXPECT_TRUE(requests.empty()) << "both are empty";
-    EXPECT_TRUE(text("Refused").contains(QStringLiteral("Enter an azimuth, an elevation or both")));
+    EXPECT_TRUE(text("Refused direction").contains(QStringLiteral("Enter an azimuth, an elevation or both")));
     elevation->setText(QStringLiteral("1o"));
     click("Go");
     EXPECT_TRUE(requests.empty());
-    EXPECT_TRUE(text("Refused").contains(QStringLiteral("The elevation is not a number")));
+    EXPECT_TRUE(text("Refused direction").contains(QStringLiteral("The elevation is not a number")));
+}
+
+// REQ-UI-952: The go-to line is there on every tab. The guide has its room.
+TEST_F(JogDeskTest, TheGoToLineIsThereOnEveryTab)
+{
+    for (const char panel : kPanels) {
+        openPanel(panel);
+        EXPECT_TRUE(named<CommandButton>("Go")->isVisible()) << panel;
+        EXPECT_TRUE(named<CommandButton>("Park")->isVisible()) << panel;
+    }
+    QTest::keyClick(&window, Qt::Key_F3);
+    EXPECT_FALSE(named<CommandButton>("Go")->isVisible());
+    QTest::keyClick(&window, Qt::Key_G, Qt::ControlModifier);
+    EXPECT_TRUE(named<QLineEdit>("Azimuth")->hasFocus());
+    EXPECT_TRUE(named<CommandButton>("Go")->isVisible());
 }
 
 // REQ-UI-02c

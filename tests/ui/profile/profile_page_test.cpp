@@ -112,6 +112,25 @@ TEST_F(ProfilePageTest, AValueIsEditedByKeyboardAppliedAndReverted)
 }
 
 // REQ-UI-29
+// REQ-UI-953: The beam width can be reckoned from dish and frequency, or from the gain.
+TEST_F(ProfilePageTest, TheBeamWidthComesFromDishOrGain)
+{
+    EXPECT_FALSE(named<QPushButton>("Use the beam width of the dish")->isVisible());
+    QTest::keyClicks(search(), QStringLiteral("beam_width"));
+    const QAbstractItemModel& model = *tree()->model();
+    tree()->setCurrentIndex(model.index(0, SettingTree::Value, model.index(0, 0)));
+    named<QDoubleSpinBox>("Diameter of the dish")->setValue(3.0);
+    named<QDoubleSpinBox>("Frequency")->setValue(1296.0);
+    auto* const dish = named<QPushButton>("Use the beam width of the dish");
+    EXPECT_TRUE(dish->isVisible());
+    EXPECT_EQ(dish->text(), QStringLiteral("Use 5.40°"));
+    QTest::mouseClick(dish, Qt::LeftButton);
+    EXPECT_TRUE(firstCell(SettingTree::Value).startsWith(QStringLiteral("5.4")));
+    named<QDoubleSpinBox>("Gain of the antenna")->setValue(12.0);
+    QTest::mouseClick(named<QPushButton>("Use the beam width of the gain"), Qt::LeftButton);
+    EXPECT_TRUE(firstCell(SettingTree::Value).startsWith(QStringLiteral("40.5")));
+}
+
 TEST_F(ProfilePageTest, WhatIsNoValueIsRefusedAndWhatClashesIsMarked)
 {
     edit("azimuth.max_speed", "fast");

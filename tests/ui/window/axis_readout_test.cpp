@@ -6,6 +6,7 @@
 #include "tests/ui/sample_status.h"
 #include "ui/kit/format.h"
 #include "ui/kit/value_label.h"
+#include "ui/window/error_bar.h"
 
 #include <gtest/gtest.h>
 
@@ -64,6 +65,57 @@ TEST(AxisReadout, AnAxisThatTheMountDoesNotHaveShowsNoNumbers)
     EXPECT_EQ(shown(readout, "Actual elevation"), noValue());
     EXPECT_EQ(shown(readout, "Target elevation"), noValue());
     EXPECT_EQ(shown(readout, "Actual azimuth"), QStringLiteral("62.60°"));
+}
+
+// REQ-UI-950 (ErrorBar.*): A bar shows the error of each axis in beam widths. It has the warning colour only where
+// nobody planned so large an error.
+TEST(ErrorBar, IsScaledInBeamWidthsOnTheSky)
+{
+    StationStatus status = pointed({});
+    status.azimuth.target = 64.6_deg;  // 2° of azimuth at 60° elevation are 1° of the sky
+    status.elevation.actual = 60_deg;
+    status.elevation.target = 57.5_deg;
+    status.actual = SkyPointing{62.6_deg, 60_deg};
+    auto profile = std::make_shared<profile::Profile>(*status.profile);
+    profile->mount.beamWidth = 5_deg;
+    status.profile = profile;
+    status = samples::judged(status);
+    AxisReadout readout;
+    readout.showStatus(status);
+    EXPECT_NEAR(findNamed<ErrorBar>(readout, "Error bar of azimuth")->error().value(), 0.2, 1e-9);
+    EXPECT_NEAR(findNamed<ErrorBar>(readout, "Error bar of elevation")->error().value(), -0.5, 1e-9);
+    EXPECT_FALSE(findNamed<ErrorBar>(readout, "Error bar of elevation")->isUnplanned()) << "half a beam width";
+}
+
+TEST(ErrorBar, WarnsOfAnErrorThatNobodyPlanned)
+{
+    StationStatus status = pointed({});
+    AxisReadout readout;
+    readout.showStatus(status);
+    const auto* const bar = findNamed<ErrorBar>(readout, "Error bar of azimuth");
+    EXPECT_TRUE(bar->isUnplanned());
+    status.slew = SlewProgress{.remaining = Seconds(5.0), .done = 0.5};
+    status.azimuth.commanded = status.azimuth.actual;
+    readout.showStatus(samples::judged(status));
+    EXPECT_FALSE(bar->isUnplanned()) << "on its way";
+    status.azimuth.age = std::chrono::milliseconds(700);
+    readout.showStatus(samples::judged(status));
+    EXPECT_FALSE(bar->error().has_value()) << "an old place is not compared";
+}
+
+// REQ-UI-951: The numerals of the axes scale with the window: 44 pt from 1280×760, 60 pt from 1900×1000.
+TEST(AxisReadout, TheNumeralsScaleWithTheWindow)
+{
+    AxisReadout readout;
+    const auto points = [&readout](QSize window) {
+        readout.setRoom(window);
+        return findNamed<ValueLabel>(readout, "Actual azimuth")->font().pointSize();
+    };
+    EXPECT_EQ(points({1024, 700}), 28);
+    EXPECT_EQ(points({1280, 800}), 44);
+    EXPECT_EQ(points({1920, 1040}), 60);
+    EXPECT_EQ(points({1920, 700}), 28);
+    EXPECT_FALSE(findNamed<ValueLabel>(readout, "Rate of azimuth")->isVisibleTo(&readout));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "tests/ui/find_widget.h"
 #include "ui/kit/value_label.h"
 #include "ui/sky/sky_markers.h"
+#include "ui/window/authority_button.h"
 #include "ui/window/calibration_bars.h"
 #include "ui/window/header_bar.h"
 #include "ui/window/sensor_readout.h"
@@ -68,7 +69,10 @@ TEST(CalibrationBars, SayTheirDigits)
 
 TEST(HeaderBar, ShowsTheSensorIfThereIsOne)
 {
-    HeaderBar header;
+    RequestDesk desk;
+    ValueLabel notice({}, {}, {});
+    auto* const authority = new AuthorityButton(desk, notice);
+    HeaderBar header(*authority);
     StationStatus status;
     header.showStatus(status);
     EXPECT_EQ(shown(header, "Orientation sensor"), QString());

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/jog/places_bar.h"
+
+#include "ui/jog/go_to_bar.h"
+#include "ui/jog/preset_bar.h"
+#include "ui/kit/command_button.h"
+#include "ui/kit/format.h"
+#include "ui/kit/push_button.h"
+#include "ui/kit/value_label.h"
+#include "ui/look/paint.h"
+
+#include <QPainter>
+#include <QVBoxLayout>
+
+namespace boresight::ui {
+
+PlacesBar::PlacesBar(ProfileDraft& draft, RequestDesk& desk, const QStringList& recentGoTos, QWidget* parent)
+    : QWidget(parent),
+      m_notice(new ValueLabel(tr("Refused direction"), fonts::label(), {}, this)),
+      m_goTo(new GoToBar(desk, *m_notice, recentGoTos, this)),
+      m_park(new CommandButton(tr("Park"), {}, desk, *m_notice, this)),
+      m_more(makePushButton({.text = tr("Presets ▾"),
+                             .name = tr("Presets, home, horizon, unwrap"),
+                             .help = tr("Show or hide the presets, Home, Horizon and Unwrap")},
+                            this)),
+      m_rare(new QWidget(this)),
+      m_presets(new PresetBar(draft, desk, *m_notice, this)),
+      m_home(new CommandButton(tr("Home"), tr("Go to azimuth 0° and the lowest elevation"), desk, *m_notice, this)),
+      m_horizon(new CommandButton(tr("Horizon"),
+                                  tr("Go to elevation 0°, or the lowest permitted, at the entered azimuth. Without one "
+                                     "the azimuth stays"),
+                                  desk, *m_notice, this)),
+      m_unwrap(new CommandButton(
+          tr("Unwrap"),
+          tr("Unwrap the cable: go back by whole turns to the same direction where the cable is least wound"), desk,
+          *m_notice, this))
+{
+    build();
+    connect(m_goTo, &GoToBar::recentChanged, this, &PlacesBar::recentGoTosChanged);
+    connect(m_horizon, &QPushButton::clicked, this, [this] { m_horizon->ask(request::Horizon{m_goTo->azimuth()}); });
+    connect(m_home, &QPushButton::clicked, this, [this] { m_home->ask(request::Home{}); });
+    connect(m_unwrap, &QPushButton::clicked, this, [this] { m_unwrap->ask(request::Unwind{}); });
+    connect(m_park, &QPushButton::clicked, this, &PlacesBar::parkOrUnpark);
+    connect(m_more, &QPushButton::toggled, m_rare, &QWidget::setVisible);
+}
+
+void PlacesBar::build()
+{
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(kGrid, 2, kGrid, 2);
+    column->setSpacing(kGrid / 2);
+    column->addWidget(m_notice);
+    fillRare();
+    column->addWidget(m_rare);
+    column->addWidget(makeFirstRow());
+    m_notice->setWrapping(true);
+    m_notice->setCollapsing(true);
+}
+
+QWidget* PlacesBar::makeFirstRow()
+{
+    auto* const box = new QWidget(this);
+    auto* const row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kGrid / 2);
+    row->addWidget(m_goTo, 1);
+    row->addWidget(m_park);
+    row->addWidget(m_more);
+    setEmphasis(*m_more, Emphasis::Quiet);
+    m_more->setCheckable(true);
+    return box;
+}
+
+void PlacesBar::fillRare()
+{
+    auto* const row = new QHBoxLayout(m_rare);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kGrid / 2);
+    row->addWidget(m_presets, 1);
+    for (CommandButton* const button : {m_home, m_horizon, m_unwrap}) {
+        setEmphasis(*button, Emphasis::Quiet);
+        row->addWidget(button);
+    }
+    m_rare->hide();
+}
+
+void PlacesBar::showStatus(const StationStatus& status)
+{
+    m_status = status;
+    m_presets->showStatus(status);
+    const QString reason = status.permissions.reason(Action::Point);
+    m_goTo->setBlocked(reason);
+    m_horizon->setBlocked(reason);
+    m_home->setBlocked(status.permissions.reason(Action::Home));
+    m_unwrap->setBlocked(status.permissions.reason(Action::Unwind));
+    showPark();
+}
+
+void PlacesBar::showPark()
+{
+    if (m_status.state == StationState::Parked) {
+        m_park->setCommand(tr("Unpark"), tr("Leave PARKED and hold this position. Nothing moves."));
+        m_park->setBlocked(m_status.permissions.reason(Action::Hold));
+    } else {
+        m_park->setCommand(tr("Park"), tr("Go to the park position %1 (Ctrl+P)").arg(axisText(m_status.profile->park)));
+        m_park->setBlocked(m_status.permissions.reason(Action::Park));
+    }
+}
+
+void PlacesBar::focusGoTo()
+{
+    m_goTo->focusFields();
+}
+
+void PlacesBar::parkOrUnpark()
+{
+    m_status.state == StationState::Parked ? m_park->ask(request::Hold{}) : m_park->ask(request::Park{});
+}
+
+void PlacesBar::park()
+{
+    const QString obstacle = m_status.permissions.reason(Action::Park);
+    const QString reason =
+        obstacle.isEmpty() && m_status.state == StationState::Parked ? tr("The mount is already parked.") : obstacle;
+    if (reason.isEmpty()) {
+        m_park->ask(request::Park{});
+    } else {
+        m_notice->setValue(tr("Park: %1").arg(reason), Tone::Warning, Symbol::Warning);
+    }
+}
+
+void PlacesBar::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    paintCard(painter, rect());
+}
+
+}  // namespace boresight::ui
+
+#include "moc_places_bar.cpp"

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/axis_card.h"
+
+#include "ui/kit/axes.h"
+#include "ui/kit/caption.h"
+#include "ui/kit/format.h"
+#include "ui/kit/value_label.h"
+#include "ui/kit/widest.h"
+#include "ui/look/paint.h"
+#include "ui/window/error_bar.h"
+
+#include <QGridLayout>
+#include <QHelpEvent>
+#include <QLabel>
+#include <QPainter>
+#include <QStringList>
+#include <QToolTip>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace boresight::ui {
+
+namespace {
+
+constexpr int kCardSides = 12;  // px
+constexpr int kCardEnds = 4;    // px
+
+struct Worded
+{
+    QString word;
+    Tone tone = Tone::Normal;
+    Symbol symbol = Symbol::None;
+};
+
+// On an unknown turn the word says so, unless there is something worse, or the axis moves.
+Worded worded(const AxisStatus& axis, bool turnKnown)
+{
+    const AxisState state = freshness(axis.age) == Freshness::NoData ? AxisState::NoData : axis.state;
+    switch (state) {
+        case AxisState::NoData:
+        case AxisState::Fault:
+            return {word(state), Tone::Alarm, Symbol::Alarm};
+        case AxisState::Moving:
+            return {word(state)};
+        default:
+            break;
+    }
+    if (!turnKnown) {
+        return {AxisCard::tr("TURN?"), Tone::Warning, Symbol::Warning};
+    }
+    return state == AxisState::Limit ? Worded{word(state), Tone::Warning, Symbol::Warning} : Worded{word(state)};
+}
+
+// Late data names its age, whatever else there is to say.
+QString detailText(const AxisStatus& axis, bool turnKnown)
+{
+    if (freshness(axis.age) != Freshness::Live && axis.age) {
+        return AxisCard::tr("age %1").arg(ageText(*axis.age));
+    }
+    return turnKnown || !axis.age || !axis.stateText.isEmpty() ? axis.stateText : AxisCard::tr("the turn is not known");
+}
+
+QString line(const QString& what, const std::optional<double>& value, const char* format)
+{
+    return value ? QLatin1Char('\n') + what + QString::asprintf(format, *value) : QString();
+}
+
+// What the drive says of itself: volts, degrees, amperes.
+QString driveHelp(const QString& axisName, const AxisStatus& axis, const QString& registers)
+{
+    QString text =
+        AxisCard::tr("%1 axis, %2 … %3").arg(axisName, angleText(axis.travel.min, 1), angleText(axis.travel.max, 1));
+    if (axis.actual && axis.turnKnown) {
+        text += AxisCard::tr("\nmechanical angle %1").arg(angleText(*axis.actual));
+    }
+    if (axis.rate) {
+        text += AxisCard::tr("\nrate %1").arg(rateText(*axis.rate));
+    }
+    text += line(AxisCard::tr("supply "), axis.busVoltage, "%.1f V");
+    text += line(AxisCard::tr("drive "), axis.boardTemperature, "%.0f °C");
+    text += line(AxisCard::tr("motor "), axis.motorTemperature, "%.0f °C");
+    text += line(AxisCard::tr("torque "), axis.torque, "%.2f Nm");
+    text += line(AxisCard::tr("current "), axis.current, "%.1f A");
+    for (const QString& more : {registers, axis.stateText}) {
+        text += more.isEmpty() ? QString() : QLatin1Char('\n') + more;
+    }
+    return text;
+}
+
+int pointsOf(Numerals numerals)
+{
+    switch (numerals) {
+        case Numerals::Small:
+            return 28;
+        case Numerals::Usual:
+            return 44;
+        case Numerals::Large:
+            break;
+    }
+    return 60;
+}
+
+// Where the axis should be now. On the way to a fixed target that is the set-point: the rest of the way is planned.
+std::optional<Angle> expectedAngle(const StationStatus& status, const BeamAngles& beam)
+{
+    return status.slew || !status.route.empty() ? beam.commanded : beam.target;
+}
+
+QString widestState()
+{
+    return widest(fonts::text(), {widestAxisState(fonts::text()), AxisCard::tr("TURN?")});
+}
+
+}  // namespace
+
+AxisCard::AxisCard(Axis axis, QWidget* parent) : QWidget(parent), m_axis(axis)
+{
+    const QString axisName = name(axis);
+    const QString widest = QStringLiteral("-000.00°");
+    m_actual = new ValueLabel(tr("Actual %1").arg(axisName), {}, QStringLiteral("000.00°"), this);
+    m_target = new ValueLabel(tr("Target %1").arg(axisName), fonts::value(), widest, this);
+    m_error = new ValueLabel(tr("Error of %1").arg(axisName), fonts::value(), widest, this);
+    m_rate = new ValueLabel(tr("Rate of %1").arg(axisName), fonts::value(), widest, this);
+    m_rateCaption = makeCaption(tr("rate"), this);
+    m_state = new ValueLabel(tr("State of %1").arg(axisName), fonts::text(), widestState(), this);
+    m_bar = new ErrorBar(tr("Error bar of %1").arg(axisName), this);
+    m_detail = new ValueLabel(tr("Detail of %1").arg(axisName), fonts::label(), {}, this);
+    for (ValueLabel* const number : {m_actual, m_target, m_error, m_rate}) {
+        number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    }
+    m_state->setSymbolRoom(true);
+    m_detail->setStretching(true);
+    m_detail->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    build();
+    setNumerals(Numerals::Small);
+}
+
+void AxisCard::build()
+{
+    auto* const grid = new QGridLayout(this);
+    grid->setContentsMargins(kCardSides, kCardEnds, kCardSides, kCardEnds);
+    grid->setHorizontalSpacing(kGrid);
+    grid->setVerticalSpacing(0);
+    auto* const axisName = new QLabel(m_axis == Axis::Azimuth ? tr("AZ") : tr("EL"), this);
+    QFont bold = fonts::text();
+    bold.setBold(true);
+    axisName->setFont(bold);
+    axisName->setIndent(2);  // as its state below
+    auto* const names = new QVBoxLayout;
+    names->addWidget(axisName);
+    names->addWidget(m_state);
+    names->addStretch(1);
+    grid->addLayout(names, 0, 0, 3, 1);
+    grid->addWidget(m_actual, 0, 1, 3, 1, Qt::AlignRight | Qt::AlignVCenter);
+    grid->addWidget(makeCaption(tr("target"), this), 0, 2);
+    grid->addWidget(m_target, 0, 3);
+    grid->addWidget(makeCaption(tr("error"), this), 1, 2);
+    grid->addWidget(m_error, 1, 3);
+    grid->addWidget(m_rateCaption, 2, 2);
+    grid->addWidget(m_rate, 2, 3);
+    grid->addWidget(m_bar, 3, 0, 1, 2);
+    grid->addWidget(m_detail, 3, 2, 1, 2);
+    grid->setColumnStretch(1, 1);
+}
+
+void AxisCard::setNumerals(Numerals numerals)
+{
+    if (m_numerals == numerals) {
+        return;
+    }
+    m_numerals = numerals;
+    m_actual->setFont(fonts::actual(pointsOf(numerals)));
+    m_actual->updateGeometry();
+    m_rate->setVisible(numerals != Numerals::Small);
+    m_rateCaption->setVisible(numerals != Numerals::Small);
+}
+
+void AxisCard::showStatus(const StationStatus& status)
+{
+    m_shown = m_axis == Axis::Azimuth ? status.azimuth : status.elevation;
+    m_registers = driveOf(status, m_axis).registers;
+    m_trim = status.trim;
+    m_hasModel = status.profile->pointing != pointing::PointingTerms{};
+    const bool turnKnown = isTurnKnown(status, m_axis);
+    showNumbers(turnKnown);
+    // On an unknown turn the drive counts from anywhere: there is nothing to compare.
+    showError(status, freshness(m_shown.age) == Freshness::Live && turnKnown && m_shown.state != AxisState::Missing);
+    const Worded state = worded(m_shown, turnKnown || isTurnAwaited(status, m_axis));
+    m_state->setValue(state.word, state.tone, state.symbol);
+    const bool live = freshness(m_shown.age) == Freshness::Live;
+    m_detail->setValue(detail(), !live ? Tone::Warning : trim() != 0_deg ? Tone::Accent : Tone::Secondary);
+}
+
+void AxisCard::showNumbers(bool turnKnown)
+{
+    const auto shown = [this](Angle angle) { return m_axis == Axis::Azimuth ? angle.wrapped360() : angle; };
+    const Freshness age = freshness(m_shown.age);
+    const bool missing = m_shown.state == AxisState::Missing;
+    // On an unknown turn the drive counts from anywhere: no number at all.
+    const bool known = m_shown.actual && age != Freshness::NoData && turnKnown && !missing;
+    const Tone tone = age == Freshness::Live ? Tone::Normal : Tone::Secondary;
+    const auto show = [](ValueLabel& label, const QString& text, Tone of) {
+        label.setValue(text.isEmpty() ? noValue() : text, text.isEmpty() ? Tone::Secondary : of);
+    };
+    const auto actual = known ? m_shown.beam.actual : std::nullopt;
+    const auto target = missing ? std::nullopt : m_shown.beam.target;
+    const auto rate = known ? m_shown.rate : std::nullopt;
+    const bool comparable = known && m_shown.target;
+    show(*m_actual, actual ? angleText(shown(*actual)) : QString(), tone);
+    show(*m_target, target ? angleText(shown(*target)) : QString(), Tone::Normal);
+    show(*m_error, comparable ? signedAngleText(*m_shown.target - *m_shown.actual) : QString(), tone);
+    show(*m_rate, rate ? rateText(*rate, 2) : QString(), tone);
+}
+
+void AxisCard::showError(const StationStatus& status, bool known)
+{
+    const BeamAngles& beam = m_shown.beam;
+    if (!known || !beam.actual || !beam.target) {
+        m_bar->setError(std::nullopt, false);
+        return;
+    }
+    // A degree of azimuth is less of the sky the higher the beam.
+    const double onSky = m_axis == Axis::Azimuth && status.actual ? std::cos(status.actual->elevation.radians()) : 1.0;
+    const auto share = [&](Angle to) { return (to - *beam.actual) / status.profile->mount.beamWidth * onSky; };
+    const std::optional<Angle> expected = expectedAngle(status, beam);
+    m_bar->setError(share(*beam.target), expected && std::abs(share(*expected)) > 0.5);
+}
+
+Angle AxisCard::trim() const
+{
+    return !m_trim ? 0_deg : m_axis == Axis::Azimuth ? m_trim->azimuth : m_trim->elevation;
+}
+
+QString AxisCard::detail() const
+{
+    QStringList parts;
+    if (trim() != 0_deg) {
+        parts << tr("trim %1").arg(signedAngleText(trim()));
+    }
+    if (m_shown.actual && m_shown.turnKnown && m_hasModel && freshness(m_shown.age) != Freshness::NoData) {
+        parts << tr("axis %1").arg(angleText(*m_shown.actual));
+    }
+    if (const QString text = detailText(m_shown, m_shown.turnKnown); !text.isEmpty()) {
+        parts << text;
+    }
+    return parts.join(QStringLiteral(", "));
+}
+
+bool AxisCard::event(QEvent* event)
+{
+    if (event->type() == QEvent::ToolTip) {
+        const auto* const help = static_cast<QHelpEvent*>(event);
+        QToolTip::showText(help->globalPos(), driveHelp(name(m_axis), m_shown, m_registers), this);
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void AxisCard::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    paintCard(painter, rect());
+}
+
+}  // namespace boresight::ui
+
+#include "moc_axis_card.cpp"

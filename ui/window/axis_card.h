@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/messages/station_status.h"
+
+#include <QWidget>
+
+#include <optional>
+
+// One axis: actual and target as true directions, error (target minus actual, along the way the axis really goes), rate
+// and a word. Below it the error as a bar, and what else there is to say: what is trimmed, what the axis shows where
+// that is not the truth, a detail. An old number is dimmed with its age, a very old one is not shown at all. On an
+// unknown turn there is no number. Gui thread.
+namespace boresight::ui {
+
+class ErrorBar;
+class ValueLabel;
+
+// Of the numeral of the actual angle, by the room there is in the window.
+enum class Numerals
+{
+    Small,  // 28 pt, and no line for the rate: a window of 1024×700 has no room for more
+    Usual,  // 44 pt
+    Large   // 60 pt
+};
+
+class AxisCard : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit AxisCard(Axis axis, QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+    void setNumerals(Numerals numerals);
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void build();
+    void showNumbers(bool turnKnown);
+    void showError(const StationStatus& status, bool known);
+    [[nodiscard]] QString detail() const;
+    [[nodiscard]] Angle trim() const;
+
+    const Axis m_axis;
+    ValueLabel* m_actual;
+    ValueLabel* m_target;
+    ValueLabel* m_error;
+    ValueLabel* m_rate;
+    QWidget* m_rateCaption;
+    ValueLabel* m_state;
+    ErrorBar* m_bar;
+    ValueLabel* m_detail;
+    std::optional<Numerals> m_numerals;
+    AxisStatus m_shown;
+    QString m_registers;  // what the drive says of itself
+    std::optional<SkyPointing> m_trim;
+    bool m_hasModel = false;  // the axis does not show the truth
+};
+
+}  // namespace boresight::ui

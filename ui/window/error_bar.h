@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/units/quantity.h"
+
+#include <QWidget>
+
+#include <optional>
+
+// How far one axis is beside its target, in beam widths: the middle is the target, an end is a whole beam width. Beyond
+// it the mark stays at the end as an arrow. Drawn in the warning colour where nobody planned so large an error. Gui
+// thread.
+namespace boresight::ui {
+
+class ErrorBar : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ErrorBar(const QString& accessibleName, QWidget* parent = nullptr);
+
+    // `share`: the way on the sky from the beam to the target, in beam widths; empty: there is nothing to compare.
+    void setError(const std::optional<double>& share, bool unplanned);
+
+    [[nodiscard]] const std::optional<double>& error() const { return m_share; }
+    [[nodiscard]] bool isUnplanned() const { return m_unplanned; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    std::optional<double> m_share;
+    bool m_unplanned = false;
+};
+
+}  // namespace boresight::ui
