@@ -211,13 +211,6 @@
     </message>
 </context>
 <context>
-    <name>Forbidden</name>
-    <message>
-        <source>forbidden: %1</source>
-        <translation>proibido: %1</translation>
-    </message>
-</context>
-<context>
     <name>Format</name>
     <message>
         <source>az %1  el %2</source>
@@ -4297,10 +4290,6 @@ até %1</translation>
         <translation>Uma montagem precisa de pelo menos um eixo.</translation>
     </message>
     <message>
-        <source>The simple rotator is only simulated. Start Boresight with --simulate.</source>
-        <translation>O rotor simples é apenas simulado. Inicie o Boresight com --simulate.</translation>
-    </message>
-    <message>
         <source>%1 (magnetic model)</source>
         <translation>%1 (modelo magnético)</translation>
     </message>
@@ -6761,8 +6750,16 @@ até %1</translation>
         <translation>linha de comandos</translation>
     </message>
     <message>
-        <source>No local socket, so boresightctl take, release, stop --latched and reset-stop do not reach this station: %1</source>
-        <translation>Sem socket local: boresightctl take, release, stop --latched e reset-stop não chegam a esta estação: %1</translation>
+        <source>The target has no trim.</source>
+        <translation>O alvo não tem correção.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is only simulated. Start Boresight with --simulate.</source>
+        <translation>“%1” existe apenas em simulação. Inicie o Boresight com --simulate.</translation>
+    </message>
+    <message>
+        <source>The local socket did not open: %1. Commands of the shell that need it do not reach this station.</source>
+        <translation>O socket local não abriu: %1. Os comandos da linha de comandos que precisam dele não chegam a esta estação.</translation>
     </message>
 </context>
 <context>
@@ -7041,7 +7038,7 @@ SDL 2, toml++</translation>
     </message>
 </context>
 <context>
-    <name>boresight::ui::AxisReadout</name>
+    <name>boresight::ui::AxisCard</name>
     <message>
         <source>TURN?</source>
         <translation>VOLTA?</translation>
@@ -7091,30 +7088,6 @@ velocidade %1</translation>
         <translation>corrente </translation>
     </message>
     <message>
-        <source>ACTUAL</source>
-        <translation>REAL</translation>
-    </message>
-    <message>
-        <source>TARGET</source>
-        <translation>ALVO</translation>
-    </message>
-    <message>
-        <source>ERROR</source>
-        <translation>ERRO</translation>
-    </message>
-    <message>
-        <source>STATE</source>
-        <translation>ESTADO</translation>
-    </message>
-    <message>
-        <source>AZ</source>
-        <translation>AZ</translation>
-    </message>
-    <message>
-        <source>EL</source>
-        <translation>EL</translation>
-    </message>
-    <message>
         <source>Actual %1</source>
         <translation>Real de %1</translation>
     </message>
@@ -7127,12 +7100,40 @@ velocidade %1</translation>
         <translation>Erro de %1</translation>
     </message>
     <message>
+        <source>Rate of %1</source>
+        <translation>Velocidade de %1</translation>
+    </message>
+    <message>
+        <source>rate</source>
+        <translation>veloc.</translation>
+    </message>
+    <message>
         <source>State of %1</source>
         <translation>Estado de %1</translation>
     </message>
     <message>
+        <source>Error bar of %1</source>
+        <translation>Barra do erro de %1</translation>
+    </message>
+    <message>
         <source>Detail of %1</source>
         <translation>Detalhe de %1</translation>
+    </message>
+    <message>
+        <source>AZ</source>
+        <translation>AZ</translation>
+    </message>
+    <message>
+        <source>EL</source>
+        <translation>EL</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>alvo</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>erro</translation>
     </message>
     <message>
         <source>trim %1</source>
@@ -7141,6 +7142,61 @@ velocidade %1</translation>
     <message>
         <source>axis %1</source>
         <translation>eixo %1</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::BeamBox</name>
+    <message>
+        <source>Diameter of the dish</source>
+        <translation>Diâmetro da parabólica</translation>
+    </message>
+    <message>
+        <source>Diameter of the dish in metres</source>
+        <translation>Diâmetro da parabólica em metros</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frequência</translation>
+    </message>
+    <message>
+        <source>Frequency in megahertz</source>
+        <translation>Frequência em megahertz</translation>
+    </message>
+    <message>
+        <source>Gain of the antenna</source>
+        <translation>Ganho da antena</translation>
+    </message>
+    <message>
+        <source>Gain over an isotropic antenna</source>
+        <translation>Ganho em relação a uma antena isotrópica</translation>
+    </message>
+    <message>
+        <source>Use the beam width of the dish</source>
+        <translation>Usar a largura de feixe da parabólica</translation>
+    </message>
+    <message>
+        <source>Beam width 70° × wavelength / diameter</source>
+        <translation>Largura de feixe 70° × comprimento de onda / diâmetro</translation>
+    </message>
+    <message>
+        <source>Use the beam width of the gain</source>
+        <translation>Usar a largura de feixe do ganho</translation>
+    </message>
+    <message>
+        <source>Of an antenna whose beam is as wide as it is high</source>
+        <translation>De uma antena com um feixe tão largo como alto</translation>
+    </message>
+    <message>
+        <source>Dish</source>
+        <translation>Parabólica</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Ganho</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>Usar %1</translation>
     </message>
 </context>
 <context>
@@ -7789,6 +7845,13 @@ velocidade %1</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::DirectionQuestion</name>
+    <message>
+        <source>forbidden: %1</source>
+        <translation>proibido: %1</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::DrivesPanel</name>
     <message>
         <source>Rate of the proof</source>
@@ -7965,6 +8028,17 @@ Keep people and ropes clear of the antenna. STOP ends the proof.</source>
         <translation>Um eixo de cada vez move-se a %1. Então o Boresight deixa mesmo de dar ordens ao acionamento, como se o cabo fosse cortado, e mede até onde e por quanto tempo o eixo continua. Para ser ligado de novo, um acionamento não dá torque por um momento (13 ms e os dois ciclos antes): uma elevação desequilibrada cai um pouco.
 
 Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::ErrorBar</name>
+    <message>
+        <source>Error in beam widths. The middle is the target, each end is one beam width.</source>
+        <translation>Erro em larguras de feixe. O meio é o alvo. Cada extremo é uma largura de feixe.</translation>
+    </message>
+    <message>
+        <source>%1 beam widths</source>
+        <translation>%1 larguras de feixe</translation>
     </message>
 </context>
 <context>
@@ -9400,72 +9474,16 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Recusado</translation>
     </message>
     <message>
-        <source>Home</source>
-        <translation>Origem</translation>
-    </message>
-    <message>
-        <source>Go to azimuth 0° and the lowest elevation</source>
-        <translation>Ir ao azimute 0° e à menor elevação</translation>
-    </message>
-    <message>
-        <source>Park</source>
-        <translation>Estacionar</translation>
-    </message>
-    <message>
-        <source>Go to the park position %1 (Ctrl+P)</source>
-        <translation>Ir à posição de estacionamento %1 (Ctrl+P)</translation>
-    </message>
-    <message>
-        <source>Horizon</source>
-        <translation>Horizonte</translation>
-    </message>
-    <message>
         <source>Clear trim</source>
         <translation>Limpar comp.</translation>
-    </message>
-    <message>
-        <source>Unpark</source>
-        <translation>Liberar</translation>
-    </message>
-    <message>
-        <source>Park: %1</source>
-        <translation>Estacionar: %1</translation>
-    </message>
-    <message>
-        <source>Go to elevation 0°, or the lowest permitted, at the entered azimuth. Without one the azimuth stays</source>
-        <translation>Ir à elevação 0°, ou à menor permitida, no azimute indicado. Sem ele o azimute fica</translation>
     </message>
     <message>
         <source>Trim</source>
         <translation>Correção</translation>
     </message>
     <message>
-        <source>Unwrap</source>
-        <translation>Desenrolar</translation>
-    </message>
-    <message>
-        <source>Unwrap the cable: go back by whole turns to the same direction where the cable is least wound</source>
-        <translation>Desenrolar o cabo: recuar voltas inteiras até à mesma direção onde o cabo está menos enrolado</translation>
-    </message>
-    <message>
-        <source>Presets ▾</source>
-        <translation>Predefinições ▾</translation>
-    </message>
-    <message>
-        <source>Presets, home, horizon, unwrap</source>
-        <translation>Predefinições, início, horizonte, desenrolar</translation>
-    </message>
-    <message>
-        <source>Show or hide the presets, Home, Horizon and Unwrap</source>
-        <translation>Mostrar ou ocultar as predefinições, Início, Horizonte e Desenrolar</translation>
-    </message>
-    <message>
         <source>Move by hand</source>
         <translation>Mover à mão</translation>
-    </message>
-    <message>
-        <source>Leave PARKED and hold this position. Nothing moves.</source>
-        <translation>Sair de ESTACIONADO e segurar esta posição. Nada se move.</translation>
     </message>
     <message>
         <source>Trim: AZ %1 EL %2</source>
@@ -9476,16 +9494,8 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Sem correção</translation>
     </message>
     <message>
-        <source>The target has no trim.</source>
-        <translation>O alvo não tem correção.</translation>
-    </message>
-    <message>
         <source>%1. Your steps are added to the targets of the clients.</source>
         <translation>%1. Os seus passos somam-se aos alvos dos clientes.</translation>
-    </message>
-    <message>
-        <source>The mount is already parked.</source>
-        <translation>A montagem já está estacionada.</translation>
     </message>
 </context>
 <context>
@@ -9925,24 +9935,8 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Última linha do registro</translation>
     </message>
     <message>
-        <source>Direction under the cursor</source>
-        <translation>Direção sob o cursor</translation>
-    </message>
-    <message>
-        <source>Go here</source>
-        <translation>Ir para aqui</translation>
-    </message>
-    <message>
-        <source>Go to this direction by the nearest turn</source>
-        <translation>Ir a esta direção pela volta mais próxima</translation>
-    </message>
-    <message>
         <source>Boresight</source>
         <translation>Boresight</translation>
-    </message>
-    <message>
-        <source>Dismiss</source>
-        <translation>Dispensar</translation>
     </message>
     <message>
         <source>STOP: %1</source>
@@ -10183,6 +10177,92 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::PickPrompt</name>
+    <message>
+        <source>Direction under the cursor</source>
+        <translation>Direção sob o cursor</translation>
+    </message>
+    <message>
+        <source>Go here</source>
+        <translation>Ir para aqui</translation>
+    </message>
+    <message>
+        <source>Go to this direction by the nearest turn</source>
+        <translation>Ir a esta direção pela volta mais próxima</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Dispensar</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::PlacesBar</name>
+    <message>
+        <source>Refused direction</source>
+        <translation>Direção recusada</translation>
+    </message>
+    <message>
+        <source>Park</source>
+        <translation>Estacionar</translation>
+    </message>
+    <message>
+        <source>Presets ▾</source>
+        <translation>Predefinições ▾</translation>
+    </message>
+    <message>
+        <source>Presets, home, horizon, unwrap</source>
+        <translation>Predefinições, início, horizonte, desenrolar</translation>
+    </message>
+    <message>
+        <source>Show or hide the presets, Home, Horizon and Unwrap</source>
+        <translation>Mostrar ou ocultar as predefinições, Início, Horizonte e Desenrolar</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Origem</translation>
+    </message>
+    <message>
+        <source>Go to azimuth 0° and the lowest elevation</source>
+        <translation>Ir ao azimute 0° e à menor elevação</translation>
+    </message>
+    <message>
+        <source>Horizon</source>
+        <translation>Horizonte</translation>
+    </message>
+    <message>
+        <source>Go to elevation 0°, or the lowest permitted, at the entered azimuth. Without one the azimuth stays</source>
+        <translation>Ir à elevação 0°, ou à menor permitida, no azimute indicado. Sem ele o azimute fica</translation>
+    </message>
+    <message>
+        <source>Unwrap</source>
+        <translation>Desenrolar</translation>
+    </message>
+    <message>
+        <source>Unwrap the cable: go back by whole turns to the same direction where the cable is least wound</source>
+        <translation>Desenrolar o cabo: recuar voltas inteiras até à mesma direção onde o cabo está menos enrolado</translation>
+    </message>
+    <message>
+        <source>Unpark</source>
+        <translation>Liberar</translation>
+    </message>
+    <message>
+        <source>Leave PARKED and hold this position. Nothing moves.</source>
+        <translation>Sair de ESTACIONADO e segurar esta posição. Nada se move.</translation>
+    </message>
+    <message>
+        <source>Go to the park position %1 (Ctrl+P)</source>
+        <translation>Ir à posição de estacionamento %1 (Ctrl+P)</translation>
+    </message>
+    <message>
+        <source>The mount is already parked.</source>
+        <translation>A montagem já está estacionada.</translation>
+    </message>
+    <message>
+        <source>Park: %1</source>
+        <translation>Estacionar: %1</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::PlotEditor</name>
     <message>
         <source>Limits on the plot</source>
@@ -10234,10 +10314,6 @@ el %2</translation>
         <translation>há %1 zonas proibidas, que é o máximo</translation>
     </message>
     <message>
-        <source>no station</source>
-        <translation>sem estação</translation>
-    </message>
-    <message>
         <source>Go here</source>
         <translation>Ir para aqui</translation>
     </message>
@@ -10252,6 +10328,10 @@ el %2</translation>
     <message>
         <source>Keep-out here</source>
         <translation>Zona proibida aqui</translation>
+    </message>
+    <message>
+        <source>the station does not answer</source>
+        <translation>a estação não responde</translation>
     </message>
 </context>
 <context>
@@ -10331,6 +10411,14 @@ el %2</translation>
     <message>
         <source>The angle of the azimuth axis. At 0° the cable is not wound. The ring around the sky shows the travel.</source>
         <translation>O ângulo do eixo de azimute. Em 0° o cabo não está enrolado. O anel em volta do céu mostra o curso.</translation>
+    </message>
+    <message>
+        <source>Loss by pointing</source>
+        <translation>Perda por apontamento</translation>
+    </message>
+    <message>
+        <source>What the pointing error costs. Beyond one beam width it is not told.</source>
+        <translation>O que o erro de apontamento custa. Acima de uma largura de feixe não é indicado.</translation>
     </message>
 </context>
 <context>

@@ -24,11 +24,11 @@ protected:
 // REQ-UI-15 (EditingPictures.*)
 TEST_P(EditingPictures, AreTakenOfTheQuestions)
 {
-    const std::tuple<const char*, StationStatus (*)(), char, const char*> questions[] = {
+    const std::tuple<const char*, StationStatus (*)(), char, const char*> whatIsAsked[] = {
         {"question-fix", samples::factoryDrives, '7', "Fix …"},
         {"question-off", samples::idle, '7', "Switch drives off …"},
         {"question-proof", samples::idle, '6', "Run (both axes) …"}};
-    for (const auto& [scene, status, panel, button] : questions) {
+    for (const auto& [scene, status, panel, button] : whatIsAsked) {
         show(status(), panel);
         QTest::mouseClick(named<QPushButton>(button), Qt::LeftButton);
         take(QLatin1String(scene));
