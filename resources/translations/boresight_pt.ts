@@ -9017,8 +9017,12 @@ trocar os motores</translation>
         <translation>Controlo: %1, %2 à espera</translation>
     </message>
     <message>
-        <source>%1, +%2</source>
-        <translation>%1, +%2</translation>
+        <source>, +%1</source>
+        <translation>, +%1</translation>
+    </message>
+    <message>
+        <source>no clients</source>
+        <translation>sem clientes</translation>
     </message>
 </context>
 <context>

@@ -159,8 +159,11 @@ void AxisCard::build()
     grid->addWidget(m_error, 1, 3);
     grid->addWidget(m_rateCaption, 2, 2);
     grid->addWidget(m_rate, 2, 3);
-    grid->addWidget(m_bar, 3, 0, 1, 2);
-    grid->addWidget(m_detail, 3, 2, 1, 2);
+    auto* const below = new QHBoxLayout;
+    below->setSpacing(kGrid);
+    below->addWidget(m_bar, 1);
+    below->addWidget(m_detail, 1);
+    grid->addLayout(below, 3, 0, 1, 4);
     grid->setColumnStretch(1, 1);
 }
 

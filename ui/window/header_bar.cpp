@@ -21,6 +21,7 @@ namespace boresight::ui {
 namespace {
 
 constexpr QSize kMenuSize{44, 44};
+constexpr int kControlMargin = 8;  // px, around who has the control
 
 struct Shown
 {
@@ -164,17 +165,36 @@ QString whoControls(const StationStatus& status)
     return leader->program.isEmpty() ? leader->address : leader->program;
 }
 
-// Who has the control, and how many wait for it. Where there is little room, without the words around it.
+// Who has the control, and how many wait for it. Where there is little room, without the words around it:
+// the whole is in the tooltip.
 QString controlText(const StationStatus& status, int room)
 {
     const QString who = whoControls(status);
     const auto waiting = std::ranges::count_if(status.clients, &ClientStatus::wanting);
     const QString whole = waiting == 0 ? HeaderBar::tr("Control: %1").arg(who)
                                        : HeaderBar::tr("Control: %1, %2 waiting").arg(who).arg(waiting);
-    if (waiting == 0 || QFontMetrics(fonts::label()).horizontalAdvance(whole) <= room) {
+    const QFontMetrics metrics(fonts::label());
+    if (metrics.horizontalAdvance(whole) <= room - kControlMargin) {
         return whole;
     }
-    return HeaderBar::tr("%1, +%2").arg(who).arg(waiting);
+    const QString more = waiting == 0 ? QString() : HeaderBar::tr(", +%1").arg(waiting);
+    return metrics.elidedText(who, Qt::ElideRight, room - kControlMargin - metrics.horizontalAdvance(more)) + more;
+}
+
+QString notListening(int room)
+{
+    const QString whole = HeaderBar::tr("Clients cannot connect");
+    return QFontMetrics(fonts::label()).horizontalAdvance(whole) <= room - kRowHeight ? whole
+                                                                                      : HeaderBar::tr("no clients");
+}
+
+// Where there is little room; a longer name of a program is cut.
+int widestControl()
+{
+    const QFontMetrics metrics(fonts::label());
+    return std::max(metrics.horizontalAdvance(HeaderBar::tr("Control: %1").arg(HeaderBar::tr("clients"))),
+                    metrics.horizontalAdvance(HeaderBar::tr("no clients")) + kRowHeight / 2) +
+           kControlMargin;
 }
 
 Tone stateTone(const StationStatus& status)
@@ -246,6 +266,7 @@ void HeaderBar::build(AuthorityButton& authority)
     for (ValueLabel* const marked : {m_state, m_limited, m_line, m_azimuth, m_elevation, m_sensor}) {
         marked->setSymbolRoom(true);
     }
+    m_target->setLines(2);
     m_line->setCollapsing(true);
     m_sensor->setCollapsing(true);
     m_simulated->setOutlined(true);
@@ -259,10 +280,11 @@ void HeaderBar::build(AuthorityButton& authority)
     targetRow->setSpacing(4);
     targetRow->addWidget(m_limited);
     targetRow->addWidget(m_target, 1);
+    targetRow->addWidget(m_sensor);  // in the row below there is no room for it at 1024 px
     auto* const linkRow = new QHBoxLayout;
     grid->addLayout(linkRow, 1, 1);
     linkRow->setSpacing(1);
-    for (ValueLabel* const link : {m_line, m_azimuth, m_elevation, m_sensor}) {
+    for (ValueLabel* const link : {m_line, m_azimuth, m_elevation}) {
         linkRow->addWidget(link);
     }
     linkRow->addStretch(1);
@@ -288,6 +310,7 @@ void HeaderBar::build(AuthorityButton& authority)
     grid->addWidget(m_stop, 0, 5, 2, 1, Qt::AlignCenter);
     grid->setColumnStretch(1, 3);
     grid->setColumnStretch(2, 1);
+    grid->setColumnMinimumWidth(2, widestControl());
 }
 
 const QWidget& HeaderBar::menuButton() const
@@ -343,7 +366,7 @@ void HeaderBar::showLinks(const StationStatus& status)
     m_elevation->setToolTip(status.elevation.stateText);
     const bool ours = status.authority == Authority::Operator;
     if (status.listening.isEmpty()) {
-        m_control->setValue(tr("Clients cannot connect"), Tone::Warning, Symbol::Warning);
+        m_control->setValue(notListening(m_control->width()), Tone::Warning, Symbol::Warning);
     } else {
         m_control->setValue(controlText(status, m_control->width()), ours ? Tone::Normal : Tone::Secondary);
     }
