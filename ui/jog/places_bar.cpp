@@ -73,10 +73,14 @@ QWidget* PlacesBar::makeFirstRow()
 
 void PlacesBar::fillRare()
 {
-    auto* const row = new QHBoxLayout(m_rare);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* const column = new QVBoxLayout(m_rare);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kGrid / 2);
+    column->addWidget(m_presets);
+    auto* const row = new QHBoxLayout;  // of its own: the column of the panels does not get wider at 1024 px
+    column->addLayout(row);
     row->setSpacing(kGrid / 2);
-    row->addWidget(m_presets, 1);
+    row->addStretch(1);
     for (CommandButton* const button : {m_home, m_horizon, m_unwrap}) {
         setEmphasis(*button, Emphasis::Quiet);
         row->addWidget(button);

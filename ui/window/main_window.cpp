@@ -42,6 +42,7 @@
 #include <QIcon>
 #include <QResizeEvent>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -198,7 +199,7 @@ QWidget* MainWindow::makeSide(QWidget& ground)
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setWidget(m_side);
-    scroll->setMinimumWidth(m_side->minimumSizeHint().width());
+    scroll->setMinimumWidth(m_side->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
     column->addWidget(scroll, 1);
     column->addWidget(m_places);
     column->addWidget(m_lastCommand);

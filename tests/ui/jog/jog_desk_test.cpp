@@ -7,6 +7,7 @@
 #include "ui/kit/choice_button.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/touch_combo.h"
+#include "ui/sky/polar_plot.h"
 
 #include <QAbstractItemView>
 #include <QLineEdit>
@@ -244,6 +245,10 @@ TEST_F(JogDeskTest, TheGoToLineIsThereOnEveryTab)
         EXPECT_TRUE(named<CommandButton>("Go")->isVisible()) << panel;
         EXPECT_TRUE(named<CommandButton>("Park")->isVisible()) << panel;
     }
+    const int sky = window.findChild<PolarPlot*>()->width();
+    QTest::mouseClick(named<QPushButton>("Presets, home, horizon, unwrap"), Qt::LeftButton);
+    QApplication::processEvents();
+    EXPECT_EQ(window.findChild<PolarPlot*>()->width(), sky) << "the sky keeps its size";
     QTest::keyClick(&window, Qt::Key_F3);
     EXPECT_FALSE(named<CommandButton>("Go")->isVisible());
     QTest::keyClick(&window, Qt::Key_G, Qt::ControlModifier);
