@@ -21,7 +21,7 @@ constexpr int kReadoutLines = 3;
 
 QString lossText(double loss)  // dB
 {
-    return QStringLiteral("-%1 dB").arg(loss, 0, 'f', 1);
+    return (loss < 0.05 ? QStringLiteral("%1 dB") : QStringLiteral("-%1 dB")).arg(loss, 0, 'f', 1);
 }
 
 // Over the sky of a magnified plot the words keep a ground of their own.
