@@ -66,8 +66,8 @@ private:
     };
     struct Pending  // a command whose OK, ERR or status line is still to come; answers keep the order of commands
     {
-        Command command;
-        SteadyTime deadline;
+        Command command{};
+        SteadyTime deadline{};
     };
     struct Probe  // is an adapter behind the port?
     {

@@ -346,7 +346,7 @@ Result<> TurnKeeper::mayChoose(Axis axis, const Drive& drive) const
 
 Result<> TurnKeeper::choose(Axis axis, Angle angle, Drive& drive, const QString& source)
 {
-    if (const Result<> may = mayChoose(axis, drive); !may) {
+    if (Result<> may = mayChoose(axis, drive); !may) {
         return may;
     }
     const auto asked = question(axis, drive);

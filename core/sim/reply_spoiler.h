@@ -31,7 +31,7 @@ public:
 private:
     struct Edit
     {
-        FaultKind kind;
+        FaultKind kind{};
         double value = 0.0;
     };
     struct Said

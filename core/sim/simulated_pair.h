@@ -100,7 +100,7 @@ private:
     [[nodiscard]] bool happens(FaultKind kind, Axis axis);
     struct Answer
     {
-        Side* side;
+        Side* side = nullptr;
         CanFrame frame;
     };
     [[nodiscard]] std::vector<Answer> ask(const CanFrame& frame);

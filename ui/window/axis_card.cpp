@@ -24,7 +24,7 @@ namespace boresight::ui {
 namespace {
 
 constexpr int kCardSides = 12;  // px
-constexpr int kCardEnds = 4;    // px
+constexpr int kCardEnds = 3;    // px
 
 struct Worded
 {

@@ -160,7 +160,7 @@ void MainWindow::build()
 {
     auto* const ground = new QWidget(this);
     auto* const grid = new QGridLayout(ground);
-    grid->setContentsMargins(8, 4, 8, 4);
+    grid->setContentsMargins(4, 4, 4, 4);
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(4);
     grid->addWidget(m_header, 0, 0, 1, 3);

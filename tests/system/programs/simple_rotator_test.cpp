@@ -47,9 +47,9 @@ TEST(SimpleRotator, AnotherKindIsRefused)
 {
     BoresightdProcess daemon({QStringLiteral("--simulate=nonsense")});
     EXPECT_FALSE(daemon.listens());
-    EXPECT_NE(
-        daemon.complaints().find("--simulate=nonsense is unknown. Use --simulate for two moteus, or --simulate=simple"),
-        std::string::npos);
+    EXPECT_NE(daemon.complaints().find(
+                  "--simulate=nonsense is unknown. Use --simulate for the drivers of the profile, or one of"),
+              std::string::npos);
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ protected:
         named<QLineEdit>("Elevation").setText(QLatin1String(elevation));
         click("Go");
     }
-    QString refusal() { return named<ValueLabel>("Refused").text(); }
+    QString refusal() { return named<ValueLabel>("Refused direction").text(); }
     JogButton& button(JogDirection direction) { return window.findChild<JogPanel*>()->pad().button(direction); }
 
     void dragOnThePlot(SkyPointing from, SkyPointing to)
