@@ -29,7 +29,7 @@ ReadingsTable::ReadingsTable(QWidget* parent)
 QTableView* ReadingsTable::makeTable()
 {
     QTableView* const table = makeReadTable(tr("Readings of the drives"), *m_model, this);
-    table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().lineSpacing() + 1);  // all rows at 1024 × 700
+    table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().lineSpacing());  // all rows at 1280 × 800
     QHeaderView* const header = table->horizontalHeader();
     header->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
     for (const int column : {ReadingsModel::Azimuth, ReadingsModel::Elevation}) {
