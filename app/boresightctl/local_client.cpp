@@ -27,7 +27,7 @@ bool connectBy(const QDeadlineTimer& deadline, const std::function<QString()>& p
         if (socket.waitForConnected(static_cast<int>(deadline.remainingTime()))) {
             return true;
         }
-        if (deadline.hasExpired() || socket.error() == QLocalSocket::SocketAccessError) {
+        if (deadline.hasExpired()) {
             return false;
         }
         pause();

@@ -105,7 +105,10 @@ DirectionVerdict Helm::judge(const SkyPointing& direction) const
         return {};
     }
     const QString obstacle = obstacleAt(direction);
-    return {.whyNot = obstacle.isEmpty() ? may.error().text : obstacle, .nearest = nearestTo(direction)};
+    if (obstacle.isEmpty()) {
+        return {.whyNot = may.error().text};  // it is permitted itself, and no way leads there
+    }
+    return {.whyNot = obstacle, .nearest = nearestTo(direction)};
 }
 
 Result<> Helm::goTo(const AxisPosition& place, Activity activity, const Source& by, const QString& what)

@@ -59,6 +59,7 @@ void RateFollower::heard(MotorTurns control, MotorRate rate)
 
 void RateFollower::leave()
 {
+    m_control.reset();  // the drive may count from elsewhere when it is led again
     m_order.reset();
     m_lastAcceleration.reset();
 }

@@ -8033,12 +8033,12 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
 <context>
     <name>boresight::ui::ErrorBar</name>
     <message>
-        <source>Error in beam widths. The middle is the target, each end is one beam width.</source>
-        <translation>Erro em larguras de feixe. O meio é o alvo. Cada extremo é uma largura de feixe.</translation>
-    </message>
-    <message>
         <source>%1 beam widths</source>
         <translation>%1 larguras de feixe</translation>
+    </message>
+    <message>
+        <source>Error in beam widths. The middle is the target. Each end is one beam width.</source>
+        <translation>Erro em larguras de feixe. O meio é o alvo. Cada extremo é uma largura de feixe.</translation>
     </message>
 </context>
 <context>
@@ -10234,16 +10234,8 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Horizonte</translation>
     </message>
     <message>
-        <source>Go to elevation 0°, or the lowest permitted, at the entered azimuth. Without one the azimuth stays</source>
-        <translation>Ir à elevação 0°, ou à menor permitida, no azimute indicado. Sem ele o azimute fica</translation>
-    </message>
-    <message>
         <source>Unwrap</source>
         <translation>Desenrolar</translation>
-    </message>
-    <message>
-        <source>Unwrap the cable: go back by whole turns to the same direction where the cable is least wound</source>
-        <translation>Desenrolar o cabo: recuar voltas inteiras até à mesma direção onde o cabo está menos enrolado</translation>
     </message>
     <message>
         <source>Unpark</source>
@@ -10264,6 +10256,14 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <message>
         <source>Park: %1</source>
         <translation>Estacionar: %1</translation>
+    </message>
+    <message>
+        <source>Go to elevation 0°, or to the lowest permitted one. The azimuth is the entered one. Without an entry it stays.</source>
+        <translation>Ir para a elevação 0°, ou para a mais baixa permitida. O azimute é o introduzido. Sem valor introduzido, mantém-se.</translation>
+    </message>
+    <message>
+        <source>Go back by whole turns. The mount then points to the same direction with the cable least wound.</source>
+        <translation>Recuar voltas inteiras. A montagem aponta depois para a mesma direção com o cabo o menos enrolado possível.</translation>
     </message>
 </context>
 <context>

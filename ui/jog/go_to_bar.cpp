@@ -76,6 +76,9 @@ GoToBar::GoToBar(RequestDesk& desk, ValueLabel& notice, const QStringList& recen
     connect(m_go, &CommandButton::accepted, this, &GoToBar::remember);
     connect(m_azimuth, &QLineEdit::returnPressed, this, &GoToBar::go);
     connect(m_elevation, &QLineEdit::returnPressed, this, &GoToBar::go);
+    for (const QLineEdit* const field : {m_azimuth, m_elevation}) {
+        connect(field, &QLineEdit::textEdited, this, [this] { m_notice.setValue({}); });  // it was about other numbers
+    }
     connect(m_recentBox, &QComboBox::activated, this, &GoToBar::fillIn);
 }
 

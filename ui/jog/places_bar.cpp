@@ -27,12 +27,12 @@ PlacesBar::PlacesBar(ProfileDraft& draft, RequestDesk& desk, const QStringList& 
       m_presets(new PresetBar(draft, desk, *m_notice, this)),
       m_home(new CommandButton(tr("Home"), tr("Go to azimuth 0° and the lowest elevation"), desk, *m_notice, this)),
       m_horizon(new CommandButton(tr("Horizon"),
-                                  tr("Go to elevation 0°, or the lowest permitted, at the entered azimuth. Without one "
-                                     "the azimuth stays"),
+                                  tr("Go to elevation 0°, or to the lowest permitted one. The azimuth is the entered "
+                                     "one. Without an entry it stays."),
                                   desk, *m_notice, this)),
       m_unwrap(new CommandButton(
           tr("Unwrap"),
-          tr("Unwrap the cable: go back by whole turns to the same direction where the cable is least wound"), desk,
+          tr("Go back by whole turns. The mount then points to the same direction with the cable least wound."), desk,
           *m_notice, this))
 {
     build();

@@ -24,7 +24,7 @@ ErrorBar::ErrorBar(const QString& accessibleName, QWidget* parent) : QWidget(par
     setAccessibleName(accessibleName);
     setFixedHeight(kBarHeight);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setToolTip(tr("Error in beam widths. The middle is the target, each end is one beam width."));
+    setToolTip(tr("Error in beam widths. The middle is the target. Each end is one beam width."));
 }
 
 void ErrorBar::setError(const std::optional<double>& share, bool unplanned)

@@ -517,6 +517,7 @@ void MainWindow::hold()
 
 void MainWindow::park()
 {
+    closeGuide();  // a refusal stands below the panels
     m_places->park();
 }
 

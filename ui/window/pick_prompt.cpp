@@ -26,7 +26,7 @@ void PickPrompt::pick(const SkyPointing& direction)
     m_forbidden.clear();
     notice().setValue({});
     setText(directionText(direction));
-    block();
+    showVerdict();  // of the same direction it is known already
     show();
     Q_EMIT picked(direction);
 }
@@ -62,7 +62,7 @@ void PickPrompt::showStatus(const StationStatus& status)
 // A refusal of Go here stays where it is while the station says nothing else about the direction.
 void PickPrompt::showVerdict()
 {
-    const QString forbidden = m_question.whyNot();
+    const QString forbidden = m_whyNoMotion.isEmpty() ? m_question.whyNot() : QString();
     if (forbidden != m_forbidden) {
         m_forbidden = forbidden;
         notice().setValue(forbidden, Tone::Warning, forbidden.isEmpty() ? Symbol::None : Symbol::Warning);

@@ -5,6 +5,8 @@
 // clocks by clock_gettime(), too, and sleeps by POSIX timers that send a signal. Its own main program calls these
 // functions before libraries are ready, so they ask the kernel themselves and use no library but the C library's
 // syscall().
+// Waits until an absolute time end at once, and the times of files are not slowed: no program of these tests uses
+// either.
 #include <sys/syscall.h>
 #include <sys/time.h>
 #include <unistd.h>

@@ -235,6 +235,8 @@ TEST_F(JogDeskTest, AnEmptyFieldKeepsItsAxis)
     click("Go");
     EXPECT_TRUE(requests.empty());
     EXPECT_TRUE(text("Refused direction").contains(QStringLiteral("The elevation is not a number")));
+    QTest::keyClicks(elevation, QStringLiteral("0"));
+    EXPECT_EQ(text("Refused direction"), QString()) << "it was about what stood there before";
 }
 
 // REQ-UI-952: The go-to line is there on every tab. The guide has its room.
@@ -254,6 +256,9 @@ TEST_F(JogDeskTest, TheGoToLineIsThereOnEveryTab)
     QTest::keyClick(&window, Qt::Key_G, Qt::ControlModifier);
     EXPECT_TRUE(named<QLineEdit>("Azimuth")->hasFocus());
     EXPECT_TRUE(named<CommandButton>("Go")->isVisible());
+    QTest::keyClick(&window, Qt::Key_F3);
+    QTest::keyClick(&window, Qt::Key_P, Qt::ControlModifier);
+    EXPECT_TRUE(named<CommandButton>("Park")->isVisible()) << "a refusal would be seen";
 }
 
 // REQ-UI-02c
