@@ -4,6 +4,7 @@
 #include "core/base/control_characters.h"
 #include "core/base/program_lock.h"
 #include "core/base/text.h"
+#include "core/can/adapter_port.h"
 #include "core/can/bus_advice.h"
 #include "core/can/line_checksum.h"
 #include "core/serial/port_holder.h"
@@ -67,7 +68,7 @@ Result<std::vector<std::string>> linesOf(std::span<const CanFrame> frames)
 }  // namespace
 
 FdcanusbLink::FdcanusbLink(const QString& path, const Clock& clock, LineChecksum checksum, QObject* parent)
-    : FdcanusbLink(StablePort(path), clock, checksum, parent)
+    : FdcanusbLink(adapterPort(path), clock, checksum, parent)
 {}
 
 FdcanusbLink::FdcanusbLink(StablePort path, const Clock& clock, LineChecksum checksum, QObject* parent)
@@ -122,7 +123,7 @@ Result<> FdcanusbLink::open()
 // and an adapter that is gone is known before.
 Result<> FdcanusbLink::openPort(const QString& device)
 {
-    if (const auto check = checkSerialPort(device); !check) {
+    if (const auto check = checkAdapterPort(device); !check) {
         return check;
     }
     if (const std::optional<QString> holder = portHolder(device)) {

@@ -15,11 +15,6 @@ namespace boresight {
 
 namespace {
 
-bool isMoteus(const profile::Profile& profile, Axis axis)
-{
-    return profile.axis(axis).driver == profile::AxisDriver::Moteus;
-}
-
 // As Fix would write them.
 void protect(sim::DriveConfig& drive, const profile::Profile& profile, Axis axis)
 {
@@ -56,7 +51,7 @@ sim::PairSettings protectedPair(const profile::Profile& profile)
     sim::PairSettings pair = sim::commissionedPair();
     for (sim::MoteusSettings* const drive : {&pair.azimuth, &pair.elevation}) {
         for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
-            if (isMoteus(profile, axis) && drive->config.id == profile.axis(axis).id) {
+            if (profile.axis(axis).driver != profile::AxisDriver::None && drive->config.id == profile.axis(axis).id) {
                 protect(drive->config, profile, axis);
             }
         }

@@ -19,7 +19,8 @@ struct SimulatedMount;
 // A simulated mount of its own, as delivered.
 [[nodiscard]] Result<std::unique_ptr<CanLink>> makeLink(const std::string& busName, const Clock& clock);
 
-// The simulated mount, each of its drives protected as Fix would leave it for the axis that the profile takes it for.
+// The simulated mount, each of its drives protected as Fix would leave it for the axis that the profile takes it for,
+// whatever turns that axis in reality.
 [[nodiscard]] sim::PairSettings protectedPair(const profile::Profile& profile);
 
 // The buses of one program, one after the other. Its simulated mount stays the same one: after a reconnect it stands

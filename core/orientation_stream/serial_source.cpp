@@ -20,18 +20,6 @@ namespace {
 
 Q_LOGGING_CATEGORY(lcSensor, "boresight.sensor")
 
-// The words of core/serial speak of the bus adapter's own rules. A sensor needs only the group.
-Result<> checkPort(const QString& device)
-{
-    const Result<> check = checkSerialPort(device);
-    if (!check && check.error().code == ErrorCode::Denied) {
-        return failure(ErrorCode::Denied, Text::tr("%1: no permission. Join the group dialout with `sudo usermod -aG "
-                                                   "dialout $USER`, then log in again")
-                                              .arg(device));
-    }
-    return check;
-}
-
 }  // namespace
 
 SerialSource::SerialSource(const SerialSettings& settings, const Clock& clock, QObject* parent)
@@ -68,7 +56,7 @@ void SerialSource::open()
         return;
     }
     const QString device = m_path.device();
-    if (const Result<> check = checkPort(device); !check) {
+    if (const Result<> check = checkSerialPort(device); !check) {
         tryLater(check.error().text);
     } else {
         lookForHolder(device);

@@ -34,9 +34,8 @@ Result<> checkSerialPort(const QString& path)
     if (faccessat(AT_FDCWD, file.constData(), R_OK | W_OK, AT_EACCESS) != 0) {
         if (errno == EACCES) {
             return failure(ErrorCode::Denied,
-                           Text::tr("%1: no permission. Install packaging/udev/70-boresight-fdcanusb.rules to "
-                                    "/etc/udev/rules.d. Plug the adapter in again. Join the group dialout with `sudo "
-                                    "usermod -aG dialout $USER`, then log in again")
+                           Text::tr("%1: no permission. Join the group dialout with `sudo usermod -aG dialout $USER`, "
+                                    "then log in again")
                                .arg(path));
         }
         return failure(ErrorCode::Io, QStringLiteral("%1: %2").arg(path, toQString(std::strerror(errno))));

@@ -6,13 +6,6 @@
 
 namespace boresight {
 
-// Both adapters call themselves mjbots_fdcanusb; the maker's name alone covers later ones.
-bool isAdapterName(const QString& name)
-{
-    return name.contains(QLatin1String("mjbots"), Qt::CaseInsensitive) ||
-           name.contains(QLatin1String("fdcanusb"), Qt::CaseInsensitive);
-}
-
 QString stableNameOf(const QString& port, const QString& namesFolder)
 {
     const QString target = QFileInfo(port).canonicalFilePath();
@@ -24,14 +17,16 @@ QString stableNameOf(const QString& port, const QString& namesFolder)
     return {};
 }
 
-// The stored adapter, wherever it is plugged in now; else a spare one that took its place. Any other device that
-// got the configured name must be left alone.
+// The stored device, wherever it is plugged in now; else a spare one that took its place. Any other device that got
+// the configured name must be left alone.
 QString StablePort::device() const
 {
-    const bool useConfigured =
-        m_name.isEmpty() ||
-        (!QFileInfo::exists(m_name) && isAdapterName(QFileInfo(stableNameOf(m_path, m_namesFolder)).fileName()));
-    return useConfigured ? m_path : m_name;
+    return m_name.isEmpty() || (!QFileInfo::exists(m_name) && hasSpare()) ? m_path : m_name;
+}
+
+bool StablePort::hasSpare() const
+{
+    return m_isSpare && m_isSpare(QFileInfo(stableNameOf(m_path, m_namesFolder)).fileName());
 }
 
 void StablePort::storeName()

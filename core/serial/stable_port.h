@@ -3,23 +3,27 @@
 
 #include <QString>
 
-// The serial port of an adapter, found again after it was unplugged. A name that the kernel gave (/dev/ttyACM0) may
+#include <functional>
+#include <utility>
+
+// The serial port of a device, found again after it was unplugged. A name that the kernel gave (/dev/ttyACM0) may
 // belong to another device then, so the name by maker and serial number that leads to the same port is stored when
 // the port is opened, and counts from then on. A symbolic link that the operator chose stays what counts.
 namespace boresight {
 
 inline const QString kStableNames = QStringLiteral("/dev/serial/by-id");  // where udev keeps them
 
-// Of both adapters that mjbots makes, and of those it may make later.
-[[nodiscard]] bool isAdapterName(const QString& name);
 // The stable name that leads to this port; empty if there is none.
 [[nodiscard]] QString stableNameOf(const QString& port, const QString& namesFolder = kStableNames);
 
 class StablePort
 {
 public:
-    StablePort(QString path, QString namesFolder = kStableNames)
-        : m_path(std::move(path)), m_namesFolder(std::move(namesFolder))
+    // Whether a device of this stable name may take the place of the stored one. Without the test none may.
+    using SpareTest = std::function<bool(const QString& stableName)>;
+
+    StablePort(QString path, QString namesFolder = kStableNames, SpareTest isSpare = {})
+        : m_path(std::move(path)), m_namesFolder(std::move(namesFolder)), m_isSpare(std::move(isSpare))
     {}
 
     [[nodiscard]] const QString& path() const { return m_path; }  // as configured
@@ -31,8 +35,11 @@ public:
     void storeName();
 
 private:
+    [[nodiscard]] bool hasSpare() const;
+
     QString m_path;
     QString m_namesFolder;
+    SpareTest m_isSpare;
     QString m_name;
 };
 

@@ -3,6 +3,7 @@
 
 #include "core/base/bus_name.h"
 #include "core/base/text.h"
+#include "core/can/adapter_port.h"
 #include "core/can/bit_timing.h"
 #include "core/serial/serial_port_check.h"
 #include "core/serial/stable_port.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/can/adapter_port.h"
 #include "core/can/fdcanusb_link.h"
 #include "tests/core/can/adapter_probe.h"
 #include "tests/fakes/manual_clock.h"
@@ -65,7 +66,7 @@ protected:
     QTemporaryDir folder;
     fakes::PseudoTerminal first;
     fakes::PseudoTerminal second;
-    FdcanusbLink link{StablePort(first.path(), folder.filePath(QStringLiteral("by-id"))), clock};
+    FdcanusbLink link{adapterPort(first.path(), folder.filePath(QStringLiteral("by-id"))), clock};
 };
 
 // REQ-CAN-18 (FdcanusbReplugTest.*): An adapter configured by a name of the kernel's (`/dev/ttyACM0`) is found again
@@ -113,7 +114,7 @@ TEST_F(FdcanusbReplugTest, ChosenLinkIsFollowed)
 {
     link.close();
     name("chosen", first);
-    FdcanusbLink chosen{StablePort(path("chosen"), folder.filePath(QStringLiteral("by-id"))), clock};
+    FdcanusbLink chosen{adapterPort(path("chosen"), folder.filePath(QStringLiteral("by-id"))), clock};
     ASSERT_TRUE(chosen.open().has_value());
     chosen.close();
     name("chosen", second);

@@ -49,7 +49,15 @@ TEST(LinkMaker, TheSimulatedDrivesAreProtectedForTheProfile)
     }
 }
 
-// Motors that the profile has the wrong way round stay so: the guide is there to find that.
+// Story: with --simulate=moteus over a profile of a simple rotator the drives began without protections.
+TEST(LinkMaker, TheSimulatedDrivesOfASimpleProfileAreProtectedToo)
+{
+    profile::Profile profile;
+    profile.azimuth.driver = profile::AxisDriver::Simple;
+    profile.azimuth.geometry.travel = {.min = -30_deg, .max = 300_deg};
+    EXPECT_NEAR(protectedPair(profile).azimuth.config.positionMax, 303.0 / 360.0, 1e-6);
+}
+
 // Else there would be nothing to calibrate in --simulate.
 TEST(LinkMaker, TheSimulatedMountHidesAnotherNorthAndADeviation)
 {
@@ -77,6 +85,7 @@ TEST(LinkMaker, TheSimulatedMountHidesAnotherNorthAndADeviation)
     EXPECT_LT(most, 51_deg);
 }
 
+// Motors that the profile has the wrong way round stay so: the guide is there to find that.
 TEST(LinkMaker, ASwappedProfileDoesNotSwapTheSimulatedMotors)
 {
     profile::Profile profile;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/can/line_checksum.h"
 #include "core/serial/line_splitter.h"
 
 #include <gmock/gmock.h>
 
 #include <vector>
 
-namespace boresight::fdcanusb {
+namespace boresight {
 namespace {
 
 using testing::ElementsAre;
@@ -17,24 +16,6 @@ std::vector<std::string> linesOf(LineSplitter& splitter, std::string_view bytes)
     std::vector<std::string> lines;
     splitter.add(bytes, [&lines](std::string_view line) { lines.emplace_back(line); });
     return lines;
-}
-
-TEST(LineChecksum, MatchesTheMakersExamples)
-{
-    EXPECT_EQ(crc8(""), 0);
-    EXPECT_EQ(withChecksum("OK"), "OK *BD");
-    EXPECT_EQ(withChecksum("can send 8001 720c64cfd792"), "can send 8001 720c64cfd792 *25");
-}
-
-TEST(LineChecksum, IsTakenOffAndJudged)
-{
-    EXPECT_EQ(splitChecksum("OK *BD").text, "OK");
-    EXPECT_EQ(splitChecksum("OK *BD").checksum, Checksum::Right);
-    EXPECT_EQ(splitChecksum("OK *bd").checksum, Checksum::Right);
-    EXPECT_EQ(splitChecksum("OK").checksum, Checksum::Absent);
-    for (const char* const bad : {"OK *BE", "OK *", "OK *B", "OK *BDBD", "OK *BD ", "OK*BD", "OL *BD"}) {
-        EXPECT_EQ(splitChecksum(bad).checksum, Checksum::Wrong) << bad;
-    }
 }
 
 // REQ-CAN-03 (LineSplitter.*)
@@ -71,4 +52,4 @@ TEST(LineSplitter, ClearForgetsTheHalfLine)
 }
 
 }  // namespace
-}  // namespace boresight::fdcanusb
+}  // namespace boresight
