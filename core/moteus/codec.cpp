@@ -107,6 +107,7 @@ const Query& rotatorQuery()
                              {Register::Power, kI16},
                              {Register::ControlPosition, kF32},
                              {Register::ControlVelocity, kF32},
+                             {Register::StayWithinLower, kI8},
                              // One block, the largest, at the end: no other may start after byte 41.
                              {Register::MotorTemperature, kI16},
                              {Register::TrajectoryComplete, kI16},

@@ -23,8 +23,8 @@ using Query = std::vector<RegisterRead>;
 
 // The official clients' default: mode, position, velocity, torque, voltage, temperature, fault (22 bytes of reply).
 [[nodiscard]] const Query& basicQuery();
-// What a rotator wants in every reply: also q and d current, power, control position and velocity, motor temperature,
-// trajectory and home state (52 bytes).
+// What a rotator wants in every reply: also q and d current, power, control position and velocity, the echo of a
+// PositionCommand, motor temperature, trajectory and home state (55 bytes).
 [[nodiscard]] const Query& rotatorQuery();
 // Who is there: the UUID and whether it can be addressed by it, as the maker's tools discover drives.
 [[nodiscard]] const Query& discoveryQuery();

@@ -57,6 +57,7 @@ WriteList listOf(const PositionCommand& c)
         .with(Register::CommandIntegralLimitScale, c.integralLimitScale)
         .with(Register::CommandFixedCurrent, c.fixedCurrent)
         .with(Register::CommandIgnorePositionBounds, c.ignorePositionBounds)
+        .with(Register::StayWithinLower, c.echo)
         .with(Register::RecapturePositionVelocity, c.recapture ? std::optional(kTrigger) : std::nullopt);
 }
 

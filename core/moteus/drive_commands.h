@@ -62,6 +62,8 @@ struct PositionCommand
     std::optional<Field> integralLimitScale{};
     std::optional<Field> fixedCurrent{};
     std::optional<Field> ignorePositionBounds{};
+    // The lower bound of StayWithin, which means nothing in this mode. The reply to this very frame reads it back.
+    std::optional<Field> echo{};
     // Before the command counts, the control set-points restart from the measured state. No command register.
     bool recapture = false;
 };

@@ -21,6 +21,21 @@ constexpr double kSteady = 0.2;
 const moteus::Field kIgnoreBounds{1.0, moteus::Resolution::Int8};
 const moteus::Field kNoIntegral{0.0, moteus::Resolution::Int8};
 
+// A frame says the number of its tick as a position in steps of 8 bits, and its reply says it again: two steps for each
+// number, because the drive may round down on the way. 0 is no number: it is what a drive says that was told none.
+constexpr int kEchoes = 31;
+constexpr double kEchoStep = 0.01;  // turns
+
+moteus::Field echoOf(int number)
+{
+    return {(2.0 * number + 1.5) * kEchoStep, moteus::Resolution::Int8};
+}
+
+int numberOf(double echo)
+{
+    return static_cast<int>(std::lround(echo / kEchoStep)) / 2;
+}
+
 // The position register wraps there; beyond it is no position.
 constexpr double kPositionRange = 32768.0;  // turns
 
@@ -235,14 +250,25 @@ void Drive::takePlace()
     }
 }
 
-// A reply that takes longer may be that of an earlier frame.
 void Drive::takeControl(const moteus::Reply& reply)
 {
     const auto position = reply.value(moteus::Register::ControlPosition);
     const auto rate = reply.value(moteus::Register::ControlVelocity);
-    if (position && rate && m_report->received - m_tick < m_settings.tick / 2.0) {
-        m_follower.heard(MotorTurns::fromTurns(*position), MotorRate::fromTurns(*rate));
+    const auto asked = ticksAgo(reply);
+    if (position && rate && asked) {
+        m_follower.heard(MotorTurns::fromTurns(*position), MotorRate::fromTurns(*rate), *asked);
     }
+}
+
+// To the frame of which tick this is the reply. One without an echo may be that of an earlier frame if it takes longer
+// than half a tick.
+std::optional<int> Drive::ticksAgo(const moteus::Reply& reply) const
+{
+    const auto echo = reply.value(moteus::Register::StayWithinLower);
+    if (const int number = echo ? numberOf(*echo) : 0; number > 0 && number <= kEchoes) {
+        return (m_tickNumber - (number - 1) + kEchoes) % kEchoes;
+    }
+    return m_report->received - m_tick < m_settings.tick / 2.0 ? std::optional(0) : std::nullopt;
 }
 
 void Drive::lose(DriveLoss loss)
@@ -271,6 +297,7 @@ void Drive::judge(SteadyTime now)
         m_asked = now;
     }
     m_tick = now;
+    m_tickNumber = (m_tickNumber + 1) % kEchoes;
     m_order.reset();
     m_follower.begin(now);
     m_unanswered = std::exchange(m_saidPlace, false) ? 0 : m_unanswered + 1;
@@ -368,7 +395,8 @@ moteus::PositionCommand Drive::positionCommand(const MotionOrder& order) const
             .velocityLimit = m_settings.velocityLimit.turns(),
             .accelerationLimit = order.acceleration.turns(),
             .integralLimitScale = m_yielding ? std::optional(kNoIntegral) : std::nullopt,
-            .ignorePositionBounds = m_ignoreBounds ? std::optional(kIgnoreBounds) : std::nullopt};
+            .ignorePositionBounds = m_ignoreBounds ? std::optional(kIgnoreBounds) : std::nullopt,
+            .echo = echoOf(m_tickNumber + 1)};
 }
 
 // Brakes an axis that moves, as hard as its drive does that is left alone: nobody sees it, or it is not ours yet.

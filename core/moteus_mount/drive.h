@@ -177,6 +177,7 @@ private:
     void enter(Phase phase);
     void takePlace();
     void takeControl(const moteus::Reply& reply);
+    [[nodiscard]] std::optional<int> ticksAgo(const moteus::Reply& reply) const;
     void countReply();
     void lose(DriveLoss loss);
     void judgeFault();
@@ -221,6 +222,7 @@ private:
     RateFollower m_follower;
     std::optional<MotionOrder> m_order;  // of this tick
     SteadyTime m_tick{};                 // when it began
+    int m_tickNumber = 0;                // modulo kEchoes, and so in its frame
     MotorTurns m_reference;
     MotorTurns m_referenceTolerance;
     std::optional<DriveReport> m_report;

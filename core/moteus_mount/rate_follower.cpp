@@ -15,6 +15,8 @@ constexpr double kReportedShare = 0.2;
 // Without replies the control position is what the orders make of it. After more than two lost ones the drive is told
 // the place again.
 constexpr int kMostUnheard = 3;
+// A reply to a frame before these says nothing any more.
+constexpr std::size_t kMostTicks = 8;
 // The planner at rest has at most half a step to go. More acceleration than this share would only be heard.
 constexpr double kGentle = 0.1;
 // Slower than this the planner does not turn by velocity (moteus manual); a fresh position each tick moves it instead.
@@ -30,50 +32,68 @@ MotionOrder toPlace(const MotorSetpoint& setpoint, MotorAcceleration acceleratio
 
 void RateFollower::begin(SteadyTime now)
 {
-    const Seconds passed = now - m_began;
-    m_began = now;
+    m_ticks.push_back({.began = now, .control = after(m_ticks.back(), now)});
+    if (m_ticks.size() > kMostTicks) {
+        m_ticks.pop_front();
+    }
     ++m_unheard;
-    if (!m_control) {
-        return;
-    }
-    const MotorRate before = m_control->rate;
-    if (m_order && !m_order->place) {
-        const MotorRate wanted = m_order->rate - before;
-        const Seconds ramp = std::min(passed, Seconds(abs(wanted) / (m_order->acceleration * Seconds(1.0))));
-        const MotorRate change = std::clamp(wanted, -(m_order->acceleration * ramp), m_order->acceleration * ramp);
-        m_control->rate = before + change;
-        m_control->position += 0.5 * change * ramp + change * (passed - ramp);
-    }
-    m_control->position += before * passed;
 }
 
-void RateFollower::heard(MotorTurns control, MotorRate rate)
+std::optional<RateFollower::State> RateFollower::after(const Tick& tick, SteadyTime then)
 {
+    std::optional<State> control = tick.control;
+    if (!control) {
+        return control;
+    }
+    const Seconds passed = then - tick.began;
+    const MotorRate before = control->rate;
+    if (tick.order && !tick.order->place) {
+        const MotorAcceleration most = tick.order->acceleration;
+        const MotorRate wanted = tick.order->rate - before;
+        const Seconds ramp = std::min(passed, Seconds(abs(wanted) / (most * Seconds(1.0))));
+        const MotorRate change = std::clamp(wanted, -(most * ramp), most * ramp);
+        control->rate = before + change;
+        control->position += 0.5 * change * ramp + change * (passed - ramp);
+    }
+    control->position += before * passed;
+    return control;
+}
+
+void RateFollower::heard(MotorTurns control, MotorRate rate, int ticksAgo)
+{
+    if (ticksAgo < 0 || static_cast<std::size_t>(ticksAgo) >= m_ticks.size()) {
+        return;
+    }
+    std::size_t tick = m_ticks.size() - 1 - static_cast<std::size_t>(ticksAgo);
     const MotorTurns reported = control + 0.5 * kReportedStep;
-    const bool agrees = known() && abs(reported - m_control->position) <= kReportedStep;
-    m_control =
-        State{.position = agrees ? m_control->position + kReportedShare * (reported - m_control->position) : reported,
+    const auto& expected = m_ticks[tick].control;
+    const bool agrees = known() && expected && abs(reported - expected->position) <= kReportedStep;
+    m_ticks[tick].control =
+        State{.position = agrees ? expected->position + kReportedShare * (reported - expected->position) : reported,
               .rate = rate};
+    for (; tick + 1 < m_ticks.size(); ++tick) {
+        m_ticks[tick + 1].control = after(m_ticks[tick], m_ticks[tick + 1].began);
+    }
     m_unheard = 0;
 }
 
 void RateFollower::leave()
 {
-    m_control.reset();  // the drive may count from elsewhere when it is led again
-    m_order.reset();
+    m_ticks = {Tick{.began = m_ticks.back().began}};  // the drive may count from elsewhere when it is led again
     m_lastAcceleration.reset();
 }
 
 bool RateFollower::known() const
 {
-    return m_control && m_unheard <= kMostUnheard;
+    return m_ticks.back().control && m_unheard <= kMostUnheard;
 }
 
 MotionOrder RateFollower::follow(const MotorSetpoint& setpoint, const Limits& limits)
 {
-    m_order = orderFor(setpoint, limits);
+    const MotionOrder order = orderFor(setpoint, limits);
+    m_ticks.back().order = order;
     m_lastAcceleration = setpoint.acceleration;
-    return *m_order;
+    return order;
 }
 
 MotionOrder RateFollower::orderFor(const MotorSetpoint& setpoint, const Limits& limits) const
@@ -81,13 +101,14 @@ MotionOrder RateFollower::orderFor(const MotorSetpoint& setpoint, const Limits& 
     if (!known() || !limits.bounded) {
         return toPlace(setpoint, limits.acceleration);
     }
-    const MotorTurns behind = setpoint.position - m_control->position;
+    const State& control = *m_ticks.back().control;
+    const MotorTurns behind = setpoint.position - control.position;
     const MotorAcceleration gentle = kGentle * limits.acceleration;
     const auto within = [&](MotorRate change) {
         return std::clamp(abs(change) / limits.tick, gentle, limits.acceleration);
     };
     if (setpoint.rate == MotorRate{} && setpoint.acceleration == MotorAcceleration{}) {
-        return toPlace(setpoint, within(m_control->rate));
+        return toPlace(setpoint, within(control.rate));
     }
     if (abs(behind) > limits.speed * limits.tick) {
         return toPlace(setpoint, limits.acceleration);  // farther than lost frames explain
@@ -98,7 +119,7 @@ MotionOrder RateFollower::orderFor(const MotorSetpoint& setpoint, const Limits& 
     const MotorRate fastest = std::max(limits.speed, abs(setpoint.rate));
     const MotorRate correction = kCorrection * behind / Seconds(1.0);
     const MotorRate rate = std::clamp(setpoint.rate + mean * limits.tick + correction, -fastest, fastest);
-    return {.rate = rate, .acceleration = within(rate - m_control->rate)};
+    return {.rate = rate, .acceleration = within(rate - control.rate)};
 }
 
 }  // namespace boresight

@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "core/units/quantity.h"
 
+#include <deque>
 #include <optional>
 
 // How one drive is led along the set-points without chatter. A position that is new in each tick makes the planner of
@@ -42,8 +43,9 @@ public:
 
     // A tick begins: what was ordered last is in force until now.
     void begin(SteadyTime now);
-    // The drive's reply to the frame of this tick: its control set-points before that frame took effect.
-    void heard(MotorTurns control, MotorRate rate);
+    // The drive's reply to the frame of this tick, or to that of so many ticks before: its control set-points before
+    // that frame took effect. How late frames and replies are does not matter, as long as it stays the same.
+    void heard(MotorTurns control, MotorRate rate, int ticksAgo = 0);
     // Other frames than orders of this are sent, or nothing is known of the drive any more.
     void leave();
 
@@ -57,14 +59,21 @@ private:
         MotorRate rate;
     };
 
+    struct Tick
+    {
+        SteadyTime began{};
+        std::optional<State> control{};      // of the drive, when the frame of this tick reaches it
+        std::optional<MotionOrder> order{};  // in force since then
+    };
+
+    // What the drive makes of the order of a tick until then.
+    [[nodiscard]] static std::optional<State> after(const Tick& tick, SteadyTime then);
     [[nodiscard]] bool known() const;
     [[nodiscard]] MotionOrder orderFor(const MotorSetpoint& setpoint, const Limits& limits) const;
 
-    std::optional<State> m_control;                       // of the drive, at the beginning of this tick
-    std::optional<MotionOrder> m_order;                   // in force since then
+    std::deque<Tick> m_ticks{Tick{}};                     // the running one is the last
     std::optional<MotorAcceleration> m_lastAcceleration;  // of the set-points
-    SteadyTime m_began{};
-    int m_unheard = 0;  // ticks
+    int m_unheard = 0;                                    // ticks
 };
 
 }  // namespace boresight

@@ -27,11 +27,15 @@ std::optional<CanFrame> IdealDrive::answer(const CanFrame& frame, SteadyTime now
         return std::nullopt;
     }
     advanceTo(now);
+    const Written fields = written(frame);
+    if (fields.contains(moteus::Register::Mode)) {
+        m_echo = fields.find(moteus::Register::StayWithinLower).value_or(moteus::kUnset);
+    }
     CanFrame reply = stateFrame(now);
     if (!falsePlaces.empty()) {
         falsePlaces.pop_front();
     }
-    obey(frame);
+    obey(fields);
     return mute ? std::nullopt : std::optional(reply);
 }
 
@@ -56,6 +60,8 @@ double IdealDrive::state(moteus::Register reg) const
             return std::floor(position * kCountsInReports) / kCountsInReports;
         case Register::ControlVelocity:
             return m_running;
+        case Register::StayWithinLower:
+            return m_echo;
         case Register::Torque:
             return torque;
         case Register::QCurrent:
@@ -96,7 +102,7 @@ CanFrame IdealDrive::stateFrame(SteadyTime now) const
     return reply;
 }
 
-void IdealDrive::obey(const CanFrame& frame)
+Written IdealDrive::written(const CanFrame& frame)
 {
     Written fields;
     moteus::SubframeReader reader(frame.payload());
@@ -108,6 +114,11 @@ void IdealDrive::obey(const CanFrame& frame)
             }
         }
     }
+    return fields;
+}
+
+void IdealDrive::obey(const Written& fields)
+{
     takePlace(fields);
     const auto commanded = fields.find(moteus::Register::Mode);
     if (!commanded) {

@@ -74,12 +74,14 @@ public:
 
 private:
     [[nodiscard]] CanFrame stateFrame(SteadyTime now) const;
-    void obey(const CanFrame& frame);
+    [[nodiscard]] static Written written(const CanFrame& frame);
+    void obey(const Written& fields);
     void takePlace(const Written& fields);
     [[nodiscard]] double state(moteus::Register reg) const;
 
     std::uint8_t m_id;
     double m_set = 0.0;
+    double m_echo = moteus::kUnset;
     double m_running = 0.0;       // turns/s
     double m_ordered = 0.0;       // turns/s
     double m_acceleration = 0.0;  // turns/s²

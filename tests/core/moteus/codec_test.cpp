@@ -34,12 +34,11 @@ TEST(MoteusCodec, TrackingCommandAndFullReportFitOneFrame)
     ASSERT_TRUE(frame) << textOf(frame.error());
     EXPECT_EQ(frame->size, 48);
     EXPECT_EQ(toHex(frame->payload()),
-              "01000a"                        // mode = position
-              "0e200000c0be0ad7233c"          // position, velocity
-              "0d2500000040"                  // maximum torque
-              "0f27cdcc4c3ecdcc4c3dcdcccc3d"  // watchdog, velocity and acceleration limit
-              "11001f01160415071e3814060a"    // the report
-              "5050");
+              "01000a"                            // mode = position
+              "0e200000c0be0ad7233c"              // position, velocity
+              "0d2500000040"                      // maximum torque
+              "0f27cdcc4c3ecdcc4c3dcdcccc3d"      // watchdog, velocity and acceleration limit
+              "11001f01160415071e38114014060a");  // the report
 }
 
 // In the same frame and before the command counts: the drive collects the command until the frame ends.
@@ -49,6 +48,14 @@ TEST(MoteusCodec, APositionCommandCanRestartTheControlWhereTheAxisIs)
     ASSERT_EQ(writes.size(), 3U);
     EXPECT_EQ(writes[0].reg, Register::Mode);
     EXPECT_EQ(writes[2].reg, Register::RecapturePositionVelocity);
+}
+
+TEST(MoteusCodec, APositionCommandCanSayWhatItsReplyRepeats)
+{
+    const auto writes = registerWrites(PositionCommand{.echo = Field{0.05, Resolution::Int8}});
+    ASSERT_EQ(writes.size(), 2U);
+    EXPECT_EQ(writes[0].reg, Register::Mode) << "writing it resets the fields of every command";
+    EXPECT_EQ(writes[1].reg, Register::StayWithinLower);
 }
 
 TEST(MoteusCodec, BlankFieldsAreNotSent)
@@ -133,7 +140,7 @@ TEST(MoteusCodec, RefusesWhatDoesNotFitTheRequest)
 // REQ-MOTEUS-06
 TEST(MoteusCodec, RefusesAQueryWhoseTailWouldBeMissing)
 {
-    Query query = rotatorQuery();  // 52 bytes: one more block would start too late
+    Query query = rotatorQuery();  // 55 bytes: one more block would start too late
     EXPECT_TRUE(checkAnswerable(query));
     query.push_back({Register::PositionError, Resolution::Float});
     const auto frame = encode({.query = query});
@@ -158,7 +165,7 @@ TEST(MoteusCodec, RefusesImpossibleQueries)
 TEST(MoteusCodec, ReplySizesOfTheStandardQueries)
 {
     EXPECT_EQ(replySize(basicQuery()), 22U);
-    EXPECT_EQ(replySize(rotatorQuery()), 52U);
+    EXPECT_EQ(replySize(rotatorQuery()), 55U);
     EXPECT_EQ(replySize(discoveryQuery()), 24U);
     EXPECT_EQ(replySize(versionQuery()), 15U);
 }

@@ -7,6 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <deque>
+#include <optional>
+#include <utility>
 
 namespace boresight {
 namespace {
@@ -124,6 +127,22 @@ TEST_F(RateFollowerTest, NoCorrectionExceedsTheSpeedOfTheAxis)
     EXPECT_EQ(follow(0.0992, -0.03).rate, -kFollowerLimits.speed);
 }
 
+// Story: a reply that came a tick late was taken for that of the next frame, so that the drive led by a tick.
+// REQ-AXES-951: What a late reply says counts for the tick of its frame: the orders since then are put on top. One to
+// a frame that was sent before the drive was led says nothing.
+TEST_F(RateFollowerTest, ALateReplyIsComparedWithItsOwnTick)
+{
+    standing(0.1, 0.01);
+    tick();
+    tick();
+    follower.heard(MotorTurns::fromTurns(0.1005) - 0.5 * kCountOfDrive, MotorRate::fromTurns(0.01), 2);
+    EXPECT_NEAR(follow(0.1009 + 1e-4, 0.01).rate.turns(), 0.01 + 1e-4, 1e-9) << "0.1005 two ticks ago";
+    follower.leave();
+    follower.heard(MotorTurns::fromTurns(0.2), MotorRate{}, 1);
+    tick();
+    EXPECT_TRUE(follow(0.1, 0.01).place);
+}
+
 // A whole drive: what goes over the wire.
 class FollowingDrive : public testing::Test
 {
@@ -141,14 +160,20 @@ protected:
         now += std::chrono::milliseconds(20);
         drive.judge(now);
         if (moving) {
-            place += MotorRate::fromTurns(0.001) * Seconds(0.02);
-            drive.setSetpoint({.position = place, .rate = MotorRate::fromTurns(0.001)});
+            place += rate * Seconds(0.02);
+            drive.setSetpoint({.position = place, .rate = rate});
         }
         frame = drive.frame();
-        if (const auto reply = ideal.answer(frame, now)) {
-            drive.take(*reply);
+        replies.push_back(ideal.answer(frame, now));
+        if (replies.size() > late) {
+            if (auto reply = std::exchange(replies.front(), std::nullopt)) {
+                reply->received = now;
+                drive.take(*reply);
+            }
+            replies.pop_front();
         }
     }
+    [[nodiscard]] double ordered() const { return ideal.seen.back().fields.at(moteus::Register::CommandVelocity); }
 
     Drive drive{{.id = 1,
                  .maxTorque = 50.0,
@@ -161,8 +186,11 @@ protected:
     fakes::IdealDrive ideal{1, 0.25};
     SteadyTime now{std::chrono::hours(1)};
     MotorTurns place = MotorTurns::fromTurns(0.25);
+    MotorRate rate = MotorRate::fromTurns(0.001);
     bool moving = false;
     CanFrame frame;
+    std::deque<std::optional<CanFrame>> replies;
+    std::size_t late = 0;  // ticks
 };
 
 // REQ-AXES-303: Each velocity order carries the watchdog time, the torque limit and both limits of motion.
@@ -179,7 +207,8 @@ TEST_F(FollowingDrive, TheFrameIsAVelocityWithAllItsLimits)
     EXPECT_EQ(bytes.substr(10, 8), "0000c07f") << "position: keep the control position (NaN)";
     EXPECT_EQ(bytes.substr(26, 12), "0d2500004842") << "maximum torque 50 Nm";
     EXPECT_EQ(bytes.substr(38, 20), "0f27cdcccc3dec51383d") << "watchdog 0.1 s, velocity limit";
-    EXPECT_EQ(bytes.substr(66, 26), "11001f01160415071e3814060a") << "the report";
+    EXPECT_EQ(bytes.substr(66, 4), "0140") << "the number of the frame";
+    EXPECT_EQ(bytes.substr(72, 30), "11001f01160415071e38114014060a") << "the report";
 }
 
 // REQ-AXES-940
@@ -210,6 +239,22 @@ TEST_F(FollowingDrive, WithoutASetPointNoVelocityIsRepeated)
     tick();
     EXPECT_NEAR(ideal.seen.back().fields.at(moteus::Register::CommandPosition), place.turns(), 1e-6);
     EXPECT_EQ(ideal.seen.back().fields.at(moteus::Register::CommandVelocity), 0.0);
+}
+
+// Story: as above, on the wire.
+// REQ-AXES-950
+TEST_F(FollowingDrive, RepliesThatAreTicksLateDoNotMakeItLead)
+{
+    late = 2;
+    moving = true;
+    rate = MotorRate::fromTurns(0.005);  // a lead of one tick would change it by 1e-4
+    for (int i = 0; i < 400; ++i) {
+        tick();
+        if (i > 300) {
+            ASSERT_NEAR(ordered(), 0.005, 2e-5) << i;
+        }
+    }
+    EXPECT_NEAR(ideal.position, place.turns(), 0.02 * 0.005 + 2e-5) << "it runs to the set-point within the tick";
 }
 
 }  // namespace

@@ -298,28 +298,21 @@ TEST(SmoothTracking, AGoToStaysWithinTheLimits)
     EXPECT_NEAR(ride.place(), 97.0, 2.0 * 360.0 / 65536.0);
 }
 
-// A reply that comes a tick late is taken for that of the next frame, so that the drive leads by one tick of travel.
-// REQ-AXES-941: Where frames and replies come late, by up to a tick and a quarter in all, a go-to stays within the
-// speed of the axis by 3 % and its acceleration by 15 %. The axis is off by at most what it travels in that time and in
-// a tick, passes its goal by at most 0.1° and comes to it.
+// Story: a reply that came a tick late was taken for that of the next frame, so that the drive led by what it travels
+// in a tick. With more than two ticks the axis reached 11.4 °/s and 15.2 °/s² with limits of 10.
+// REQ-AXES-941, REQ-AXES-942, REQ-AXES-950: Each frame says its number and each reply repeats it, so that a reply is
+// compared with its own frame. Where frames and replies come late, by up to three ticks in all, a go-to stays within
+// the speed and the acceleration of the axis by 1 %. The axis is off by at most what it travels in that time and in a
+// tick, passes its goal by at most 0.1° and comes to it.
 TEST(SmoothTracking, LateFramesAndRepliesKeepTheAxisWithinItsLimits)
 {
-    for (const auto& [frames, replies] : {std::pair(0.005, 0.0), std::pair(0.0, 0.005), std::pair(0.015, 0.0),
-                                          std::pair(0.0, 0.015), std::pair(0.012, 0.013), std::pair(0.0, 0.025)}) {
+    for (const auto& [frames, replies] :
+         {std::pair(0.005, 0.0), std::pair(0.0, 0.005), std::pair(0.015, 0.0), std::pair(0.0, 0.015),
+          std::pair(0.012, 0.013), std::pair(0.0, 0.025), std::pair(0.02, 0.025), std::pair(0.0, 0.045),
+          std::pair(0.04, 0.0), std::pair(0.03, 0.03), std::pair(0.0, 0.06)}) {
         const Ride ride = lateGoTo(frames, replies);
-        EXPECT_LT(ride.fastest(), 10.3);
-        EXPECT_LT(ride.hardest(), 11.5);
-    }
-}
-
-// REQ-AXES-942: Where they are more than two ticks late the drive's own limits hold, which are 1.5 times those of the
-// axis. The axis passes its goal by at most 0.1° and comes to it.
-TEST(SmoothTracking, FramesThatAreTicksLateLeaveTheLimitsOfTheDriveInForce)
-{
-    for (const auto& [frames, replies] : {std::pair(0.02, 0.025), std::pair(0.0, 0.045), std::pair(0.04, 0.0)}) {
-        const Ride ride = lateGoTo(frames, replies);
-        EXPECT_LT(ride.fastest(), 15.1);
-        EXPECT_LT(ride.hardest(), 15.5);
+        EXPECT_LT(ride.fastest(), 10.1);
+        EXPECT_LT(ride.hardest(), 10.1);
     }
 }
 
