@@ -286,6 +286,13 @@ Result<> Gates::maySwitchOff() const
     return hasService().and_then([this] { return drivesRest(); }).and_then([this] { return drivesAnswer(); });
 }
 
+Result<> Gates::maySwitchOff(Axis axis) const
+{
+    return hasAxis(axis).and_then([this] { return maySwitchOff(); }).and_then([&] {
+        return m_of.mount.service()->maySwitchOff(axis);
+    });
+}
+
 Result<> Gates::mayLeaveBus() const
 {
     return hasService().and_then([this] { return drivesRest(); });

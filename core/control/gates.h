@@ -51,6 +51,7 @@ public:
     [[nodiscard]] Result<> mayReadDrives() const;
     [[nodiscard]] Result<> mayFixDrives() const;
     [[nodiscard]] Result<> maySwitchOff() const;
+    [[nodiscard]] Result<> maySwitchOff(Axis axis) const;
     [[nodiscard]] Result<> mayLeaveBus() const;
     [[nodiscard]] Result<> hasService() const;                    // something can be done to the mount itself
     [[nodiscard]] Result<> mayProve(const Source& source) const;  // how the axes stop

@@ -17,12 +17,13 @@ Result<> MountDesk::ask(const request::FixDrives&, const Source& by)
     });
 }
 
-Result<> MountDesk::ask(const request::SwitchOff&, const Source& by)
+Result<> MountDesk::ask(const request::SwitchOff& wanted, const Source& by)
 {
-    return operatorOnly(by).and_then([this] { return gates().maySwitchOff(); }).map([&] {
+    const auto may = [&] { return wanted.axis ? gates().maySwitchOff(*wanted.axis) : gates().maySwitchOff(); };
+    return operatorOnly(by).and_then(may).map([&] {
         m_helm.takeOver(by);  // else the next target of a client would switch them on again
         m_helm.hold(Activity::None);
-        m_log.add(Severity::Warning, by.name, service().switchOff());
+        m_log.add(Severity::Warning, by.name, service().switchOff(wanted.axis));
     });
 }
 

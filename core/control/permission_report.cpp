@@ -75,6 +75,7 @@ void PermissionReport::judgeDrives(Permissions& may) const
     for (const Axis axis : kAxes) {
         judge(may, setAction(axis), gates.maySet(axis));
         judge(may, chooseTurnAction(axis), gates.mayChooseTurn(axis));
+        judge(may, switchOffAction(axis), gates.maySwitchOff(axis));
     }
     const Result<> rest = gates.drivesRest();
     judge(may, Action::ReadDrives, gates.mayReadDrives());

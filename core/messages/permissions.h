@@ -44,6 +44,8 @@ enum class Action
     ReadDrives,
     FixDrives,
     SwitchOff,
+    SwitchOffAzimuth,  // this drive alone
+    SwitchOffElevation,
     ReleaseBus,
     ProveCrashStop,
     Reconnect,
@@ -102,6 +104,11 @@ template <class Which>
 [[nodiscard]] constexpr Action setAction(Axis axis)
 {
     return actionOf(Action::SetAzimuth, axis);
+}
+
+[[nodiscard]] constexpr Action switchOffAction(Axis axis)
+{
+    return actionOf(Action::SwitchOffAzimuth, axis);
 }
 
 [[nodiscard]] constexpr Action chooseTurnAction(Axis axis)

@@ -116,8 +116,10 @@ struct ReadDrives  // scan, identify, read the drives' protections anew
 {};
 struct FixDrives  // write the protections that differ; the drives must be switched off
 {};
-struct SwitchOff  // both drives off: an unbalanced elevation falls. Also the answer to "how do I let go"
-{};
+struct SwitchOff  // the drives off: an unbalanced elevation falls. Also the answer to "how do I let go"
+{
+    std::optional<Axis> axis{};  // this one alone, and the other goes on holding
+};
 struct ReleaseBus  // leave the adapter to other tools
 {};
 struct TakeBus

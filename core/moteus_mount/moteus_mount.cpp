@@ -347,15 +347,28 @@ Result<> MoteusMount::mayBeWritten() const
     return {};
 }
 
-// An axis of another rotator stays as it is.
-QString MoteusMount::switchOff()
+Result<> MoteusMount::maySwitchOff(Axis axis) const
+{
+    if (!has(axis)) {
+        return failure(ErrorCode::NotAvailable, Text::tr("No moteus turns this axis."));
+    }
+    return isSwitchedOn(m_drives.drive(axis))
+               ? Result<>{}
+               : failure(ErrorCode::Refused, Text::tr("The %1 is switched off already.").arg(label(axis)));
+}
+
+// An axis of another rotator stays as it is, and so does the other axis if only one is let go: its drive is told its
+// last place in each tick.
+QString MoteusMount::switchOff(std::optional<Axis> only)
 {
     for (const Axis axis : axes()) {
-        m_drives.drive(axis).release();
+        if (!only || axis == *only) {
+            m_drives.drive(axis).release();
+        }
     }
-    return axes().size() == kAxes.size()
+    return !only && axes().size() == kAxes.size()
                ? Text::tr("switches the drives off, so nothing holds the mount")
-               : Text::tr("switches the %1 off, so nothing holds its axis").arg(label(axes().front()));
+               : Text::tr("switches the %1 off, so nothing holds its axis").arg(label(only.value_or(axes().front())));
 }
 
 QString MoteusMount::leaveBus()

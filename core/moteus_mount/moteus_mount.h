@@ -85,7 +85,8 @@ public:
 
     void describe(DrivesStatus& status) const override;
     [[nodiscard]] Result<> mayBeWritten() const override;
-    [[nodiscard]] QString switchOff() override;
+    [[nodiscard]] Result<> maySwitchOff(Axis axis) const override;
+    [[nodiscard]] QString switchOff(std::optional<Axis> only) override;
     [[nodiscard]] QString leaveBus() override;
     [[nodiscard]] Result<> mayTakeBus() const override;
     Result<> takeBus() override;

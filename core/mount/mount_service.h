@@ -22,8 +22,9 @@ public:
     virtual void describe(DrivesStatus& status) const = 0;
     // Settings of the drives can be written now; else the reason.
     [[nodiscard]] virtual Result<> mayBeWritten() const = 0;
-    // Lets its axes go. Returns what the log says of it.
-    [[nodiscard]] virtual QString switchOff() = 0;
+    // Lets its axes go, or one of them, which must be on. Returns what the log says of it.
+    [[nodiscard]] virtual Result<> maySwitchOff(Axis axis) const = 0;
+    [[nodiscard]] virtual QString switchOff(std::optional<Axis> only) = 0;
 
     // Leaves the bus to other tools, and takes it back. The first returns what the log says of it.
     [[nodiscard]] virtual QString leaveBus() = 0;

@@ -181,7 +181,8 @@ StationStatus released()
     status.stateReason = QStringLiteral("bus released to other tools");
     const QString left = QStringLiteral("The bus is released to other tools. Take the bus back first.");
     status.permissions = withoutMotion(left);
-    for (const Action action : {Action::ReadDrives, Action::SwitchOff, Action::SetAzimuth, Action::SetElevation}) {
+    for (const Action action : {Action::ReadDrives, Action::SwitchOff, Action::SwitchOffAzimuth,
+                                Action::SwitchOffElevation, Action::SetAzimuth, Action::SetElevation}) {
         status.permissions.refuse(action, left);
     }
     status.permissions.refuse(Action::FixDrives, QStringLiteral("the drives are not read yet"));

@@ -212,7 +212,9 @@ StationStatus disconnected()
     status.permissions = withoutMotion(QStringLiteral("no reply from the azimuth drive"));
     status.permissions.refuse(Action::SetAzimuth, QStringLiteral("no fresh position from the azimuth drive"));
     status.permissions.refuse(Action::SetElevation, QStringLiteral("no fresh position from the elevation drive"));
-    status.permissions.refuse(Action::SwitchOff, QStringLiteral("every drive must answer"));
+    for (const Action off : {Action::SwitchOff, Action::SwitchOffAzimuth, Action::SwitchOffElevation}) {
+        status.permissions.refuse(off, QStringLiteral("every drive must answer"));
+    }
     status.azimuth.state = AxisState::NoData;
     status.elevation.state = AxisState::NoData;
     status.line.state = MountLine::State::Lost;

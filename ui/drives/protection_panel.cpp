@@ -25,12 +25,21 @@ ProtectionPanel::ProtectionPanel(RequestDesk& desk, QWidget* parent)
                                *m_notice, this)),
       m_fix(new CommandButton(tr("Fix …"), tr("Write the settings that differ; asks first"), desk, *m_notice, this)),
       m_switchOff(
-          new CommandButton(tr("Switch drives off …"), tr("Release the axes; asks first"), desk, *m_notice, this))
+          new CommandButton(tr("Switch drives off …"), tr("Release the axes; asks first"), desk, *m_notice, this)),
+      m_switchAxisOff{new CommandButton(tr("Azimuth off …"),
+                                        tr("Release the azimuth alone; the elevation goes on holding; asks first"),
+                                        desk, *m_notice, this),
+                      new CommandButton(tr("Elevation off …"),
+                                        tr("Release the elevation alone; the azimuth goes on holding; asks first"),
+                                        desk, *m_notice, this)}
 {
     build();
     connect(m_read, &QPushButton::clicked, this, [this] { m_read->ask(request::ReadDrives{}); });
     connect(m_fix, &QPushButton::clicked, this, &ProtectionPanel::fix);
-    connect(m_switchOff, &QPushButton::clicked, this, &ProtectionPanel::switchOff);
+    connect(m_switchOff, &QPushButton::clicked, this, qOverload<>(&ProtectionPanel::switchOff));
+    for (const Axis axis : kAxes) {
+        connect(m_switchAxisOff[axisIndex(axis)], &QPushButton::clicked, this, [this, axis] { switchOff(axis); });
+    }
     connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this, &ProtectionPanel::showReason);
     connect(m_model, &QAbstractItemModel::layoutChanged, this, &ProtectionPanel::showReason);
     connect(m_model, &QAbstractItemModel::modelReset, this, &ProtectionPanel::showReason);
@@ -42,12 +51,15 @@ void ProtectionPanel::build()
     auto* const column = new QVBoxLayout(&controls());
     column->setContentsMargins(6, 6, 6, 6);
     column->setSpacing(6);
-    auto* const buttons = new QHBoxLayout;
-    buttons->setSpacing(4);
-    for (CommandButton* const button : {m_read, m_fix, m_switchOff}) {
-        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        buttons->addWidget(button);
-    }
+    const auto rowOf = [](std::initializer_list<CommandButton*> buttons) {
+        auto* const row = new QHBoxLayout;
+        row->setSpacing(4);
+        for (CommandButton* const button : buttons) {
+            button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+            row->addWidget(button);
+        }
+        return row;
+    };
     for (ValueLabel* const line : {m_survey, m_reason, m_notice}) {
         line->setStretching(true);
     }
@@ -57,7 +69,8 @@ void ProtectionPanel::build()
     column->addWidget(m_survey);
     column->addWidget(m_table, 1);
     column->addWidget(m_reason);
-    column->addLayout(buttons);
+    column->addLayout(rowOf({m_read, m_fix}));
+    column->addLayout(rowOf({m_switchAxisOff[0], m_switchAxisOff[1], m_switchOff}));
     column->addWidget(m_notice);
 }
 
@@ -84,6 +97,9 @@ void ProtectionPanel::showStatus(const StationStatus& status)
     m_read->setBlocked(status.permissions.reason(Action::ReadDrives));
     m_fix->setBlocked(status.permissions.reason(Action::FixDrives));
     m_switchOff->setBlocked(status.permissions.reason(Action::SwitchOff));
+    for (const Axis axis : kAxes) {
+        m_switchAxisOff[axisIndex(axis)]->setBlocked(status.permissions.reason(switchOffAction(axis)));
+    }
     showWhetherPossible(status);
 }
 
@@ -138,6 +154,19 @@ void ProtectionPanel::switchOff()
               .act = tr("Switch off"),
               .request = request::SwitchOff{},
               .action = Action::SwitchOff},
+             m_status);
+}
+
+void ProtectionPanel::switchOff(Axis axis)
+{
+    const bool azimuth = axis == Axis::Azimuth;
+    askFirst({.title = azimuth ? tr("Switch the azimuth drive off?") : tr("Switch the elevation drive off?"),
+              .text = azimuth ? tr("The azimuth is let go at once. Wind may turn it. The elevation goes on holding.")
+                              : tr("The elevation is let go at once. If it is unbalanced, it falls. Keep people away "
+                                   "from the antenna, or support it first. The azimuth goes on holding."),
+              .act = tr("Switch off"),
+              .request = request::SwitchOff{axis},
+              .action = switchOffAction(axis)},
              m_status);
 }
 

@@ -3,6 +3,8 @@
 
 #include "ui/kit/asking_panel.h"
 
+#include <array>
+
 class QTableView;
 
 // The settings by which the drives protect the mount: wanted against found, with the reason of the selected line; read
@@ -27,6 +29,7 @@ private:
     void showReason();
     void fix();
     void switchOff();
+    void switchOff(Axis axis);
 
     StationStatus m_status;
     ProtectionModel* m_model;
@@ -37,6 +40,7 @@ private:
     CommandButton* m_read;
     CommandButton* m_fix;
     CommandButton* m_switchOff;
+    std::array<CommandButton*, 2> m_switchAxisOff;
 };
 
 }  // namespace boresight::ui

@@ -177,6 +177,10 @@ Request requestOf(Action action, const StationRig& rig)
             return request::FixDrives{};
         case Action::SwitchOff:
             return request::SwitchOff{};
+        case Action::SwitchOffAzimuth:
+            return request::SwitchOff{Axis::Azimuth};
+        case Action::SwitchOffElevation:
+            return request::SwitchOff{Axis::Elevation};
         case Action::ReleaseBus:
             return request::ReleaseBus{};
         case Action::ProveCrashStop:
@@ -216,6 +220,8 @@ constexpr std::array kAsked{Action::Point,
                             Action::ReadDrives,
                             Action::FixDrives,
                             Action::SwitchOff,
+                            Action::SwitchOffAzimuth,
+                            Action::SwitchOffElevation,
                             Action::ReleaseBus,
                             Action::TakeBus,
                             Action::Reconnect,

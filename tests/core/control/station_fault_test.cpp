@@ -426,5 +426,48 @@ TEST(StationControl, DrivesAreNotSwitchedOffInTheMidstOfARearm)
     EXPECT_TRUE(rig.control.faultLatched());
 }
 
+// REQ-CONTROL-930: The drive of one axis can be switched off alone while nothing moves. Its axis is OFF, and the other
+// goes on holding. Nothing is switched on again before somebody moves the mount, and clients are refused until then.
+// A drive that is off already is not offered.
+TEST(StationControl, TheDriveOfOneAxisIsSwitchedOffAlone)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.point(10.0, 10.0));
+    EXPECT_FALSE(rig.ask(request::SwitchOff{Axis::Elevation})) << "the mount moves";
+    rig.settle();
+    ASSERT_TRUE(rig.ask(request::SwitchOff{Axis::Elevation}));
+    rig.run(Seconds(10.0));
+    EXPECT_EQ(rig.lastLog(), "switches the elevation drive off, so nothing holds its axis");
+    StationStatus status = rig.control.status();
+    EXPECT_EQ(status.elevation.state, AxisState::Off);
+    EXPECT_EQ(status.azimuth.state, AxisState::Holding);
+    EXPECT_EQ(rig.elevation.mode, moteus::Mode::Stopped);
+    EXPECT_EQ(rig.azimuth.mode, moteus::Mode::Position);
+    EXPECT_FALSE(rig.control.faultLatched());
+    EXPECT_FALSE(status.permissions.allows(Action::SwitchOffElevation));
+    EXPECT_TRUE(status.permissions.allows(Action::SwitchOffAzimuth));
+    EXPECT_TRUE(status.permissions.allows(Action::SwitchOff));
+    const double held = rig.azimuth.position;
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 20_deg, .elevation = 12_deg}}));
+    rig.settle();
+    EXPECT_NE(rig.azimuth.position, held);
+    EXPECT_EQ(rig.control.status().elevation.state, AxisState::Holding);
+    EXPECT_NEAR(rig.elevationDegrees(), 12.0, 0.001);
+}
+
+// REQ-CONTROL-931: The reason why the drive of one axis cannot be switched off alone is shown: it is off already, or no
+// drive of ours turns it.
+TEST(StationControl, ADriveThatIsOffIsNotSwitchedOffAgain)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    const Result<> off = rig.ask(request::SwitchOff{Axis::Azimuth});
+    ASSERT_FALSE(off);
+    EXPECT_EQ(textOf(off.error()), "The azimuth drive is switched off already.");
+    EXPECT_EQ(rig.control.status().permissions.reason(Action::SwitchOffAzimuth),
+              QStringLiteral("The azimuth drive is switched off already."));
+}
+
 }  // namespace
 }  // namespace boresight

@@ -87,6 +87,11 @@ private:
     double number(double low, double high) { return std::uniform_real_distribution(low, high)(m_random); }
     Angle angle(double low, double high) { return Angle::fromDegrees(number(low, high)); }
     Source anybody() { return m_random() % 2 == 0 ? kOperator : m_random() % 2 == 0 ? kClient : kOtherClient; }
+    std::optional<Axis> oneOrBoth()
+    {
+        const auto which = m_random() % 3;
+        return which == 0 ? std::nullopt : std::optional(kAxes[which - 1]);
+    }
     std::uint64_t anyClient() { return m_random() % 2 == 0 ? kClient.clientId : kOtherClient.clientId; }
     void come(const Source& client)
     {
@@ -148,7 +153,7 @@ private:
             case 7:
                 return ask(request::FixDrives{}, anybody());
             case 8:
-                return ask(request::SwitchOff{}, anybody());
+                return ask(request::SwitchOff{oneOrBoth()}, anybody());
             case 9:
                 return ask(request::ReleaseBus{}, anybody());
             case 10: {

@@ -199,6 +199,24 @@ TEST_F(DrivesTest, SwitchOffWarnsOfTheFallAndCancelHasTheFocus)
     EXPECT_EQ(asked<request::SwitchOff>().size(), 1u);
 }
 
+// REQ-UI-990: The drive of each axis has its own button. It asks first, says which axis is let go and that the other
+// holds, and is blocked with the station's reason.
+TEST_F(DrivesTest, OneDriveIsSwitchedOffAloneAfterAQuestion)
+{
+    open<ProtectionPanel>();
+    click("Elevation off …");
+    EXPECT_TRUE(questionText().contains(QLatin1String("The azimuth goes on holding.")));
+    EXPECT_TRUE(requests.empty());
+    QTest::keyClick(act("Switch off"), Qt::Key_Space);
+    ASSERT_EQ(asked<request::SwitchOff>().size(), 1u);
+    EXPECT_EQ(asked<request::SwitchOff>().front().axis, Axis::Elevation);
+    StationStatus status = samples::holding();
+    status.permissions.refuse(Action::SwitchOffAzimuth, QStringLiteral("The azimuth drive is switched off already."));
+    give(samples::update(status));
+    EXPECT_FALSE(named<CommandButton>("Azimuth off …")->isEnabled());
+    EXPECT_TRUE(named<CommandButton>("Elevation off …")->isEnabled());
+}
+
 // Story: Esc stopped the mount and left the question open, while the help says that it closes it.
 TEST_F(DrivesTest, EscClosesTheQuestionAndTheNextOneStops)
 {
