@@ -7,6 +7,7 @@
 #include "core/control/cable_guard.h"
 #include "core/control/client_lead.h"
 #include "core/control/current_motion.h"
+#include "core/control/energy_meter.h"
 #include "core/control/slew_watch.h"
 #include "core/control/standstill_watch.h"
 #include "core/control/sun_watch.h"
@@ -35,6 +36,7 @@ struct ControlParts
     const CableGuard& cable;
     const SunWatch& sun;
     const SlewWatch& slew;
+    const EnergyMeter& energy;
     const AlarmBoard& alarms;
     SteadyTime now;  // of the running or last tick
     std::uint64_t tick = 0;

@@ -83,6 +83,7 @@ ControlParts StationControl::parts() const
             .cable = m_cable,
             .sun = m_region.sun(),
             .slew = m_slew,
+            .energy = m_energy,
             .alarms = m_alarms,
             .now = m_now,
             .tick = m_tick};
@@ -334,6 +335,9 @@ void StationControl::tick()
     watchLimited();
     // After what may end or send the motion: looks ahead along the way that is left.
     m_slew.update(m_mount.follows() && state() == StationState::Slew, m_motion, now);
+    const StationState then = state();
+    const bool moves = then == StationState::Slew || then == StationState::Track || then == StationState::Jog;
+    m_energy.look(m_mount, moves, m_current.errand(), now);
     // After everything that raises or clears an alarm.
     m_alarms.tick();
     // Last: the mount is left when the set-points of this tick are at rest.

@@ -180,6 +180,7 @@ private:
     ClientLead m_lead;
     CableGuard m_cable;
     SlewWatch m_slew;
+    EnergyMeter m_energy;
     SourceLog m_sourceLog;
 
     CurrentMotion m_current;

@@ -201,6 +201,7 @@ AxisStatus StatusReport::axisStatus(Axis axis) const
         status.target = axis == Axis::Azimuth ? target->azimuth : target->elevation;
     }
     fillTelemetry(status, report);
+    status.power = report.power;
     status.turnKnown = report.wrapKnown;
     status.stateText = axisText(axis, status.state, report);
     return status;
@@ -271,6 +272,7 @@ StationStatus StatusReport::status() const
                          .alarms = m_of.alarms.list(),
                          .utc = m_of.clock.utc(),
                          .tick = m_of.tick};
+    status.power = m_of.energy.status();
     addBeam(status, m_of.model.pointing());
     status.stopLatched = m_of.arming.stopLatched();
     status.stateReason = !m_of.mount.available()

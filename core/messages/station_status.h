@@ -9,6 +9,7 @@
 #include "core/messages/drives_status.h"
 #include "core/messages/mount_line.h"
 #include "core/messages/permissions.h"
+#include "core/messages/power_status.h"
 #include "core/messages/sensor_status.h"
 #include "core/profile/profile.h"
 #include "core/units/sky.h"
@@ -237,6 +238,7 @@ struct StationStatus
     bool simulated = false;
     QString listening;  // "127.0.0.1:4533", empty when the server could not listen
     std::vector<ClientStatus> clients;
+    PowerStatus power;
     TimingStatus timing;
     BrokerStatus broker;
     SensorStatus sensor;

@@ -149,6 +149,7 @@ AxisReport MoteusMount::report(Axis axis) const
         report.voltage = reply->voltage;
         report.torque = reply->torque;
         report.current = reply->current;
+        report.power = reply->power;
         report.boardTemperature = reply->boardTemperature;
         report.motorTemperature = reply->motorTemperature;
     }

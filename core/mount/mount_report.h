@@ -43,6 +43,7 @@ struct AxisReport
     std::optional<double> voltage;           // V
     std::optional<double> torque;            // Nm
     std::optional<double> current;           // A
+    std::optional<double> power;             // W, electrical; negative while the axis feeds the supply
     std::optional<double> boardTemperature;  // °C
     std::optional<double> motorTemperature;  // °C
 };

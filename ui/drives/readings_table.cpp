@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/drives/readings_table.h"
 
+#include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "ui/drives/readings_model.h"
 #include "ui/kit/file_dialog.h"
 #include "ui/kit/push_button.h"
@@ -15,12 +17,48 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
+
 namespace boresight::ui {
+namespace {
+
+QString wattsText(double watts, int decimals)
+{
+    return ReadingsTable::tr("%1 W").arg(toQString(formatFixed(watts, decimals)));
+}
+
+// "0.35 Wh, peak 61 W", "120 J, peak 61 W, 3 s not reported".
+QString motionText(const MotionEnergy& motion)
+{
+    constexpr double kJoulesPerWattHour = 3600.0;
+    const bool little = std::abs(motion.joules) < 0.1 * kJoulesPerWattHour;
+    const QString energy =
+        little ? ReadingsTable::tr("%1 J").arg(toQString(formatFixed(motion.joules, 0)))
+               : ReadingsTable::tr("%1 Wh").arg(toQString(formatFixed(motion.joules / kJoulesPerWattHour, 2)));
+    const QString text = ReadingsTable::tr("%1, peak %2").arg(energy, wattsText(motion.peak, 0));
+    return motion.unknown > Seconds{} ? ReadingsTable::tr("%1, %2 s not reported")
+                                            .arg(text, toQString(formatFixed(std::max(motion.unknown.count(), 1.0), 0)))
+                                      : text;
+}
+
+QString energyText(const PowerStatus& power)
+{
+    const QString now = power.total ? ReadingsTable::tr("Power: %1.").arg(wattsText(*power.total, 1))
+                                    : ReadingsTable::tr("Power: not reported.");
+    if (power.running) {
+        return now + u' ' + ReadingsTable::tr("This motion: %1.").arg(motionText(*power.running));
+    }
+    return power.last ? now + u' ' + ReadingsTable::tr("Last motion: %1.").arg(motionText(*power.last)) : now;
+}
+
+}  // namespace
 
 ReadingsTable::ReadingsTable(QWidget* parent)
     : QWidget(parent),
       m_model(new ReadingsModel(this)),
       m_table(makeTable()),
+      m_energy(new ValueLabel(tr("Electrical power and energy"), fonts::label(), {}, this)),
       m_notice(new ValueLabel(tr("Outcome"), fonts::label(), {}, this))
 {
     build();
@@ -55,7 +93,12 @@ void ReadingsTable::build()
     }
     m_notice->setStretching(true);
     m_notice->setCollapsing(true);
+    m_energy->setStretching(true);
+    m_energy->setToolTip(
+        tr("Electrical power of all drives together. Energy and highest power of the motion that runs, "
+           "else of the last one. Power that is fed back into the supply counts negative."));
     column->addWidget(m_table, 1);
+    column->addWidget(m_energy);
     column->addLayout(buttons);
     column->addWidget(m_notice);
     connect(copying, &QPushButton::clicked, this, &ReadingsTable::copy);
@@ -65,6 +108,7 @@ void ReadingsTable::build()
 void ReadingsTable::showStatus(const StationStatus& status)
 {
     m_model->show(status);
+    m_energy->setValue(energyText(status.power), Tone::Secondary);
 }
 
 void ReadingsTable::copy()

@@ -31,6 +31,7 @@ private:
 
     ReadingsModel* m_model;
     QTableView* m_table;
+    ValueLabel* m_energy;
     ValueLabel* m_notice;
 };
 

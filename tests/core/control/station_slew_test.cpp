@@ -254,5 +254,54 @@ TEST_F(StationSlew, TheLogNamesItsTime)
     EXPECT_EQ(rig.lastLog(), "moves the mount from 113.00° 10.00°: home to 0.00° 0.00°, there in 3 min 47 s");
 }
 
+// REQ-CONTROL-932: Electrical power is reported of each axis and of all together. The energy of a motion is summed from
+// the tick in which it begins until the mount stands, power that is fed back counts negative, and its highest power is
+// kept with it until the next motion ends. Standing costs nothing of it.
+TEST(StationEnergy, AMotionIsSummedUpFromItsBeginToItsEnd)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    rig.azimuth.power = 30.0;
+    rig.elevation.power = -10.0;
+    ASSERT_TRUE(rig.point(20.0, 10.0));
+    rig.run(Seconds(1.0));
+    StationStatus status = rig.control.status();
+    EXPECT_EQ(status.azimuth.power, 30.0);
+    EXPECT_EQ(status.elevation.power, -10.0);
+    EXPECT_EQ(status.power.total, 20.0);
+    ASSERT_TRUE(status.power.running);
+    EXPECT_NEAR(status.power.running->joules, 20.0, 1.5);
+    EXPECT_EQ(status.power.running->peak, 20.0);
+    EXPECT_FALSE(status.power.last);
+    rig.settle();
+    rig.azimuth.power = 1000.0;
+    rig.run(Seconds(10.0));
+    status = rig.control.status();
+    EXPECT_FALSE(status.power.running);
+    ASSERT_TRUE(status.power.last);
+    EXPECT_EQ(status.power.last->unknown, Seconds{});
+    EXPECT_NEAR(status.power.last->joules, 20.0 * status.power.last->time.count(), 1.0);
+    EXPECT_EQ(status.power.last->peak, 20.0) << "what came behind it is no part of it";
+}
+
+// REQ-CONTROL-933: What is not reported for more than 0.1 s is not guessed: it is no part of the energy, and how long
+// that was is reported.
+TEST(StationEnergy, AGapIsToldAndNotGuessed)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    rig.azimuth.power = 100.0;
+    ASSERT_TRUE(rig.point(40.0, 0.0));
+    rig.run(Seconds(2.0));
+    const double before = rig.control.status().power.running.value().joules;
+    rig.azimuth.mute = true;
+    rig.run(Seconds(0.14));
+    rig.azimuth.mute = false;
+    rig.run(Seconds(0.02));
+    const MotionEnergy after = rig.control.status().power.running.value();
+    EXPECT_NEAR(after.joules - before, 2.0, 2.1) << "the tick before, and nothing of the gap";
+    EXPECT_NEAR(after.unknown.count(), 0.14, 0.05);
+}
+
 }  // namespace
 }  // namespace boresight

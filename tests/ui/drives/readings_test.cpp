@@ -102,6 +102,21 @@ TEST_F(ReadingsTest, OldReadingsDoNotLookLive)
     EXPECT_EQ(azimuth("Torque (Nm)"), "1.25") << "the other axis is live";
 }
 
+// REQ-UI-991: Below the readings stand the power of all drives, and energy and highest power of the motion that runs,
+// else of the last one. Power that is not reported, and a gap in it, are named.
+TEST_F(ReadingsTest, PowerAndEnergyOfAMotionAreShown)
+{
+    StationStatus status = samples::tracking(150.0);
+    status.power = {.total = 54.12, .running = MotionEnergy{.joules = 1260.0, .peak = 61.2, .time = Seconds(120.0)}};
+    give(samples::update(status));
+    EXPECT_EQ(text("Electrical power and energy").toStdString(), "Power: 54.1 W. This motion: 0.35 Wh, peak 61 W.");
+    status.power = {.last =
+                        MotionEnergy{.joules = -120.0, .peak = 12.0, .time = Seconds(120.0), .unknown = Seconds(3.2)}};
+    give(samples::update(status));
+    EXPECT_EQ(text("Electrical power and energy").toStdString(),
+              "Power: not reported. Last motion: -120 J, peak 12 W, 3 s not reported.");
+}
+
 // REQ-UI-912: The readings are copied separated by tabs, and saved as CSV with UTC, units and the ids of the boards,
 // as they were when the button was pressed.
 TEST_F(ReadingsTest, TheReadingsAreCopiedAndSaved)
