@@ -24,6 +24,11 @@ const Angle kSmallestPeriod = Angle::fromDegrees(0.01);
 constexpr MotorTurns kPositionRange = MotorTurns::fromTurns(32768.0);  // where the drive's register wraps
 constexpr std::size_t kNamedCandidates = 5;                            // more are told as a range
 
+Angle agreement(Angle period)
+{
+    return std::min(kAgreement, period * (kLuck / 2.0));
+}
+
 bool knowsItsPhase(const DriveFrame& frame)
 {
     const auto wanted = frame.outputEncoder ? moteus::HomeState::Output : moteus::HomeState::Rotor;
@@ -89,7 +94,7 @@ private:
 
     [[nodiscard]] bool agrees(Angle place) const
     {
-        return abs(place - m_evidence.record->angle) <= std::min(kAgreement, m_frame.period * (kLuck / 2.0));
+        return abs(place - m_evidence.record->angle) <= agreement(m_frame.period);
     }
 
     [[nodiscard]] bool journalIsVague() const
@@ -222,6 +227,12 @@ Angle ambiguity(const pointing::AxisGeometry& axis, double rotorToOutputRatio, b
 {
     const MotorTurns turn = MotorTurns::fromTurns(outputEncoder ? 1.0 : rotorToOutputRatio);
     return abs(axis.toAxis(turn) - axis.toAxis(MotorTurns()));
+}
+
+// With a shorter period nothing is proposed after a motion, and the record only shows the operator about where it was.
+Angle journalStep(Angle period)
+{
+    return (period < kWidePeriod ? kAgreement : agreement(period)) * 0.5;
 }
 
 QString sensorSentence(const std::optional<Angle>& heading)

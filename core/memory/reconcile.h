@@ -57,6 +57,10 @@ using Judgement = std::variant<Certain, TurnQuestion>;
 [[nodiscard]] Judgement reconcile(const DriveFrame& frame, const Evidence& evidence,
                                   const pointing::AxisGeometry& axis);
 
+// An axis in motion is written down each time that it has gone so far: half of what a place may differ from the journal
+// and be proposed. So the record is near enough wherever the power is cut.
+[[nodiscard]] Angle journalStep(Angle period);
+
 // The last sentence of the evidence.
 [[nodiscard]] QString sensorSentence(const std::optional<Angle>& heading);
 

@@ -13,7 +13,7 @@
 namespace boresight {
 namespace {
 
-// While it moves an axis is written down this often; a crash-safe write takes some milliseconds on a disk.
+// While it moves an axis is written down no more often; a crash-safe write takes some milliseconds on a disk.
 constexpr std::chrono::seconds kMovingPeriod{1};
 // Standing still only what has changed, and now and then the time: the younger the record, the better the proof.
 constexpr std::chrono::minutes kRestingPeriod{5};
@@ -407,7 +407,8 @@ void TurnKeeper::note(Axis axis, const survey::DriveFacts& facts, const Drive& d
     auto& last = record(axis);
     const bool turned = !last || last->drive != facts.uuid || last->moving != moving || last->origin != here.origin;
     const SteadyTime::duration sinceNoted = mine.noted ? now - *mine.noted : SteadyTime::duration::max();
-    const bool elsewhere = last && abs(last->angle - angle) > kWorthNoting && sinceNoted >= kMovingPeriod;
+    const Angle step = moving ? std::max(kWorthNoting, memory::journalStep(here.period)) : kWorthNoting;
+    const bool elsewhere = last && abs(last->angle - angle) > step && sinceNoted >= kMovingPeriod;
     if (turned || !mine.noted || elsewhere || sinceNoted >= kRestingPeriod) {
         last = memory::recordOf(here, angle, m_profile->axis(axis).geometry, moving, m_clock.utc(),
                                 memory::hostTime(m_clock));
