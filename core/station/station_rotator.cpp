@@ -76,6 +76,7 @@ StationRotator::StationRotator(StationControl& control, const profile::InForce& 
       m_remarks(log, clock, kRemarksPerSecond),
       m_refusals(log, clock, kRefusalsPerSecond),
       m_commands(log, clock, kCommandsPerSecond),
+      m_points(log, clock),
       m_connections(log, clock, kConnectionsPerSecond)
 {}
 
@@ -248,10 +249,15 @@ Result<> StationRotator::setSpeedLevel(const rotctld::Client& client, int level)
 Result<> StationRotator::ask(const rotctld::Client& client, const Request& request, const QString& command)
 {
     Result<> answer = m_control.request(request, clientSource(client));
-    if (answer) {
-        m_commands.add(Severity::Advisory, clientSource(client).name, Text::tr("%1 accepted").arg(command));
-    } else {
+    if (!answer) {
         logRefusal(client, command, answer.error());
+        return answer;
+    }
+    const QString name = clientSource(client).name;
+    const bool point =
+        std::holds_alternative<request::PointSky>(request) || std::holds_alternative<request::PointAxes>(request);
+    if (!point || m_points.begins(name, command)) {
+        m_commands.add(Severity::Advisory, name, Text::tr("%1 accepted").arg(command));
     }
     return answer;
 }
@@ -269,6 +275,7 @@ void StationRotator::clientConnected(const rotctld::Client& client)
 
 void StationRotator::clientGone(const rotctld::Client& client, const QString& reason)
 {
+    m_points.gone(clientSource(client).name);
     m_connections.add(Severity::Advisory, clientSource(client).name, Text::tr("gone: %1").arg(reason));
     m_control.sourceGone(clientSource(client));
 }

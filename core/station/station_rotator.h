@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/alarms/log_throttle.h"
+#include "core/alarms/stream_log.h"
 #include "core/control/station_control.h"
 #include "core/profile/in_force.h"
 #include "core/rotctld/rotator.h"
@@ -49,6 +50,7 @@ private:
     LogThrottle m_remarks;      // dropped clients, strangers, odd commands
     LogThrottle m_refusals;     // refused commands
     LogThrottle m_commands;     // accepted commands
+    StreamLog m_points;         // accepted positions of a stream
     LogThrottle m_connections;  // who comes and goes
 };
 

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/alarms/stream_log.h"
+
+#include "tests/fakes/manual_clock.h"
+
+#include <gtest/gtest.h>
+
+namespace boresight {
+namespace {
+
+// Story: a pass of Gpredict wrote a line of the log for each position, 600 in ten minutes, onto a small flash.
+// REQ-MEMORY-952: Of the accepted positions of a client the first is a line of the log. The others are counted: one
+// line a minute says how many there were and which was the last, and so does the end of the client.
+TEST(StreamLog, PositionsOfAClientAreSummedUp)
+{
+    const QString client = QStringLiteral("rotctld 1");
+    fakes::ManualClock clock;
+    EventLog log(clock);
+    StreamLog stream(log, clock);
+    EXPECT_TRUE(stream.begins(client, QStringLiteral("P 0.00 10.00")));
+    for (int second = 1; second <= 90; ++second) {
+        clock.advance(Seconds(1.0));
+        EXPECT_FALSE(stream.begins(client, QStringLiteral("P %1.00 10.00").arg(second)));
+    }
+    EXPECT_TRUE(stream.begins(QStringLiteral("rotctld 2"), QStringLiteral("P 5.00 5.00"))) << "each has its own";
+    ASSERT_EQ(log.since(0, 10).size(), 1u);
+    EXPECT_EQ(log.since(0, 10).back().text, QStringLiteral("60 more accepted in 60 s, the last P 60.00 10.00"));
+    stream.gone(client);
+    EXPECT_EQ(log.since(0, 10).back().text, QStringLiteral("30 more accepted in 30 s, the last P 90.00 10.00"));
+    stream.gone(QStringLiteral("rotctld 2"));
+    EXPECT_EQ(log.since(0, 10).size(), 2u) << "its only one has its own line";
+}
+
+// REQ-MEMORY-952
+TEST(StreamLog, AfterAMinuteOfSilenceAStreamBeginsAnew)
+{
+    const QString client = QStringLiteral("rotctld 1");
+    fakes::ManualClock clock;
+    EventLog log(clock);
+    StreamLog stream(log, clock);
+    EXPECT_TRUE(stream.begins(client, QStringLiteral("P 0.00 10.00")));
+    clock.advance(Seconds(60.0));
+    EXPECT_TRUE(stream.begins(client, QStringLiteral("P 1.00 10.00")));
+}
+
+}  // namespace
+}  // namespace boresight
