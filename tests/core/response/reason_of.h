@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/fakes/text_of.h"
+
+namespace boresight::response {
+
+// Why there are no figures; empty: there are.
+template <class Figures>
+[[nodiscard]] std::string reasonOf(const Result<Figures>& figures)
+{
+    return figures ? std::string() : textOf(figures.error());
+}
+
+}  // namespace boresight::response
