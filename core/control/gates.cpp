@@ -298,6 +298,21 @@ Result<> Gates::mayLeaveBus() const
     return hasService().and_then([this] { return drivesRest(); });
 }
 
+Result<> Gates::mayTune(Axis axis) const
+{
+    return hasService()
+        .and_then([&] { return hasAxis(axis); })
+        .and_then([&] { return m_of.mount.service()->mayBeTuned(axis); })
+        .and_then([this] { return drivesAnswer(); })
+        .and_then([this] { return drivesRest(); })
+        .and_then([this] { return axesStand(); });
+}
+
+Result<> Gates::mayTuneOff(Axis axis) const
+{
+    return mayTune(axis).and_then([this] { return m_of.mount.service()->mayBeWritten(); });
+}
+
 Result<> Gates::mayProve(const Source& source) const
 {
     return hasService().and_then([&] { return mayPoint(source); }).and_then([this] { return drivesRest(); });

@@ -53,6 +53,8 @@ public:
     [[nodiscard]] Result<> maySwitchOff() const;
     [[nodiscard]] Result<> maySwitchOff(Axis axis) const;
     [[nodiscard]] Result<> mayLeaveBus() const;
+    [[nodiscard]] Result<> mayTune(Axis axis) const;              // its gains, while it stands
+    [[nodiscard]] Result<> mayTuneOff(Axis axis) const;           // and those for which the drives must be off
     [[nodiscard]] Result<> hasService() const;                    // something can be done to the mount itself
     [[nodiscard]] Result<> mayProve(const Source& source) const;  // how the axes stop
     [[nodiscard]] Result<> mayEndProof() const;

@@ -79,4 +79,25 @@ Result<> MountDesk::ask(const request::EndProof&, const Source& by)
     });
 }
 
+Result<> MountDesk::ask(const request::ReadGains& wanted, const Source& by)
+{
+    return operatorOnly(by).and_then([&] { return gates().mayTune(wanted.axis); });
+}
+
+// A client's next target would move the axis in the middle of it: the operator takes the control.
+Result<> MountDesk::ask(const request::SetGain& wanted, const Source& by)
+{
+    return operatorOnly(by).and_then([&] { return gates().mayTune(wanted.axis); }).map([&] { m_helm.takeOver(by); });
+}
+
+Result<> MountDesk::ask(const request::PutGainsBack& wanted, const Source& by)
+{
+    return operatorOnly(by).and_then([&] { return gates().mayTune(wanted.axis); }).map([&] { m_helm.takeOver(by); });
+}
+
+Result<> MountDesk::ask(const request::StoreGains& wanted, const Source& by)
+{
+    return operatorOnly(by).and_then([&] { return gates().mayTuneOff(wanted.axis); }).map([&] { m_helm.takeOver(by); });
+}
+
 }  // namespace boresight

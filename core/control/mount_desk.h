@@ -26,6 +26,10 @@ public:
     Result<> ask(const request::ChooseTurn& wanted, const Source& by);
     Result<> ask(const request::ProveCrashStop& wanted, const Source& by);
     Result<> ask(const request::EndProof& wanted, const Source& by);
+    Result<> ask(const request::ReadGains& wanted, const Source& by);
+    Result<> ask(const request::SetGain& wanted, const Source& by);
+    Result<> ask(const request::PutGainsBack& wanted, const Source& by);
+    Result<> ask(const request::StoreGains& wanted, const Source& by);
 
 private:
     [[nodiscard]] Gates gates() const { return Gates(m_helm.view()); }

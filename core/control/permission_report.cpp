@@ -77,6 +77,7 @@ void PermissionReport::judgeDrives(Permissions& may) const
         judge(may, chooseTurnAction(axis), gates.mayChooseTurn(axis));
         judge(may, switchOffAction(axis), gates.maySwitchOff(axis));
     }
+    judgeGains(may);
     const Result<> rest = gates.drivesRest();
     judge(may, Action::ReadDrives, gates.mayReadDrives());
     judge(may, Action::FixDrives, gates.mayFixDrives());
@@ -86,6 +87,21 @@ void PermissionReport::judgeDrives(Permissions& may) const
     judge(may, Action::ProveCrashStop, gates.mayProve(kTheOperator));
     judge(may, Action::EndProof, gates.mayEndProof());
     judge(may, Action::TakeBus, gates.mayTakeBus());
+}
+
+// The mount's connection adds what it knows of the gains themselves.
+void PermissionReport::judgeGains(Permissions& may) const
+{
+    const Gates gates(m_of);
+    for (const Axis axis : kAxes) {
+        const Result<> standing = gates.mayTune(axis);
+        const Result<> off = gates.mayTuneOff(axis);
+        for (const Action action : {Action::ReadAzimuthGains, Action::SetAzimuthGains, Action::PutAzimuthGainsBack}) {
+            judge(may, actionOf(action, axis), standing);
+        }
+        judge(may, actionOf(Action::SetAzimuthFilter, axis), off);
+        judge(may, actionOf(Action::StoreAzimuthGains, axis), off);
+    }
 }
 
 // Who has the control, and what brings the mount back. The operator may take the control at any time.

@@ -19,6 +19,7 @@ private:
     void judgePlaces(Permissions& may) const;
     void judgeJogs(Permissions& may) const;
     void judgeDrives(Permissions& may) const;
+    void judgeGains(Permissions& may) const;
     void judgeControl(Permissions& may) const;
 
     ControlParts m_of;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/messages/crash_stop.h"
+#include "core/messages/drive_gains.h"
 #include "core/messages/drive_identity.h"
 #include "core/messages/protection_line.h"
 #include "core/messages/turn_question.h"
@@ -55,6 +56,7 @@ struct DriveStatus
     std::vector<ProtectionLine> protections;
     std::optional<TurnQuestion> turnQuestion;  // waits for the operator
     std::optional<CrashStop> crashStop;        // of the last proof
+    DriveGains gains;
 };
 
 struct DrivesStatus

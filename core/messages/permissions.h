@@ -76,6 +76,16 @@ enum class Action
     ChooseElevationTurn,
     TakeBus,
     EndProof,
+    ReadAzimuthGains,  // of the drive of the axis
+    ReadElevationGains,
+    SetAzimuthGains,  // those that the drive takes while it is on
+    SetElevationGains,
+    SetAzimuthFilter,  // those for which it must be off
+    SetElevationFilter,
+    PutAzimuthGainsBack,
+    PutElevationGainsBack,
+    StoreAzimuthGains,
+    StoreElevationGains,
     Count
 };
 

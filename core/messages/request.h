@@ -3,6 +3,7 @@
 
 #include "core/ephemeris/almanac.h"
 #include "core/ephemeris/refraction.h"
+#include "core/messages/drive_gains.h"
 #include "core/profile/profile.h"
 #include "core/units/sky.h"
 
@@ -135,6 +136,24 @@ struct ProveCrashStop  // move each axis at `rate`, really stop feeding its driv
 };
 struct EndProof
 {};
+struct ReadGains
+{
+    Axis axis = Axis::Azimuth;
+};
+struct SetGain  // in force at once, until the drive loses its power; the axis stands
+{
+    Axis axis = Axis::Azimuth;
+    Gain gain = Gain::Stiffness;
+    double value = 0.0;
+};
+struct PutGainsBack  // as they were found first
+{
+    Axis axis = Axis::Azimuth;
+};
+struct StoreGains  // what is in force, for the next power-up; the drives are off
+{
+    Axis axis = Axis::Azimuth;
+};
 
 // Those of the calibration desk; only the operator may ask them. What they find out is in StationStatus::calibration.
 struct FollowBody  // keep the beam on it; Nudge trims. Ends by Hold, or any other motion
@@ -225,7 +244,7 @@ using Request =
                  request::SetReadOnly, request::Disconnect, request::AcknowledgeAlarms, request::AcknowledgeAlarm,
                  request::ApplyProfile, request::Reconnect, request::ReadDrives, request::FixDrives, request::SwitchOff,
                  request::ReleaseBus, request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof,
-                 CalibrationRequest>;
+                 request::ReadGains, request::SetGain, request::PutGainsBack, request::StoreGains, CalibrationRequest>;
 
 // A request of the screen, numbered so that the answer finds the control that sent it.
 struct NumberedRequest

@@ -68,8 +68,25 @@ const AlarmEntry* entryOf(survey::FindingKind kind)
 }  // namespace
 
 DriveCare::DriveCare(const profile::InForce& profile, MoteusMount& mount, AlarmBoard& alarms, EventLog& log)
-    : m_mount(mount), m_alarms(alarms), m_log(log), m_survey(profile, knownBoards(mount.memory()), mount.axes())
+    : m_mount(mount),
+      m_alarms(alarms),
+      m_log(log),
+      m_survey(profile, knownBoards(mount.memory()), mount.axes()),
+      m_gains{survey::AxisGains(Axis::Azimuth, profile->azimuth.id),
+              survey::AxisGains(Axis::Elevation, profile->elevation.id)}
 {}
+
+void DriveCare::take(const CanFrame& frame)
+{
+    m_survey.take(frame);
+    const Result<moteus::Reply> reply = moteus::decodeReply(frame);
+    if (!reply || reply->destination != moteus::kDiagnosticHostId) {
+        return;
+    }
+    for (survey::AxisGains& gains : m_gains) {
+        gains.take(*reply);
+    }
+}
 
 std::vector<CanFrame> DriveCare::tick(SteadyTime now)
 {
@@ -78,10 +95,43 @@ std::vector<CanFrame> DriveCare::tick(SteadyTime now)
         return {};
     }
     auto frames = m_survey.frames(now);
+    tendGains(now, frames);
     tellMount();
     tellFindings();
     tellChanges();
     return frames;
+}
+
+// They share the consoles with the drive check, which goes before.
+void DriveCare::tendGains(SteadyTime now, std::vector<CanFrame>& frames)
+{
+    bool countsAnew = false;
+    for (const Axis axis : m_mount.axes()) {
+        survey::AxisGains& gains = m_gains[index(axis)];
+        const auto& facts = m_survey.facts(axis);
+        if (m_survey.state() != SurveyState::Done || !facts) {
+            gains.interrupt(Text::tr("The drive check came in between. Read the gains again."));
+            continue;
+        }
+        if (!gains.isOf(facts->uuid)) {
+            gains.forget();
+        }
+        if (!m_survey.isAsking(axis)) {
+            if (const auto frame = gains.frame(now)) {
+                frames.push_back(*frame);
+            }
+        }
+        for (const QString& note : gains.takeNotes()) {
+            m_log.add(Severity::Advisory, QStringLiteral("drives"), note);
+        }
+        if (gains.takeCountsAnew()) {
+            m_mount.countsAnew(axis);
+            countsAnew = true;
+        }
+    }
+    if (countsAnew) {
+        m_survey.begin(now);
+    }
 }
 
 // A drive that was silent may be another one, or have lost its power, when it answers again.
@@ -124,9 +174,10 @@ void DriveCare::tellMount()
     for (const Axis axis : m_mount.axes()) {
         if (m_survey.rebootsSeen(axis) != std::exchange(m_rebootsTold[index(axis)], m_survey.rebootsSeen(axis))) {
             m_mount.driveRestarted(axis);
+            m_gains[index(axis)].forget();
         }
         m_mount.learn(axis, m_survey.facts(axis));
-        if (m_mount.needsOrigin(axis)) {
+        if (m_mount.needsOrigin(axis) && !m_gains[index(axis)].isBusy()) {
             m_survey.readOrigin(axis);
         }
     }
@@ -166,6 +217,9 @@ Result<> DriveCare::mayTouch() const
     if (m_survey.state() == SurveyState::Fixing) {
         return failure(ErrorCode::Refused, Text::tr("the drives' settings are being written: wait until that is done"));
     }
+    if (std::ranges::any_of(m_gains, &survey::AxisGains::isBusy)) {
+        return failure(ErrorCode::Busy, Text::tr("The gains are being read or written. Wait until that is done."));
+    }
     return {};
 }
 
@@ -180,16 +234,63 @@ Result<> DriveCare::mayRead() const
 
 Result<> DriveCare::mayFix() const
 {
-    return mayRead().and_then([this] { return m_survey.mayFix(); });
+    return mayRead().and_then([this] { return m_survey.mayFix(); }).and_then([this]() -> Result<> {
+        // Fix stores everything that is in force.
+        return std::ranges::any_of(m_gains, &survey::AxisGains::isOnTrial)
+                   ? failure(ErrorCode::Refused, Text::tr("New gains are on trial, and Fix would store them too. Store "
+                                                          "them or put them back first."))
+                   : Result<>{};
+    });
+}
+
+Result<> DriveCare::mayTune(Axis axis) const
+{
+    return m_mount.mayBeTuned(axis).and_then([this] { return mayTouch(); }).and_then([&]() -> Result<> {
+        return m_survey.state() == SurveyState::Done && m_survey.facts(axis)
+                   ? Result<>{}
+                   : failure(ErrorCode::Refused, Text::tr("The drive check has not read this drive yet."));
+    });
+}
+
+Result<> DriveCare::mayWrite(Axis axis, Gain gain, double value) const
+{
+    return mayTune(axis)
+        .and_then([&] { return gain == Gain::EncoderFilter ? m_mount.mayBeWritten() : Result<>{}; })
+        .and_then([&] { return m_gains[index(axis)].mayWrite(gain, value); });
+}
+
+Result<> DriveCare::mayPutBack(Axis axis) const
+{
+    return mayTune(axis).and_then([&]() -> Result<> {
+        const std::vector<Gain> gains = m_gains[index(axis)].toPutBack();
+        if (gains.empty()) {
+            return failure(ErrorCode::Refused, Text::tr("The gains are as they were found."));
+        }
+        return std::ranges::find(gains, Gain::EncoderFilter) == gains.end() ? Result<>{} : m_mount.mayBeWritten();
+    });
+}
+
+Result<> DriveCare::mayStore(Axis axis) const
+{
+    return mayTune(axis).and_then([&]() -> Result<> {
+        return m_gains[index(axis)].isOnTrial()
+                   ? Result<>{}
+                   : failure(ErrorCode::Refused, Text::tr("No gains are on trial: the drive has stored what it uses."));
+    });
 }
 
 Result<> DriveCare::admits(const Request& request) const
 {
-    return std::visit(Overloaded{[this](const request::ReadDrives&) { return mayRead(); },
-                                 [this](const request::FixDrives&) { return mayFix(); },
-                                 [this](const request::ReleaseBus&) { return mayTouch(); },
-                                 [](const auto&) -> Result<> { return {}; }},
-                      request);
+    return std::visit(
+        Overloaded{[this](const request::ReadDrives&) { return mayRead(); },
+                   [this](const request::FixDrives&) { return mayFix(); },
+                   [this](const request::ReleaseBus&) { return mayTouch(); },
+                   [this](const request::ReadGains& wanted) { return mayTune(wanted.axis); },
+                   [this](const request::SetGain& wanted) { return mayWrite(wanted.axis, wanted.gain, wanted.value); },
+                   [this](const request::PutGainsBack& wanted) { return mayPutBack(wanted.axis); },
+                   [this](const request::StoreGains& wanted) { return mayStore(wanted.axis); },
+                   [](const auto&) -> Result<> { return {}; }},
+        request);
 }
 
 Result<> DriveCare::carryOut(const Request& request, SteadyTime now)
@@ -199,6 +300,22 @@ Result<> DriveCare::carryOut(const Request& request, SteadyTime now)
                                               return {};
                                           },
                                           [&](const request::FixDrives&) { return m_survey.fix(now); },
+                                          [this](const request::ReadGains& wanted) -> Result<> {
+                                              m_gains[index(wanted.axis)].read(m_survey.facts(wanted.axis)->uuid);
+                                              return {};
+                                          },
+                                          [this](const request::SetGain& wanted) -> Result<> {
+                                              m_gains[index(wanted.axis)].write(wanted.gain, wanted.value);
+                                              return {};
+                                          },
+                                          [this](const request::PutGainsBack& wanted) -> Result<> {
+                                              m_gains[index(wanted.axis)].putBack();
+                                              return {};
+                                          },
+                                          [this](const request::StoreGains& wanted) -> Result<> {
+                                              m_gains[index(wanted.axis)].store();
+                                              return {};
+                                          },
                                           [](const auto&) -> Result<> { return {}; }},
                                request);
     tellMount();  // at once: a client's command may come before the next tick
@@ -213,6 +330,25 @@ void DriveCare::judge(Permissions& may) const
     add(Action::ReadDrives, mayRead());
     add(Action::FixDrives, mayFix());
     add(Action::ReleaseBus, mayTouch());
+    judgeGains(may);
+}
+
+void DriveCare::judgeGains(Permissions& may) const
+{
+    for (const Axis axis : m_mount.axes()) {
+        const auto add = [&](Action action, const Result<>& answer) {
+            may.refuse(actionOf(action, axis), answer ? QString() : answer.error().text);
+        };
+        const Result<> read = mayTune(axis).and_then([&]() -> Result<> {
+            return m_gains[index(axis)].isRead() ? Result<>{}
+                                                 : failure(ErrorCode::Refused, Text::tr("Read the gains first."));
+        });
+        add(Action::ReadAzimuthGains, mayTune(axis));
+        add(Action::SetAzimuthGains, read);
+        add(Action::SetAzimuthFilter, read);
+        add(Action::PutAzimuthGainsBack, mayPutBack(axis));
+        add(Action::StoreAzimuthGains, mayStore(axis));
+    }
 }
 
 void DriveCare::fill(DrivesStatus& drives) const
@@ -233,6 +369,7 @@ void DriveCare::fill(Axis axis, DriveStatus& drive) const
     }
     const auto lines = m_survey.protections(axis);
     drive.protections.assign(lines.begin(), lines.end());
+    drive.gains = m_gains[index(axis)].status();
 }
 
 }  // namespace boresight

@@ -8,6 +8,7 @@
 #include "core/messages/request.h"
 #include "core/moteus_mount/moteus_mount.h"
 #include "core/profile/in_force.h"
+#include "core/survey/axis_gains.h"
 #include "core/survey/drive_survey.h"
 
 #include <vector>
@@ -22,7 +23,7 @@ class DriveCare
 public:
     DriveCare(const profile::InForce& profile, MoteusMount& mount, AlarmBoard& alarms, EventLog& log);
 
-    void take(const CanFrame& frame) { m_survey.take(frame); }
+    void take(const CanFrame& frame);
     void profileChanged(const profile::Profile& before, const profile::Profile& after)
     {
         m_survey.profileChanged(before, after);
@@ -43,6 +44,12 @@ private:
     [[nodiscard]] Result<> mayTouch() const;  // nothing is being written
     [[nodiscard]] Result<> mayRead() const;
     [[nodiscard]] Result<> mayFix() const;
+    [[nodiscard]] Result<> mayTune(Axis axis) const;  // the console of its drive is free
+    [[nodiscard]] Result<> mayWrite(Axis axis, Gain gain, double value) const;
+    [[nodiscard]] Result<> mayPutBack(Axis axis) const;
+    [[nodiscard]] Result<> mayStore(Axis axis) const;
+    void judgeGains(Permissions& may) const;
+    void tendGains(SteadyTime now, std::vector<CanFrame>& frames);
     void watchConnection(SteadyTime now);
     void watchSilence(SteadyTime now);
     void tellMount();
@@ -54,6 +61,7 @@ private:
     AlarmBoard& m_alarms;
     EventLog& m_log;
     survey::DriveSurvey m_survey;
+    std::array<survey::AxisGains, 2> m_gains;
     std::array<int, 2> m_rebootsTold{};
     std::array<bool, 2> m_answering{};
     std::optional<SteadyTime> m_silentSince;  // of all drives, on a bus that is ours

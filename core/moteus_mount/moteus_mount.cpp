@@ -82,6 +82,14 @@ void MoteusMount::driveRestarted(Axis axis)
     m_restarted = true;
 }
 
+void MoteusMount::countsAnew(Axis axis)
+{
+    m_log.add(Severity::Warning, name(axis),
+              Text::tr("counts anew with the other encoder filter, so its cable wrap is judged again"));
+    m_turnWatch.forget(axis);
+    m_restarted = true;
+}
+
 Capabilities MoteusMount::capabilities() const
 {
     Capabilities can{.axes = {}};
@@ -335,7 +343,8 @@ void MoteusMount::rearmed()
     }
 }
 
-// Whatever is written while a drive is active ends in its fault 41, and the axis falls.
+// Some settings end in fault 41 when they are written while the drive is active, and the axis falls. Storing any holds
+// the drive up.
 Result<> MoteusMount::mayBeWritten() const
 {
     for (const Axis axis : axes()) {
@@ -346,6 +355,11 @@ Result<> MoteusMount::mayBeWritten() const
         }
     }
     return {};
+}
+
+Result<> MoteusMount::mayBeTuned(Axis axis) const
+{
+    return has(axis) ? available() : failure(ErrorCode::NotAvailable, Text::tr("No moteus turns this axis."));
 }
 
 Result<> MoteusMount::maySwitchOff(Axis axis) const

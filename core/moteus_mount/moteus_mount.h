@@ -54,6 +54,7 @@ public:
     void learn(Axis axis, const std::optional<survey::DriveFacts>& facts) { m_turnWatch.learn(axis, facts); }
     [[nodiscard]] bool needsOrigin(Axis axis) const { return m_turnWatch.needsOrigin(axis); }
     void driveRestarted(Axis axis);  // it was power-cycled under our eyes
+    void countsAnew(Axis axis);      // its encoder, after a change of its settings
 
     // The journal.
     [[nodiscard]] const memory::MountMemory& memory() const { return m_turns.memory(); }
@@ -85,6 +86,7 @@ public:
 
     void describe(DrivesStatus& status) const override;
     [[nodiscard]] Result<> mayBeWritten() const override;
+    [[nodiscard]] Result<> mayBeTuned(Axis axis) const override;
     [[nodiscard]] Result<> maySwitchOff(Axis axis) const override;
     [[nodiscard]] QString switchOff(std::optional<Axis> only) override;
     [[nodiscard]] QString leaveBus() override;

@@ -22,6 +22,8 @@ public:
     virtual void describe(DrivesStatus& status) const = 0;
     // Settings of the drives can be written now; else the reason.
     [[nodiscard]] virtual Result<> mayBeWritten() const = 0;
+    // The gains of this axis can be read and changed while it stands; else the reason.
+    [[nodiscard]] virtual Result<> mayBeTuned(Axis axis) const = 0;
     // Lets its axes go, or one of them, which must be on. Returns what the log says of it.
     [[nodiscard]] virtual Result<> maySwitchOff(Axis axis) const = 0;
     [[nodiscard]] virtual QString switchOff(std::optional<Axis> only) = 0;

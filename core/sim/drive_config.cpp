@@ -112,6 +112,7 @@ void visitFields(DriveConfig& config, const ConfigVisitor& visit)
     visit("motor.phase_invert", &config.motor.phaseInvert);
     visit("motor.resistance_ohm", &config.motor.resistance);
     visit("motor.Kv", &config.motor.kv);
+    visit("motor_position.sources.0.pll_filter_hz", &config.motorPosition.pllFilter);
     visit("motor_position.rotor_to_output_ratio", &config.motorPosition.rotorToOutputRatio);
     visit("motor_position.output.source", &config.motorPosition.outputSource);
     visit("motor_position.output.offset", &config.motorPosition.outputOffset);

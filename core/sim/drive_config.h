@@ -69,6 +69,7 @@ struct MotorPositionConfig
     int outputSource = 0;
     double outputOffset = 0.0;
     int outputSign = 1;
+    double pllFilter = 400.0;  // Hz, of the measured velocity
     int referenceSource = -1;  // 1: an absolute encoder on the output, known after power-up
 };
 

@@ -61,6 +61,8 @@ public:
     [[nodiscard]] SurveyState state() const { return m_retrying ? SurveyState::NotDone : m_state; }
     // Runs, or will again by itself.
     [[nodiscard]] bool isUnderWay() const { return m_state != SurveyState::NotDone || m_retryAt; }
+    // The console of this drive is in use.
+    [[nodiscard]] bool isAsking(Axis axis) const { return side(axis).drive.isBusy(); }
     [[nodiscard]] QString progress() const;  // what it does, or why it is not done; may be empty
     [[nodiscard]] const std::optional<DriveFacts>& facts(Axis axis) const { return side(axis).facts; }
     [[nodiscard]] std::span<const ProtectionLine> protections(Axis axis) const { return side(axis).drive.lines(); }
