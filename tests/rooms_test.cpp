@@ -101,7 +101,8 @@ Rooms joined(Rooms one, const Rooms& other)
 
 const Rooms kSeenByTheWindow{"core/base",    "core/units",  "core/pointing",
                              "core/profile", "core/alarms", "core/messages"};
-const Rooms kAboveTheDriver{"core/control", "core/sources", "core/motion", "core/mount", "core/north", "core/witness"};
+const Rooms kAboveTheDriver{"core/control", "core/sources", "core/motion", "core/mount",
+                            "core/north",   "core/tuning",  "core/witness"};
 const Rooms kBelowPanels{"ui/kit", "ui/look", "ui/link", "ui/hold", "ui/sky"};
 
 TEST(Rooms, NoTwoKnowEachOther)
@@ -180,7 +181,7 @@ TEST(Rooms, OnlyTheirDriverKnowsTheCheckAndTheJournal)
 TEST(Rooms, MessagesAreMadeOfValues)
 {
     EXPECT_THAT(wrong({"core/messages"}, {"core/base", "core/units", "core/pointing", "core/profile",
-                                          "core/calibration", "core/ephemeris", "core/orientation"}),
+                                          "core/calibration", "core/ephemeris", "core/orientation", "core/response"}),
                 IsEmpty());
 }
 

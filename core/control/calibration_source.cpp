@@ -14,4 +14,12 @@ const Source& calibrationSource()
     return kSource;
 }
 
+const Source& tuningSource()
+{
+    static const Source kSource{.kind = SourceKind::Operator,
+                                .clientId = std::numeric_limits<std::uint64_t>::max() - 1,
+                                .name = QStringLiteral("operator")};
+    return kSource;
+}
+
 }  // namespace boresight

@@ -8,5 +8,7 @@
 namespace boresight {
 
 [[nodiscard]] const Source& calibrationSource();
+// The same for the runs by which the axes are tuned.
+[[nodiscard]] const Source& tuningSource();
 
 }  // namespace boresight

@@ -5,7 +5,9 @@ namespace boresight {
 
 bool CurrentMotion::continues(Activity activity, const Source& source) const
 {
-    return is(activity) && isFor(source) && (activity == Activity::Streaming || activity == Activity::Jogging);
+    const bool repeated =
+        activity == Activity::Streaming || activity == Activity::Jogging || activity == Activity::Trying;
+    return repeated && is(activity) && isFor(source);
 }
 
 void CurrentMotion::begin(Activity activity, const Source& source, const QString& text)

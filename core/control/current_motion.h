@@ -22,6 +22,7 @@ enum class Activity
     Streaming,
     Jogging,
     Running,
+    Trying,  // a tuning run at its rates
     Proving
 };
 
@@ -40,7 +41,10 @@ public:
     [[nodiscard]] bool is(Activity activity) const { return m_activity == activity; }
     [[nodiscard]] bool moves() const { return !is(Activity::None) && !is(Activity::Holding); }
     [[nodiscard]] bool goesToAPlace() const { return is(Activity::Pointing) || is(Activity::Parking); }
-    [[nodiscard]] bool runsFreely() const { return is(Activity::Jogging) || is(Activity::Running); }
+    [[nodiscard]] bool runsFreely() const
+    {
+        return is(Activity::Jogging) || is(Activity::Running) || is(Activity::Trying);
+    }
     [[nodiscard]] bool isFor(const Source& source) const { return m_commander == source; }
     [[nodiscard]] bool isForClient(std::uint64_t clientId) const;
     [[nodiscard]] const Source& commander() const { return m_commander; }

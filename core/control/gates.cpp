@@ -3,6 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/control/calibration_source.h"
 #include "core/control/status_report.h"
 #include "core/mount/mount_service.h"
 #include "core/units/degrees_text.h"
@@ -304,6 +305,11 @@ Result<> Gates::mayTune(Axis axis) const
         .and_then([&] { return hasAxis(axis); })
         .and_then([&] { return m_of.mount.service()->mayBeTuned(axis); })
         .and_then([this] { return drivesAnswer(); })
+        .and_then([this]() -> Result<> {
+            return m_of.current.moves() && m_of.current.isFor(tuningSource())
+                       ? failure(ErrorCode::Refused, Text::tr("A tuning run is going on. End it first."))
+                       : Result<>{};
+        })
         .and_then([this] { return drivesRest(); })
         .and_then([this] { return axesStand(); });
 }

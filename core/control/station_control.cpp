@@ -236,6 +236,12 @@ Result<> StationControl::handle(const CalibrationRequest&, const Source& source)
     return operatorOnly(source);
 }
 
+// So does the tuning desk.
+Result<> StationControl::handle(const TuningRequest&, const Source& source)
+{
+    return operatorOnly(source);
+}
+
 void StationControl::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
     if (before.mount.directions != after.mount.directions) {

@@ -90,6 +90,7 @@ StationState StatusReport::state() const
         case Activity::Jogging:
         case Activity::Running:
             return StationState::Jog;
+        case Activity::Trying:
         case Activity::Proving:
             return StationState::Calibrate;
     }

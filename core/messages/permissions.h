@@ -86,6 +86,9 @@ enum class Action
     PutElevationGainsBack,
     StoreAzimuthGains,
     StoreElevationGains,
+    TuneAzimuth,  // a tuning run of this axis; why one kind has not the room stands in its plan
+    TuneElevation,
+    EndTuning,
     Count
 };
 

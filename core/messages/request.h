@@ -4,6 +4,7 @@
 #include "core/ephemeris/almanac.h"
 #include "core/ephemeris/refraction.h"
 #include "core/messages/drive_gains.h"
+#include "core/messages/tuning_status.h"
 #include "core/profile/profile.h"
 #include "core/units/sky.h"
 
@@ -80,6 +81,10 @@ struct Home  // azimuth 0°, elevation at its lower limit or 0°
 {};
 struct Unwind  // the same direction, on the turn where the azimuth cable is wound least
 {};
+struct Trial  // of a tuning run: dead-man like Jog, repeated in every tick; zero rates rest
+{
+    AxisRates rates;
+};
 struct Rearm  // clears a drive fault or time-out; the mount then stands in STANDBY
 {};
 struct TakeAuthority  // clients' motion is refused until GiveAuthority
@@ -154,6 +159,15 @@ struct StoreGains  // what is in force, for the next power-up; the drives are of
 {
     Axis axis = Axis::Azimuth;
 };
+
+// Those of the tuning desk; only the operator may ask them. What they find out is in StationStatus::tuning.
+struct StartTuning
+{
+    Axis axis = Axis::Azimuth;
+    TuningRun run = TuningRun::Step;
+};
+struct EndTuning  // the run ends without a result, the mount holds
+{};
 
 // Those of the calibration desk; only the operator may ask them. What they find out is in StationStatus::calibration.
 struct FollowBody  // keep the beam on it; Nudge trims. Ends by Hold, or any other motion
@@ -236,6 +250,8 @@ using CalibrationRequest =
                  request::ImportTerms, request::EndCalibration, request::ApplyCalibration, request::DiscardCalibration,
                  request::UndoCalibration, request::RedoCalibration>;
 
+using TuningRequest = std::variant<request::StartTuning, request::EndTuning>;
+
 using Request =
     std::variant<request::PointSky, request::PointAxes, request::PointAxis, request::JudgeDirection, request::Jog,
                  request::Move, request::Step, request::Follow, request::Nudge, request::ClearTrim, request::Horizon,
@@ -244,7 +260,8 @@ using Request =
                  request::SetReadOnly, request::Disconnect, request::AcknowledgeAlarms, request::AcknowledgeAlarm,
                  request::ApplyProfile, request::Reconnect, request::ReadDrives, request::FixDrives, request::SwitchOff,
                  request::ReleaseBus, request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof,
-                 request::ReadGains, request::SetGain, request::PutGainsBack, request::StoreGains, CalibrationRequest>;
+                 request::ReadGains, request::SetGain, request::PutGainsBack, request::StoreGains, request::Trial,
+                 TuningRequest, CalibrationRequest>;
 
 // A request of the screen, numbered so that the answer finds the control that sent it.
 struct NumberedRequest

@@ -11,6 +11,7 @@
 #include "core/messages/permissions.h"
 #include "core/messages/power_status.h"
 #include "core/messages/sensor_status.h"
+#include "core/messages/tuning_status.h"
 #include "core/profile/profile.h"
 #include "core/units/sky.h"
 
@@ -251,6 +252,8 @@ struct StationStatus
     std::vector<std::string> waitingKeys;        // applied, and in force after Reconnect
     // What the calibration desk does and has found; never null.
     std::shared_ptr<const CalibrationStatus> calibration = std::make_shared<const CalibrationStatus>();
+    // What the tuning desk does and has measured; never null.
+    std::shared_ptr<const TuningStatus> tuning = std::make_shared<const TuningStatus>();
 };
 
 // What an axis did in one tick, for the charts. Unknown is empty.

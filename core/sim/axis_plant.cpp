@@ -37,14 +37,26 @@ void AxisPlant::place(double position)
     m_velocity = 0.0;
 }
 
+// Without a share everything is in front of the gap, as if it were felt all the time. A load that is pushed lies on a
+// flank, and goes with the gear both ways.
+bool AxisPlant::carriesLoad(double direction, double loadTorque) const
+{
+    const double half = 0.5 * m_settings.backlash;
+    return m_settings.loadShare == 0.0 || half == 0.0 || std::abs(loadTorque) > 0.25 * m_settings.staticFriction ||
+           (direction < 0.0 ? m_lag >= half : m_lag <= -half);
+}
+
 double AxisPlant::nextVelocity(double dt, const PlantLoads& loads, double loadTorque) const
 {
-    const double perInertia = dt / (m_settings.inertia * kRadiansPerTurn);  // Nm -> change of turns/s
-    const double damping = (m_settings.viscousFriction + loads.brakeDamping) * kRadiansPerTurn;
+    const double direction = m_velocity != 0.0 ? m_velocity : loads.driveTorque + loadTorque;
+    const double felt = carriesLoad(direction, loadTorque) ? 1.0 : 1.0 - m_settings.loadShare;
+    const double perInertia = dt / (felt * m_settings.inertia * kRadiansPerTurn);  // Nm -> change of turns/s
+    const double damping = (felt * m_settings.viscousFriction + loads.brakeDamping) * kRadiansPerTurn;
     const double pushed = (m_velocity + (loads.driveTorque + loadTorque) * perInertia) / (1.0 + damping * perInertia);
-    const double friction = m_velocity == 0.0 ? m_settings.staticFriction : m_settings.coulombFriction;
+    const double friction = felt * (m_velocity == 0.0 ? m_settings.staticFriction : m_settings.coulombFriction);
     const double stopped = friction * perInertia;
-    return std::abs(pushed) <= stopped ? 0.0 : pushed - std::copysign(m_settings.coulombFriction * perInertia, pushed);
+    return std::abs(pushed) <= stopped ? 0.0
+                                       : pushed - std::copysign(felt * m_settings.coulombFriction * perInertia, pushed);
 }
 
 void AxisPlant::move(double to)
@@ -64,11 +76,15 @@ void AxisPlant::move(double to)
 void AxisPlant::followLoad(double dt, double moved, double loadTorque)
 {
     const double half = 0.5 * m_settings.backlash;
+    const bool carried = carriesLoad(moved, loadTorque);
     m_lag -= moved;
     if (std::abs(loadTorque) > 0.25 * m_settings.staticFriction) {
         m_lag += moved + std::copysign(m_settings.backlash * std::min(dt / kBacklashCrossing, 1.0), loadTorque);
     }
     m_lag = std::clamp(m_lag, -half, half);
+    if (!carried && carriesLoad(moved, loadTorque)) {
+        m_velocity *= 1.0 - m_settings.loadShare;  // the load is met, and shares what the motor brings along
+    }
 }
 
 }  // namespace boresight::sim

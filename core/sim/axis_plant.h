@@ -19,6 +19,7 @@ struct PlantSettings
     double gravityTorque = 0.0;    // Nm towards positive turns when the antenna is level
     double levelAt = 0.0;          // turns where it is level
     double backlash = 0.0;         // turns, whole gap between gearbox and load
+    double loadShare = 0.0;        // of inertia and friction that the motor does not feel inside the gap
     double stopMin = -std::numeric_limits<double>::infinity();  // hard end stops
     double stopMax = std::numeric_limits<double>::infinity();
 };
@@ -50,6 +51,7 @@ public:
     [[nodiscard]] double loadPosition() const { return m_position + m_lag; }
 
 private:
+    [[nodiscard]] bool carriesLoad(double direction, double loadTorque) const;
     [[nodiscard]] double nextVelocity(double dt, const PlantLoads& loads, double loadTorque) const;
     void move(double to);
     void followLoad(double dt, double moved, double loadTorque);

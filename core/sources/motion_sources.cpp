@@ -9,6 +9,7 @@
 #include "core/sources/known_places.h"
 #include "core/sources/park.h"
 #include "core/sources/step.h"
+#include "core/sources/trial_run.h"
 
 namespace boresight {
 namespace {
@@ -44,7 +45,8 @@ MotionSources motionSources(Helm& helm)
                   sources::Jog,           //
                   sources::ClientMove,    //
                   sources::ClientStream,  //
-                  sources::BodyStream     //
+                  sources::BodyStream,    //
+                  sources::TrialRun       //
                   >(helm);
 }
 

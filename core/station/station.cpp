@@ -69,6 +69,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_power(m_profile, clock, m_log, this),
       m_calibrationFile(calibrationPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_calibration(m_control, m_profile, m_calibrationFile, clock, m_log),
+      m_tuning(m_control, clock, m_log),
       m_eventFile(stateDir, m_log, clock, this),
       m_tickTimer(this),
       m_updateTimer(this),
@@ -214,6 +215,7 @@ void Station::tick()
     keepSample();
     m_calibration.show(m_power.tick());
     m_calibration.tick();
+    m_tuning.tick();
     m_control.tick();
     witness();
     m_mount->send();
@@ -342,10 +344,20 @@ Result<> Station::carryOut(const Request& request)
     if (const auto* const wanted = std::get_if<CalibrationRequest>(&request)) {
         return m_calibration.carryOut(*wanted).map([this] { applyCalibration(); });
     }
+    if (const auto* const wanted = std::get_if<TuningRequest>(&request)) {
+        return m_tuning.carryOut(*wanted, drives(), m_calibration.moves());
+    }
     if (const auto* const wanted = std::get_if<request::Reconnect>(&request)) {
         return mayConnect(wanted->profile).map([&] { reconnect(wanted->profile); });
     }
     return m_mount->carryOut(request);
+}
+
+std::optional<DrivesStatus> Station::drives() const
+{
+    StationStatus status = m_control.status();
+    m_mount->describe(status);
+    return status.drives;
 }
 
 // What speaks against a profile in place of the one in force, because of the mount that is connected.
@@ -462,6 +474,7 @@ StationStatus Station::status() const
     status.sensor = m_sensor.status();
     m_calibration.fill(status);
     judgeCalibration(status);
+    m_tuning.fill(status, m_calibration.moves());
     return status;
 }
 

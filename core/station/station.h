@@ -20,6 +20,7 @@
 #include "core/station/station_sensor.h"
 #include "core/station/station_shell.h"
 #include "core/station/tick_lateness.h"
+#include "core/tuning/tuning_desk.h"
 
 #include <QObject>
 #include <QTimer>
@@ -107,6 +108,7 @@ private:
     void hurry(const Request& request);
     [[nodiscard]] std::optional<DirectionVerdict> verdictOn(const Request& request) const;
     [[nodiscard]] Result<> carryOut(const Request& request);
+    [[nodiscard]] std::optional<DrivesStatus> drives() const;
     void openServer();
     void refuseToStart();
     void tellOpenPort();
@@ -130,6 +132,7 @@ private:
     StationPower m_power;
     CalibrationFile m_calibrationFile;
     CalibrationDesk m_calibration;
+    TuningDesk m_tuning;
     EventFile m_eventFile;
     QTimer m_tickTimer;
     QTimer m_updateTimer;

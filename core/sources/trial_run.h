@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/control/motion_source.h"
+
+// A tuning run moves an axis at rates that it gives anew in every tick. The motion ends when it gives none any more.
+// Station thread only.
+namespace boresight::sources {
+
+class TrialRun : public SourceOf<TrialRun, request::Trial>
+{
+public:
+    using SourceOf::SourceOf;
+
+    Result<> ask(const request::Trial& wanted, const Source& by);
+    void step(SteadyTime now) override;
+
+protected:
+    [[nodiscard]] bool serves(const Source& by) const override { return by.kind == SourceKind::Operator; }
+
+private:
+    SteadyTime m_deadline{};
+};
+
+}  // namespace boresight::sources

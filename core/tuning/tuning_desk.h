@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/event_log.h"
+#include "core/control/station_control.h"
+#include "core/messages/request.h"
+#include "core/messages/tuning_status.h"
+#include "core/tuning/tuning_run_state.h"
+
+#include <memory>
+#include <optional>
+
+// Where the axes are tuned: moves one axis through a small run, measures how it answers, and keeps the figures before
+// and after a change. It stands beside StationControl and moves the mount only by asking it, so limits, STOP, faults
+// and authority hold for it like for everybody, and whatever else is asked of the mount ends a run at once. Each run
+// begins by a request of its own. Station thread.
+namespace boresight {
+
+class TuningDesk
+{
+public:
+    // All of them outlive the desk.
+    TuningDesk(StationControl& control, const Clock& clock, EventLog& log);
+
+    // What StationControl has admitted: done, or the reason why not. `drives`: as they are now. `calibrates`: a
+    // calibration moves the mount.
+    Result<> carryOut(const TuningRequest& request, const std::optional<DrivesStatus>& drives, bool calibrates);
+    // Once per tick, before StationControl's.
+    void tick();
+
+    [[nodiscard]] bool runs() const { return m_run.has_value(); }
+    // Its part of the station's, permissions included.
+    void fill(StationStatus& status, bool calibrates) const;
+
+private:
+    [[nodiscard]] Result<> mayStart(Axis axis, bool calibrates) const;
+    [[nodiscard]] TuningWay way(TuningRun run, Axis axis) const;
+    Result<> start(const request::StartTuning& wanted, const std::optional<DrivesStatus>& drives, bool calibrates);
+    void move(const TickSample& sample);
+    [[nodiscard]] QString ending() const;
+    void finish();
+    void end(const QString& outcome, bool failed);
+    void hold();
+    void keep(TuningResult result);
+    void renew();
+
+    StationControl& m_control;
+    const Clock& m_clock;
+    EventLog& m_log;
+    std::optional<TuningRunState> m_run;
+    bool m_begun = false;                        // the control has taken its first motion
+    std::vector<std::optional<double>> m_gains;  // of the axis of the run
+    bool m_asFound = true;
+    TuningStatus m_status;  // the plans and results
+    std::shared_ptr<const TuningStatus> m_shown;
+    SteadyTime m_renewed{};
+};
+
+}  // namespace boresight

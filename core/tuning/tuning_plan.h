@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/pointing/permitted_region.h"
+#include "core/tuning/tuning_legs.h"
+
+// Where a tuning run would move an axis from here, and whether there is the room. Pure.
+namespace boresight {
+
+struct TuningWay
+{
+    TuningPlan plan;
+    double way = 1.0;  // to the side with more room
+    std::vector<TuningLeg> legs;
+};
+
+[[nodiscard]] TuningWay planTuning(TuningRun run, Axis axis, const AxisPosition& here,
+                                   const pointing::PermittedRegion& region, const tracking::MotionLimits& limits);
+
+}  // namespace boresight

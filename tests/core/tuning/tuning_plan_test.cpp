@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tuning/tuning_plan.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+using ::testing::HasSubstr;
+
+const tracking::MotionLimits kLimits{
+    .speed = 10_deg_s, .acceleration = 10_deg_s2, .jerk = AngularJerk::fromDegrees(100.0)};
+
+pointing::PermittedRegion region()
+{
+    pointing::Region limits;
+    limits.azimuth = {.min = -90_deg, .max = 450_deg};
+    limits.elevation = {.min = 0_deg, .max = 90_deg};
+    return pointing::PermittedRegion(limits, limits.azimuth, limits.elevation);
+}
+
+TuningWay planned(TuningRun run, Axis axis, Angle azimuth, Angle elevation)
+{
+    return planTuning(run, axis, {.azimuth = azimuth, .elevation = elevation}, region(), kLimits);
+}
+
+// REQ-TUNING-11: A run asks for its room before it moves, goes to the side with more of it, and is refused with the
+// reason where there is none.
+TEST(TuningPlan, GoesToTheSideWithMoreRoom)
+{
+    const TuningWay low = planned(TuningRun::Step, Axis::Elevation, 0_deg, 10_deg);
+    EXPECT_TRUE(low.plan.obstacle.isEmpty()) << low.plan.obstacle.toStdString();
+    EXPECT_NEAR(low.plan.to.degrees(), 12.0, 1e-9);
+    EXPECT_THAT(low.plan.text.toStdString(), HasSubstr("Moves the elevation by 2.00° from 10.0°"));
+    const TuningWay high = planned(TuningRun::Ramp, Axis::Elevation, 0_deg, 89_deg);
+    EXPECT_TRUE(high.plan.obstacle.isEmpty());
+    EXPECT_NEAR(high.plan.to.degrees(), 87.0, 1e-9);
+}
+
+// REQ-TUNING-11
+TEST(TuningPlan, IsRefusedWithoutTheRoom)
+{
+    const TuningWay swing = planned(TuningRun::Sweep, Axis::Elevation, 0_deg, 0.3_deg);
+    EXPECT_THAT(swing.plan.obstacle.toStdString(), HasSubstr("needs 0.75° of free way on both sides of the elevation, "
+                                                             "and there is only 0.30°"));
+    EXPECT_TRUE(planned(TuningRun::Step, Axis::Elevation, 0_deg, 0.3_deg).plan.obstacle.isEmpty());
+    EXPECT_THAT(planned(TuningRun::Step, Axis::Azimuth, 0_deg, -5_deg).plan.obstacle.toStdString(),
+                HasSubstr("forbidden"));
+}
+
+// REQ-TUNING-12: The set-points of a run stay within its room and within the limits of motion.
+TEST(TuningPlan, RatesStayWithinRoomAndLimits)
+{
+    for (const TuningRun run : kTuningRuns) {
+        const TuningWay found = planned(run, Axis::Azimuth, 100_deg, 30_deg);
+        const TuningRoom room = roomFor(run);
+        Angle place;
+        for (const TuningLeg& leg : found.legs) {
+            if (leg.place) {
+                EXPECT_LE(abs(*leg.place - 100_deg), room.way);
+                continue;
+            }
+            AngularRate before = leg.rate(Seconds(0.0), place);
+            constexpr Seconds kTick{0.02};
+            for (Seconds time = kTick; time < leg.time; time += kTick) {
+                const AngularRate rate = leg.rate(time, place);
+                place += rate * kTick;
+                EXPECT_LE(abs(rate), kLimits.speed);
+                EXPECT_LE(std::abs((rate - before).degrees()) / 0.02, 10.0);
+                EXPECT_LE(abs(place), room.way) << static_cast<int>(run);
+                before = rate;
+            }
+        }
+        EXPECT_FALSE(found.legs.empty());
+        EXPECT_EQ(found.legs.front().place, std::optional(100_deg));
+        EXPECT_EQ(found.legs.back().place, std::optional(100_deg)) << "ends where it began";
+    }
+}
+
+}  // namespace
+}  // namespace boresight
