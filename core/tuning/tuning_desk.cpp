@@ -13,7 +13,8 @@ namespace boresight {
 namespace {
 
 const QString kTuningLog = QStringLiteral("tuning");
-constexpr Seconds kRenewal{0.2};
+constexpr Seconds kRenewal{1.0};
+constexpr Seconds kRenewalInRun{0.2};
 
 QString titleOf(TuningRun run, Axis axis)
 {
@@ -141,7 +142,7 @@ void TuningDesk::tick()
             move(*sample);
         }
     }
-    if (m_clock.now() - m_renewed >= kRenewal) {
+    if (m_clock.now() - m_renewed >= (m_run ? kRenewalInRun : kRenewal)) {
         renew();
     }
 }

@@ -18,6 +18,9 @@ constexpr Angle kSmallError = Angle::fromDegrees(0.05);
 constexpr double kResonance = 1.3;
 constexpr double kFollows = 0.7;
 
+// For the curves: more than this is not seen, and the screen gets it again and again.
+constexpr std::size_t kMostSamples = 1200;
+
 using Parts = std::vector<std::vector<response::Sample>>;
 
 QString percent(double part)
@@ -37,6 +40,16 @@ std::optional<response::TorqueFigures> worse(const std::optional<response::Torqu
 response::ErrorFigures worse(const response::ErrorFigures& one, const response::ErrorFigures& other)
 {
     return {.rms = std::max(one.rms, other.rms), .peak = std::max(one.peak, other.peak)};
+}
+
+std::vector<response::Sample> thinned(const std::vector<response::Sample>& samples)
+{
+    const std::size_t every = samples.size() / kMostSamples + 1;
+    std::vector<response::Sample> kept;
+    for (std::size_t i = 0; i < samples.size(); i += every) {
+        kept.push_back(samples[i]);
+    }
+    return kept;
 }
 
 Result<response::StepFigures> stepOf(const Parts& parts)
@@ -164,7 +177,7 @@ void judgeBacklash(TuningResult& result, const response::BacklashFigures& found)
 
 Result<TuningResult> resultOf(const TuningRunState& run)
 {
-    TuningResult result{.axis = run.axis(), .run = run.run(), .good = true, .samples = run.all()};
+    TuningResult result{.axis = run.axis(), .run = run.run(), .good = true, .samples = thinned(run.all())};
     const auto keep = [&result](auto& place, const auto& figures, auto judge) -> Result<TuningResult> {
         return figures.map([&](const auto& found) {
             place = found;

@@ -15,6 +15,7 @@
 #include "ui/look/glyph.h"
 #include "ui/north/calibration_panel.h"
 #include "ui/profile/profile_page.h"
+#include "ui/tuning/tuning_panel.h"
 
 #include <QEvent>
 #include <QShortcut>
@@ -35,6 +36,7 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
       m_drives(new DrivesPanel(desk, this)),
       m_readings(new ReadingsTable(this)),
       m_protection(new ProtectionPanel(desk, this)),
+      m_tuning(new TuningPanel(desk, this)),
       m_profile(new ProfilePage(draft, desk, settings.configDir, this)),
       m_north(new CalibrationPanel(clock, desk, draft, this)),
       m_turn(new TurnPage(desk, this))
@@ -87,6 +89,7 @@ QTabWidget* PanelTabs::makeMountTabs()
     addPanel(*tabs, *m_drives, tr("Drives"), tr("Drives, bus and crash-stop proof (Ctrl+6)"), Qt::Key_6);
     tabs->setTabToolTip(tabs->addTab(m_readings, tr("Readings")), tr("What the drives report now"));
     addPanel(*tabs, *m_protection, tr("Protection"), tr("The drives' own protections (Ctrl+7)"), Qt::Key_7);
+    tabs->setTabToolTip(tabs->addTab(m_tuning, tr("Tuning")), tr("How well the axes are controlled, and the gains"));
     addPanel(*tabs, *m_profile, tr("Profile"), tr("All settings, and the mounts that are kept (Ctrl+8)"), Qt::Key_8);
     return tabs;
 }
@@ -211,6 +214,7 @@ void PanelTabs::showStatus(const StationStatus& status)
     m_drives->showStatus(status);
     m_readings->showStatus(status);
     m_protection->showStatus(status);
+    m_tuning->showStatus(status);
     m_profile->showStatus(status);
     m_north->showStatus(status);
     m_turn->showStatus(status);
@@ -221,7 +225,7 @@ void PanelTabs::showStatus(const StationStatus& status)
 // A mount without such drives has nothing to be shown there.
 void PanelTabs::showMountTabs(const StationStatus& status)
 {
-    for (QWidget* const panel : std::initializer_list<QWidget*>{m_drives, m_readings, m_protection}) {
+    for (QWidget* const panel : std::initializer_list<QWidget*>{m_drives, m_readings, m_protection, m_tuning}) {
         const int tab = m_mountTabs->indexOf(panel);
         if (m_mountTabs->isTabVisible(tab) != status.drives.has_value()) {
             m_mountTabs->setTabVisible(tab, status.drives.has_value());  // lays the tabs out, each time

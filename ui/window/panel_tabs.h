@@ -28,6 +28,7 @@ class ProfilePage;
 class ProtectionPanel;
 class ReadingsTable;
 class RequestDesk;
+class TuningPanel;
 class TurnPage;
 
 class PanelTabs : public QTabWidget
@@ -78,6 +79,7 @@ private:
     DrivesPanel* m_drives;
     ReadingsTable* m_readings;
     ProtectionPanel* m_protection;
+    TuningPanel* m_tuning;
     ProfilePage* m_profile;
     CalibrationPanel* m_north;
     TurnPage* m_turn;

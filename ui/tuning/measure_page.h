@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/kit/asking_panel.h"
+
+#include <array>
+
+class QTableView;
+
+// The runs by which an axis is measured, one press each; their figures and curves before and after a change of the
+// gains; and the first tuning, which says which press is next.
+namespace boresight::ui {
+
+class ChoiceButton;
+class FiguresModel;
+class ResponseChart;
+
+class MeasurePage : public AskingPanel
+{
+    Q_OBJECT
+
+public:
+    explicit MeasurePage(RequestDesk& desk, QWidget* parent = nullptr);
+
+    void setAxis(Axis axis);
+    void showStatus(const StationStatus& status);
+
+Q_SIGNALS:
+    void gainsWanted();  // what is next is on the other page
+
+private:
+    void build();
+    QTableView* makeTable();
+    void choose(TuningRun run);
+    void start(TuningRun run);
+    void next();
+    void showRun();
+    void showFirstTuning();
+    [[nodiscard]] const TuningPlan& plan(TuningRun run) const;
+    [[nodiscard]] QString obstacle(TuningRun run) const;
+
+    StationStatus m_status;
+    Axis m_axis = Axis::Azimuth;
+    TuningRun m_run = TuningRun::Step;  // whose figures are shown
+    std::array<ChoiceButton*, kTuningRuns.size()> m_choices{};
+    FiguresModel* m_model;
+    QTableView* m_table;
+    ResponseChart* m_chart;
+    ChoiceButton* m_torque;
+    ValueLabel* m_first;
+    ValueLabel* m_state;
+    ValueLabel* m_notice;
+    CommandButton* m_next;
+    CommandButton* m_start;
+    CommandButton* m_end;
+};
+
+}  // namespace boresight::ui

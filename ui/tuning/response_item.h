@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPen>
+#include <QPolygonF>
+#include <qwt_plot_item.h>
+
+// One curve of the response chart, as a Qwt item; x in seconds, y in the unit of the chart. Included by
+// response_chart.cpp only.
+namespace boresight::ui {
+
+class ResponseItem final : public QwtPlotItem
+{
+public:
+    void setPoints(const QPolygonF& points) { m_points = points; }
+    void setPen(const QPen& pen) { m_pen = pen; }
+    [[nodiscard]] const QPen& pen() const { return m_pen; }
+
+    void draw(QPainter* painter, const QwtScaleMap& timeMap, const QwtScaleMap& valueMap,
+              const QRectF& canvas) const override;
+
+private:
+    QPolygonF m_points;
+    QPen m_pen;
+};
+
+}  // namespace boresight::ui
