@@ -87,7 +87,10 @@ Result<> MountDesk::ask(const request::ReadGains& wanted, const Source& by)
 // A client's next target would move the axis in the middle of it: the operator takes the control.
 Result<> MountDesk::ask(const request::SetGain& wanted, const Source& by)
 {
-    return operatorOnly(by).and_then([&] { return gates().mayTune(wanted.axis); }).map([&] { m_helm.takeOver(by); });
+    const bool off = wanted.gain == Gain::EncoderFilter;
+    return operatorOnly(by)
+        .and_then([&] { return off ? gates().mayTuneOff(wanted.axis) : gates().mayTune(wanted.axis); })
+        .map([&] { m_helm.takeOver(by); });
 }
 
 Result<> MountDesk::ask(const request::PutGainsBack& wanted, const Source& by)

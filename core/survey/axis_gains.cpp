@@ -13,7 +13,7 @@ namespace {
 
 QString gainText(double value)
 {
-    return QString::number(value, 'g', 6);
+    return std::abs(value) >= 1e5 ? QString::number(value, 'f', 0) : QString::number(value, 'g', 6);
 }
 
 bool isSame(double one, double other)
@@ -52,7 +52,7 @@ void AxisGains::read(const QString& board)
     }
     std::vector<std::string> commands{"tel stop"};
     std::ranges::copy(getCommands(), std::back_inserter(commands));
-    begin(Doing::Reading, std::move(commands), Text::tr("reading the gains of %1").arg(axisText(m_axis)));
+    begin(Doing::Reading, std::move(commands), Text::tr("Reading the gains of %1.").arg(axisText(m_axis)));
 }
 
 Result<> AxisGains::mayWrite(Gain gain, double value) const
@@ -74,7 +74,7 @@ Result<> AxisGains::mayWrite(Gain gain, double value) const
 
 void AxisGains::write(Gain gain, double value)
 {
-    writeAll({{gain, value}}, Text::tr("writing %1 of %2").arg(toQString(gainKey(gain)), axisText(m_axis)));
+    writeAll({{gain, value}}, Text::tr("Writing %1 of %2.").arg(toQString(gainKey(gain)), axisText(m_axis)));
 }
 
 std::vector<Gain> AxisGains::toPutBack() const
@@ -94,7 +94,7 @@ void AxisGains::putBack()
     for (const Gain gain : toPutBack()) {
         changes.push_back({gain, *m_first[indexOf(gain)]});
     }
-    writeAll(std::move(changes), Text::tr("putting the gains of %1 back").arg(axisText(m_axis)));
+    writeAll(std::move(changes), Text::tr("Putting the gains of %1 back.").arg(axisText(m_axis)));
 }
 
 void AxisGains::writeAll(std::vector<Change> changes, const QString& what)
@@ -110,7 +110,7 @@ void AxisGains::writeAll(std::vector<Change> changes, const QString& what)
 
 void AxisGains::store()
 {
-    begin(Doing::Storing, {"conf write"}, Text::tr("storing the gains of %1").arg(axisText(m_axis)));
+    begin(Doing::Storing, {"conf write"}, Text::tr("Storing the gains of %1.").arg(axisText(m_axis)));
 }
 
 void AxisGains::begin(Doing doing, std::vector<std::string> commands, const QString& text)
@@ -124,7 +124,7 @@ void AxisGains::begin(Doing doing, std::vector<std::string> commands, const QStr
 
 void AxisGains::forget()
 {
-    interrupt(Text::tr("%1 was lost meanwhile. Read its gains again.").arg(axisText(m_axis)));
+    interrupt(Text::tr("The %1 drive was lost meanwhile. Read its gains again.").arg(axisText(m_axis)));
     m_read = false;
     m_doubtful = false;
     m_values = {};
@@ -162,7 +162,7 @@ void AxisGains::take(const moteus::Reply& reply)
 void AxisGains::finish()
 {
     if (const QString trouble = m_run->trouble(); !trouble.isEmpty()) {
-        interrupt(Text::tr("%1 did not answer: %2. Read its gains again.").arg(axisText(m_axis), trouble));
+        interrupt(Text::tr("The %1 drive did not answer: %2. Read its gains again.").arg(axisText(m_axis), trouble));
         return;
     }
     switch (m_doing) {
@@ -195,7 +195,7 @@ void AxisGains::finishReading()
         m_first[i] = m_first[i] ? m_first[i] : m_values[i];
         m_stored[i] = m_stored[i] ? m_stored[i] : m_values[i];
     }
-    end(Text::tr("the gains were read"), false);
+    end(Text::tr("The gains were read."), false);
 }
 
 // What the drive made of it, not what it said to it: it takes garbage for 0 without an error.
@@ -209,7 +209,7 @@ void AxisGains::finishWriting()
         const QString key = toQString(gainKey(one.gain));
         m_countsAnew = m_countsAnew || one.gain == Gain::EncoderFilter;
         if (!now || !isSame(one.value, *now)) {
-            wrong = Text::tr("%1 was set to %2 and reads back %3")
+            wrong = Text::tr("%1 was set to %2 and reads back %3.")
                         .arg(key, gainText(one.value), now ? gainText(*now) : Text::tr("nothing"));
         } else if (const auto& was = before[indexOf(one.gain)]) {
             m_notes.push_back(Text::tr("gain of %1, in force until a power cycle: %2 %3 → %4")
@@ -217,18 +217,18 @@ void AxisGains::finishWriting()
         }
     }
     m_changes.clear();
-    end(wrong.isEmpty() ? Text::tr("written and read back. In force, not stored") : wrong, !wrong.isEmpty());
+    end(wrong.isEmpty() ? Text::tr("Written and read back.") : wrong, !wrong.isEmpty());
 }
 
 void AxisGains::finishStoring()
 {
     if (const ConsoleRun::Answer& answer = m_run->answers().front(); !answer) {
-        end(Text::tr("%1 did not store its gains: %2").arg(axisText(m_axis), answer.error().text), true);
+        end(Text::tr("The %1 drive did not store its gains: %2.").arg(axisText(m_axis), answer.error().text), true);
         return;
     }
     m_stored = m_values;
     m_notes.push_back(Text::tr("the gains of %1 are stored in its drive").arg(axisText(m_axis)));
-    end(Text::tr("stored: the drive keeps them without power"), false);
+    end(Text::tr("Stored. The drive keeps them without power."), false);
 }
 
 void AxisGains::end(const QString& text, bool failed)

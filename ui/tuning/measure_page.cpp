@@ -48,13 +48,11 @@ MeasurePage::MeasurePage(RequestDesk& desk, QWidget* parent)
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_next(new CommandButton(tr("Next"), tr("The next step of the first tuning"), desk, *m_notice, this)),
       m_start(
-          new CommandButton(tr("Measure …"), tr("Move the axis through this run; asks first"), desk, *m_notice, this)),
-      m_end(new CommandButton(tr("End run"), tr("End the run. The mount holds"), desk, *m_notice, this))
+          new CommandButton(tr("Measure …"), tr("Move the axis through this run; asks first"), desk, *m_notice, this))
 {
     build();
     connect(m_next, &QPushButton::clicked, this, &MeasurePage::next);
-    connect(m_start, &QPushButton::clicked, this, [this] { start(m_run); });
-    connect(m_end, &QPushButton::clicked, this, [this] { m_end->ask(request::EndTuning{}); });
+    connect(m_start, &QPushButton::clicked, this, &MeasurePage::startOrEnd);
     connect(m_torque, &QToolButton::toggled, this, [this](bool on) {
         m_chart->choose(on ? ResponseChart::Quantity::Torque : ResponseChart::Quantity::Error);
     });
@@ -70,7 +68,7 @@ void MeasurePage::build()
         line->setStretching(true);
     }
     m_first->setLines(2);
-    m_state->setLines(3);
+    m_state->setLines(2);
     m_notice->setCollapsing(true);
     auto* const guide = new QHBoxLayout;
     guide->addWidget(m_first, 1);
@@ -85,9 +83,7 @@ void MeasurePage::build()
         m_choices[static_cast<std::size_t>(run)] = choice;
         buttons->addWidget(choice);
     }
-    for (CommandButton* const button : {m_start, m_end}) {
-        buttons->addWidget(button);
-    }
+    buttons->addWidget(m_start);
     auto* const figures = new QHBoxLayout;
     auto* const picture = new QVBoxLayout;
     picture->setSpacing(2);
@@ -148,8 +144,10 @@ void MeasurePage::showStatus(const StationStatus& status)
     const BeforeAndAfter results = resultsOf(*status.tuning, m_axis, m_run);
     m_model->show(results);
     m_chart->show(results);
-    m_start->setBlocked(obstacle(m_run));
-    m_end->setBlocked(status.permissions.reason(Action::EndTuning));
+    const bool runs = status.tuning->running.has_value();
+    m_start->setCommand(runs ? tr("End run") : tr("Measure …"),
+                        runs ? tr("End the run. The mount holds") : tr("Move the axis through this run; asks first"));
+    m_start->setBlocked(runs ? status.permissions.reason(Action::EndTuning) : obstacle(m_run));
     showRun();
     showFirstTuning();
     showWhetherPossible(status);
@@ -159,8 +157,8 @@ void MeasurePage::showRun()
 {
     const TuningStatus& tuning = *m_status.tuning;
     if (tuning.running) {
-        m_state->setValue(tr("%1, %2 % done, %3 left. Every other command and STOP end it.")
-                              .arg(tuning.text)
+        m_state->setValue(tr("%1 of the %2: %3 % done, %4 left. STOP and every other command end it.")
+                              .arg(runName(*tuning.running), name(tuning.axis))
                               .arg(100.0 * tuning.done, 0, 'f', 0)
                               .arg(waitText(tuning.left)),
                           Tone::Advisory, Symbol::Advisory);
@@ -205,6 +203,15 @@ void MeasurePage::next()
         start(*first.run);
     } else {
         Q_EMIT gainsWanted();
+    }
+}
+
+void MeasurePage::startOrEnd()
+{
+    if (m_status.tuning->running) {
+        m_start->ask(request::EndTuning{});
+    } else {
+        start(m_run);
     }
 }
 

@@ -33,6 +33,7 @@ private:
     QTableView* makeTable();
     void choose(TuningRun run);
     void start(TuningRun run);
+    void startOrEnd();
     void next();
     void showRun();
     void showFirstTuning();
@@ -52,7 +53,6 @@ private:
     ValueLabel* m_notice;
     CommandButton* m_next;
     CommandButton* m_start;
-    CommandButton* m_end;
 };
 
 }  // namespace boresight::ui

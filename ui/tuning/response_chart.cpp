@@ -98,8 +98,8 @@ void ResponseChart::setColours()
 {
     const Theme& colours = currentTheme();
     m_grid->setMajorPen(QPen(colours.grid, 1.0));
-    m_beforeCurve->setPen(QPen(colours.secondary, 1.0, Qt::DashLine));
-    m_afterCurve->setPen(QPen(colours.accent, 1.4));
+    m_beforeCurve->setPen(QPen(colours.secondary, 1.0));
+    m_afterCurve->setPen(QPen(colours.accent, 1.8));
     m_plot->setCanvasBackground(colours.plotGround);
     QPalette labels = palette();
     labels.setColor(QPalette::Text, colours.secondary);

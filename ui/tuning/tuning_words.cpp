@@ -6,7 +6,7 @@
 
 #include <QCoreApplication>
 
-#include <algorithm>
+#include <cmath>
 
 namespace boresight::ui {
 
@@ -125,7 +125,7 @@ QString gainName(Gain gain)
 
 QString gainText(double value)
 {
-    return QString::number(value, 'g', 6);
+    return std::abs(value) >= 1e5 ? QString::number(value, 'f', 0) : QString::number(value, 'g', 6);
 }
 
 std::vector<Figure> figuresOf(const TuningResult& result)

@@ -203,6 +203,16 @@ Request requestOf(Action action, const StationRig& rig)
             return request::TakeBus{};
         case Action::EndProof:
             return request::EndProof{};
+        case Action::ReadAzimuthGains:
+            return request::ReadGains{Axis::Azimuth};
+        case Action::SetElevationGains:
+            return request::SetGain{Axis::Elevation, Gain::Damping, 1.0};
+        case Action::SetAzimuthFilter:
+            return request::SetGain{Axis::Azimuth, Gain::EncoderFilter, 100.0};
+        case Action::PutElevationGainsBack:
+            return request::PutGainsBack{Axis::Elevation};
+        case Action::StoreAzimuthGains:
+            return request::StoreGains{Axis::Azimuth};
         default:
             return request::PointAxes{{110_deg, 40_deg}};
     }
@@ -227,6 +237,11 @@ constexpr std::array kAsked{Action::Point,
                             Action::Reconnect,
                             Action::ProveCrashStop,
                             Action::EndProof,
+                            Action::ReadAzimuthGains,
+                            Action::SetElevationGains,
+                            Action::SetAzimuthFilter,
+                            Action::PutElevationGainsBack,
+                            Action::StoreAzimuthGains,
                             Action::Rearm,
                             Action::ResetStop,
                             Action::TakeAuthority,

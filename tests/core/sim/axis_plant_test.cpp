@@ -103,5 +103,26 @@ TEST(AxisPlant, LoadFollowsBehindTheBacklash)
     EXPECT_NEAR(plant.loadPosition(), plant.position() - 0.001, 1e-9) << "wind takes up the gap";
 }
 
+// REQ-TUNING-20: The simulated gear has a gap in which the motor feels no friction of the load, if it is told so.
+TEST(AxisPlant, TheMotorDoesNotFeelTheLoadInsideTheGap)
+{
+    AxisPlant plant({.inertia = 10.0,
+                     .coulombFriction = 4.0,
+                     .staticFriction = 4.0,
+                     .viscousFriction = 5.0,
+                     .backlash = 0.002,
+                     .loadShare = 0.5},
+                    0.0);
+    run(plant, 2.0, {.driveTorque = 6.0});
+    run(plant, 2.0, {});
+    const double turned = plant.position();
+    run(plant, 5.0, {.driveTorque = -3.0});  // more than the motor's own friction, less than that of both
+    EXPECT_NEAR(plant.position(), turned - 0.002, 1e-4) << "across the gap, and no farther";
+    EXPECT_EQ(plant.velocity(), 0.0);
+    run(plant, 1.0, {.driveTorque = -6.0});
+    EXPECT_LT(plant.position(), turned - 0.003);
+    EXPECT_NEAR(plant.loadPosition(), plant.position() + 0.001, 1e-9);
+}
+
 }  // namespace
 }  // namespace boresight::sim

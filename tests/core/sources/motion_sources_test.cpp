@@ -52,6 +52,11 @@ Request sampleOf<request::Jog>()
     return request::Jog{kSlowly};
 }
 template <>
+Request sampleOf<request::Trial>()
+{
+    return request::Trial{kSlowly};
+}
+template <>
 Request sampleOf<request::Move>()
 {
     return request::Move{kSlowly};

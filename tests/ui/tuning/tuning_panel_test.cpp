@@ -67,14 +67,34 @@ protected:
         StationStatus status = samples::idle();
         TuningStatus tuning{.results = results};
         for (auto& plans : tuning.plans) {
-            plans.fill({.text = QStringLiteral("Moves the azimuth by 2.00° from 30.0°, 8 s, and back.")});
+            plans.fill({.text = QStringLiteral("Moves the azimuth by 2.00° from 30.0° and back, in 8 s.")});
         }
         status.tuning = std::make_shared<const TuningStatus>(tuning);
         status.drives->azimuth.gains = read ? sampleGains(damping) : DriveGains{};
         give(samples::update(status));
     }
 
-    void press(const char* choice) { QTest::mouseClick(&findSeen<QToolButton>(window, choice), Qt::LeftButton); }
+    [[nodiscard]] std::vector<request::StartTuning> started() const
+    {
+        std::vector<request::StartTuning> found;
+        for (const auto& one : asked<TuningRequest>()) {
+            if (const auto* const start = std::get_if<request::StartTuning>(&one)) {
+                found.push_back(*start);
+            }
+        }
+        return found;
+    }
+
+    void press(const char* choice)
+    {
+        for (QToolButton* const button : window.findChildren<QToolButton*>()) {
+            if (button->isVisible() && button->text() == QString::fromUtf8(choice)) {
+                QTest::mouseClick(button, Qt::LeftButton);
+                return;
+            }
+        }
+        ADD_FAILURE() << "no button " << choice;
+    }
 };
 
 // REQ-UI-930: The first tuning of an axis leads from press to press: gains, step, ramp, swings, and ends with a
@@ -100,7 +120,7 @@ TEST_F(TuningPanelTest, TheFirstTuningLeadsFromPressToPress)
     results.back().good = false;
     show(results);
     EXPECT_TRUE(says(window, "change a gain as \"Swings\" advises"));
-    EXPECT_TRUE(asked<request::StartTuning>().empty()) << "nothing begins by itself";
+    EXPECT_TRUE(started().empty()) << "nothing begins by itself";
 }
 
 // REQ-UI-930
@@ -111,10 +131,10 @@ TEST_F(TuningPanelTest, ARunAsksFirstAndSaysWhereItMoves)
     press("Ramp");
     QTest::mouseClick(findNamed<QPushButton>(window, "Measure …"), Qt::LeftButton);
     EXPECT_TRUE(questionText().contains(QStringLiteral("Moves the azimuth by 2.00° from 30.0°")));
-    EXPECT_TRUE(asked<request::StartTuning>().empty());
+    EXPECT_TRUE(started().empty());
     QTest::mouseClick(act("Move the axis"), Qt::LeftButton);
-    ASSERT_EQ(asked<request::StartTuning>().size(), 1U);
-    EXPECT_EQ(asked<request::StartTuning>().back().axis, Axis::Azimuth);
+    ASSERT_EQ(started().size(), 1U);
+    EXPECT_EQ(started().back().axis, Axis::Azimuth);
 }
 
 // REQ-UI-931: The figures and curves of a run before and after a change of the gains stand side by side.
