@@ -185,7 +185,7 @@ void MeasurePage::showFirstTuning()
         m_next->setCommand(tr("Read gains"), tr("Read the gains of this drive. Nothing moves"));
         m_next->setBlocked(m_status.permissions.reason(actionOf(Action::ReadAzimuthGains, m_axis)));
     } else if (first.run) {
-        m_next->setCommand(tr("Measure …"), runHelp(*first.run));
+        m_next->setCommand(tr("Next …"), runHelp(*first.run));
         m_next->setBlocked(obstacle(*first.run));
     } else {
         m_next->setCommand(tr("Gains"), tr("Show the gains of this drive"));

@@ -116,8 +116,8 @@ TEST(AxisPlant, TheMotorDoesNotFeelTheLoadInsideTheGap)
     run(plant, 2.0, {.driveTorque = 6.0});
     run(plant, 2.0, {});
     const double turned = plant.position();
-    run(plant, 5.0, {.driveTorque = -3.0});  // more than the motor's own friction, less than that of both
-    EXPECT_NEAR(plant.position(), turned - 0.002, 1e-4) << "across the gap, and no farther";
+    run(plant, 5.0, {.driveTorque = -2.2});  // more than the motor's own friction, less than that of both
+    EXPECT_NEAR(plant.position(), turned - 0.002, 3e-4) << "across the gap, and no farther";
     EXPECT_EQ(plant.velocity(), 0.0);
     run(plant, 1.0, {.driveTorque = -6.0});
     EXPECT_LT(plant.position(), turned - 0.003);
