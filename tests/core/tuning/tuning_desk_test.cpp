@@ -171,6 +171,20 @@ TEST(TuningDesk, EverythingElseEndsARun)
     }
 }
 
+// REQ-TUNING-16
+TEST(TuningDesk, AFaultEndsARun)
+{
+    TuningRig rig;
+    ASSERT_EQ(rig.start(TuningRun::Sweep), "");
+    rig.run(Seconds(3.0));
+    rig.link->pair().drive(Axis::Azimuth).raiseFault(38);
+    rig.run(Seconds(0.5));
+    EXPECT_FALSE(rig.tuning().running);
+    EXPECT_THAT(rig.tuning().outcome.toStdString(), HasSubstr("A fault ended it"));
+    EXPECT_EQ(rig.status().state, StationState::Fault);
+    EXPECT_THAT(rig.start(TuningRun::Step), testing::Not(""));
+}
+
 // REQ-TUNING-17: A run passes the gates of every motion: it is refused behind STOP, without the control, without room.
 TEST(TuningDesk, ARunPassesTheGates)
 {
