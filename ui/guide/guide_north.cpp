@@ -52,10 +52,10 @@ QString explanation(const QString& known)
     return known.isEmpty()
                ? GuideNorth::tr(
                      "Point the antenna at a landmark whose bearing is known, and type the bearing. Or ask "
-                     "the sensor, the Sun or the Moon. Without any press Skip: north can wait, everything "
+                     "the sensor, the Sun or the Moon. Without any press Next: north can wait, everything "
                      "else works.")
                : known + QLatin1Char(' ') +
-                     GuideNorth::tr("Press Next to keep it. To replace it, type where the antenna really points.");
+                     GuideNorth::tr("Press Confirm to keep it. To replace it, type where the antenna really points.");
 }
 
 }  // namespace

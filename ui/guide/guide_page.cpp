@@ -7,6 +7,7 @@
 #include "ui/guide/guide_connect.h"
 #include "ui/guide/guide_directions.h"
 #include "ui/guide/guide_north.h"
+#include "ui/guide/guide_ready.h"
 #include "ui/guide/guide_site.h"
 #include "ui/guide/guide_travel.h"
 #include "ui/guide/guide_zero.h"
@@ -64,7 +65,7 @@ GuidePage::GuidePage(ProfileDraft& draft, RequestDesk& desk, HostDesk& host, con
     makePages(desk, host);
     m_back = makeButton(tr("Back"), tr("To the step before (Alt+Left)"), &GuidePage::back);
     m_next = makeButton(tr("Next"), {}, &GuidePage::next);
-    m_skip = makeButton(tr("Skip"), tr("Leave this step for later and go on"), &GuidePage::skip);
+    m_confirm = makeButton(tr("Confirm"), {}, &GuidePage::confirm);
     m_finish = makeButton(tr("Finish later"), tr("To the panels; F3 comes back to this step"), &GuidePage::finishLater);
     build();
     const auto addKey = [this](const QKeySequence& key, void (GuidePage::*act)()) {
@@ -88,6 +89,7 @@ void GuidePage::makePages(RequestDesk& desk, HostDesk& host)
     auto* const north = new GuideNorth(m_change, desk, m_pages);
     auto* const site = new GuideSite(m_change, desk, host, m_pages);
     auto* const client = new GuideClient(m_pages);
+    auto* const ready = new GuideReady(m_pages);
     const auto add = [this](GuideStep step, auto* page) {
         m_pages->addWidget(page);
         m_show[step] = [page](const StationStatus& status) { page->showStatus(status); };
@@ -100,17 +102,20 @@ void GuidePage::makePages(RequestDesk& desk, HostDesk& host)
     add(GuideStep::North, north);
     add(GuideStep::Site, site);
     add(GuideStep::Client, client);
-    connect(travel, &GuideTravel::done, this, [this] { pass(GuideStep::Travel); });
-    connect(level, &GuideZero::done, this, [this] { pass(GuideStep::Level); });
+    m_pages->addWidget(ready);
+    m_show[GuideStep::Ready] = [this, ready](const StationStatus& status) { ready->showStatus(status, m_progress); };
+    connect(travel, &GuideTravel::done, this, [this] { take(GuideStep::Travel); });
+    connect(level, &GuideZero::done, this, [this] { take(GuideStep::Level); });
     connect(north, &GuideNorth::panelWanted, this, &GuidePage::northWanted);
-    connect(north, &GuideNorth::done, this, [this] { pass(GuideStep::North); });
+    connect(north, &GuideNorth::done, this, [this] { take(GuideStep::North); });
+    connect(ready, &GuideReady::stepWanted, this, &GuidePage::go);
 }
 
 void GuidePage::makeSteps()
 {
     int number = 0;
     for (const GuideStep step : kGuideSteps) {
-        auto* const button = new StepButton(step, ++number, this);
+        auto* const button = new StepButton(step, ++number, StepButton::Form::OfTheRow, this);
         m_buttons[step] = button;
         connect(button, &QAbstractButton::clicked, this, [this, step] { go(step); });
     }
@@ -130,9 +135,12 @@ void GuidePage::build()
     }
     auto* const row = new QHBoxLayout;
     row->setSpacing(4);
-    for (QPushButton* const button : {m_back, m_next, m_skip, m_finish}) {
+    for (QPushButton* const button : {m_back, m_next, m_confirm, m_finish}) {
         row->addWidget(button);
     }
+    QSizePolicy stays = m_confirm->sizePolicy();  // the others do not move when a step has nothing to confirm
+    stays.setRetainSizeWhenHidden(true);
+    m_confirm->setSizePolicy(stays);
     m_title->setStretching(true);
     m_hint->setStretching(true);
     m_hint->setLines(2);
@@ -158,8 +166,8 @@ void GuidePage::showStatus(const StationStatus& status)
         const bool first = m_progress.mount.isEmpty();
         m_progress.mount = mount;
         if (!first) {
-            m_progress.passed.clear();
-            m_progress.later.clear();
+            m_progress.confirmed.clear();
+            m_progress.skipped.clear();
             m_progress.current = GuideStep::Connect;
             showPage();
         }
@@ -208,26 +216,27 @@ void GuidePage::back()
     go(*at);
 }
 
+// Only what the station shows and what the operator has confirmed is done.
 void GuidePage::next()
 {
-    if (!whyNotDone(m_progress.current, m_status).isEmpty()) {
-        return;  // by its key
+    const GuideStep step = m_progress.current;
+    if (step != GuideStep::Ready && reportOf(step, m_status, m_progress).state != StepState::Done) {
+        m_progress.skipped.insert(step);
     }
-    pass(m_progress.current);
     goOn();
 }
 
-void GuidePage::skip()
+void GuidePage::confirm()
 {
-    m_progress.later.insert(m_progress.current);
-    m_progress.passed.erase(m_progress.current);
-    goOn();
+    if (m_confirm->isEnabled()) {
+        take(m_progress.current);
+    }
 }
 
-void GuidePage::pass(GuideStep step)
+void GuidePage::take(GuideStep step)
 {
-    m_progress.passed.insert(step);
-    m_progress.later.erase(step);
+    m_progress.confirmed.insert(step);
+    m_progress.skipped.erase(step);
     showSteps();
     Q_EMIT progressChanged(m_progress);
 }
@@ -261,11 +270,9 @@ void GuidePage::showPage()
                                              page == index ? QSizePolicy::Preferred : QSizePolicy::Ignored);
     }
     m_pages->setCurrentIndex(index);
-    m_title->setValue(title(step));
     m_buttons.at(step)->setChecked(true);
     m_back->setEnabled(at != kGuideSteps.begin());
-    const bool last = at + 1 == kGuideSteps.end();
-    m_next->setText(last ? tr("Finish") : tr("Next"));
+    m_next->setText(step == GuideStep::Ready ? tr("Finish") : tr("Next"));
     m_next->setAccessibleName(m_next->text());
     if (isVisible()) {
         m_show.at(step)(m_status);
@@ -276,14 +283,26 @@ void GuidePage::showPage()
 void GuidePage::showSteps()
 {
     for (const auto& [step, button] : m_buttons) {
-        button->setState(stateOf(step, m_status, m_progress));
+        button->showReport(reportOf(step, m_status, m_progress));
         button->setVisible(applies(step, m_status));
     }
-    const QString reason = whyNotDone(m_progress.current, m_status);
-    m_next->setEnabled(reason.isEmpty());
-    m_next->setToolTip(reason.isEmpty() ? tr("This step is right; to the next one (Alt+Right)")
-                                        : tr("%1 Skip leaves it for later.").arg(reason));
+    showButtons(reportOf(m_progress.current, m_status, m_progress));
     showHint();
+}
+
+void GuidePage::showButtons(const StepReport& report)
+{
+    const GuideStep step = m_progress.current;
+    const bool done = report.state == StepState::Done;
+    m_title->setValue(tr("%1 (%2)").arg(title(step), word(report.state)));
+    m_next->setToolTip(step == GuideStep::Ready ? tr("Leave the guide. F3 opens it again")
+                       : done                   ? tr("This step is done. Go to the next one (Alt+Right)")
+                              : tr("%1 Next marks this step as skipped (Alt+Right).").arg(report.why));
+    const QString what = confirmation(step);
+    m_confirm->setVisible(!what.isEmpty());
+    m_confirm->setEnabled(!done && report.state != StepState::NeedsYou);
+    m_confirm->setToolTip(done ? tr("This step is done") : report.state == StepState::NeedsYou ? report.why : what);
+    m_confirm->setAccessibleName(tr("Confirm: %1").arg(what));
 }
 
 // What stands in the way of the page's motions, and where it is mended.

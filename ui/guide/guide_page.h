@@ -14,8 +14,9 @@ class QPushButton;
 class QStackedWidget;
 
 // Commissioning of a mount, step by step: a row of the steps with their state, the page of the current one, and Back,
-// Next, Skip, Finish later. It takes the place of the panels and covers nothing else; any panel's key leads back to
-// them, and the guide goes on where it was. It asks what the panels could ask, and nothing else.
+// Next, the confirmation of what nobody can see, and Finish later. Next never makes a step done. It takes the place of
+// the panels and covers nothing else; any panel's key leads back to them, and the guide goes on where it was. It asks
+// what the panels could ask, and nothing else.
 namespace boresight::ui {
 
 class HostDesk;
@@ -49,11 +50,12 @@ private:
     void go(GuideStep step);
     void back();
     void next();
-    void skip();
-    void pass(GuideStep step);
+    void confirm();
+    void take(GuideStep step);
     void goOn();
     void finishLater();
     void showSteps();
+    void showButtons(const StepReport& report);
     void showPage();
     void showHint();
 
@@ -67,7 +69,7 @@ private:
     ValueLabel* m_hint;
     QPushButton* m_back = nullptr;
     QPushButton* m_next = nullptr;
-    QPushButton* m_skip = nullptr;
+    QPushButton* m_confirm = nullptr;
     QPushButton* m_finish = nullptr;
 };
 

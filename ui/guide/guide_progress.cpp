@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/guide/guide_progress.h"
 
+#include "core/profile/axis_driver.h"
 #include "ui/kit/axes.h"
 
 #include <QCoreApplication>
@@ -17,15 +18,17 @@ class GuideWords
     Q_DECLARE_TR_FUNCTIONS(GuideWords)
 };
 
-// In a settings file; never translated.
-constexpr std::array kWords{"connect", "protection", "directions", "travel", "level", "north", "site", "client"};
+// In a settings file; never translated. Before the second form each Next had counted as confirmed.
+constexpr std::array kWords{"connect", "protection", "directions", "travel", "level",
+                            "north",   "site",       "client",     "ready"};
+constexpr QLatin1String kForm("2");
 
 std::size_t indexOf(GuideStep step)
 {
     return static_cast<std::size_t>(std::ranges::find(kGuideSteps, step) - kGuideSteps.begin());
 }
 
-QString word(GuideStep step)
+QString key(GuideStep step)
 {
     return QLatin1String(kWords.at(indexOf(step)));
 }
@@ -34,7 +37,7 @@ QString words(const std::set<GuideStep>& steps)
 {
     QStringList all;
     for (const GuideStep step : steps) {
-        all << word(step);
+        all << key(step);
     }
     return all.join(QLatin1Char(' '));
 }
@@ -44,7 +47,7 @@ std::set<GuideStep> stepsIn(const QString& text)
     const QStringList given = text.split(QLatin1Char(' '));
     std::set<GuideStep> steps;
     std::ranges::copy_if(kGuideSteps, std::inserter(steps, steps.end()),
-                         [&given](GuideStep step) { return given.contains(word(step)); });
+                         [&given](GuideStep step) { return given.contains(key(step)); });
     return steps;
 }
 
@@ -54,13 +57,105 @@ bool everyDriveAnswers(const StationStatus& status)
     return status.state != StationState::Disconnected && read;
 }
 
+bool isBeingRead(const StationStatus& status)
+{
+    const SurveyState survey = drivesOf(status).survey;
+    return survey == SurveyState::Running || survey == SurveyState::Fixing;
+}
+
+QString whyNotConnected(const StationStatus& status)
+{
+    if (everyDriveAnswers(status) || isBeingRead(status)) {
+        return {};
+    }
+    if (drivesOf(status).released) {
+        return GuideWords::tr("The bus is released. Take it back on the panel Drives.");
+    }
+    const QString obstacle = drivesOf(status).armingObstacle;
+    return obstacle.isEmpty() ? GuideWords::tr("The mount does not answer.") : obstacle;
+}
+
+QString unknownWrap(const StationStatus& status, Axis axis)
+{
+    return driveOf(status, axis).turnQuestion
+               ? GuideWords::tr("The cable wrap of the %1 is unknown. Press Ctrl+9 to enter it.").arg(name(axis))
+               : QString();
+}
+
+// What is wrong, or waits for the operator; empty: nothing.
+QString trouble(GuideStep step, const StationStatus& status)
+{
+    switch (step) {
+        case GuideStep::Connect:
+            return whyNotConnected(status);
+        case GuideStep::Protection:
+            return everyDriveAnswers(status) ? drivesOf(status).armingObstacle : QString();
+        case GuideStep::Travel: {
+            const auto axis = askingAxis(status);
+            return axis ? unknownWrap(status, *axis) : QString();
+        }
+        case GuideStep::North:
+            return status.calibration->otherMount;
+        case GuideStep::Client:
+            return status.listening.isEmpty()
+                       ? GuideWords::tr("No program can connect, because rotctld does not listen.")
+                       : QString();
+        default:
+            return {};
+    }
+}
+
+// What the station itself shows of a step; empty: it is done.
+QString whyNotSeen(GuideStep step, const StationStatus& status)
+{
+    switch (step) {
+        case GuideStep::Connect:
+            return everyDriveAnswers(status) ? QString() : GuideWords::tr("The drives are being read.");
+        case GuideStep::Protection:
+            return everyDriveAnswers(status) ? QString() : GuideWords::tr("The drives have not been read.");
+        case GuideStep::Directions:
+            return status.profile->mount.directions == profile::Directions::Confirmed
+                       ? QString()
+                       : GuideWords::tr("The directions are not confirmed.");
+        case GuideStep::Site:
+            return status.profile->site.known ? QString() : GuideWords::tr("No site has been set.");
+        case GuideStep::Client:
+            return status.clients.empty() ? GuideWords::tr("No program has connected.") : QString();
+        case GuideStep::North:
+            return std::ranges::any_of(status.calibration->history, &CalibrationHistoryEntry::inForce)
+                       ? QString()
+                       : GuideWords::tr("Nobody has confirmed north.");
+        default:
+            return GuideWords::tr("Nobody has confirmed this step.");
+    }
+}
+
+// As good as the steps before it.
+StepReport readiness(const StationStatus& status, const GuideProgress& progress)
+{
+    StepReport worst{.state = StepState::Done};
+    for (const GuideStep step : kWorkSteps) {
+        if (!applies(step, status)) {
+            continue;
+        }
+        const StepReport one = reportOf(step, status, progress);
+        if (one.state == StepState::NeedsYou) {
+            return {.state = StepState::NeedsYou, .why = GuideWords::tr("A step needs you.")};
+        }
+        if (one.state != StepState::Done) {
+            worst = {.state = StepState::Open, .why = GuideWords::tr("Not every step is done.")};
+        }
+    }
+    return worst;
+}
+
 }  // namespace
 
 QString name(GuideStep step)
 {
     const std::array names{GuideWords::tr("Connect"), GuideWords::tr("Protect"), GuideWords::tr("Turning"),
                            GuideWords::tr("Travel"),  GuideWords::tr("Level"),   GuideWords::tr("North"),
-                           GuideWords::tr("Site"),    GuideWords::tr("Client")};
+                           GuideWords::tr("Site"),    GuideWords::tr("Client"),  GuideWords::tr("Ready")};
     return names.at(indexOf(step));
 }
 
@@ -73,62 +168,95 @@ QString title(GuideStep step)
                             GuideWords::tr("Level: where is elevation 0°?"),
                             GuideWords::tr("North: where is azimuth 0°?"),
                             GuideWords::tr("Site: where does the mount stand?"),
-                            GuideWords::tr("Client: which program follows the satellites?")};
+                            GuideWords::tr("Client: which program follows the satellites?"),
+                            GuideWords::tr("Ready: first pass")};
     return titles.at(indexOf(step));
 }
 
-bool applies(GuideStep step, const StationStatus& status)
+QString word(StepState state)
 {
-    return !(step == GuideStep::Level && missingAxis(status) == Axis::Elevation) &&
-           !(step == GuideStep::North && missingAxis(status) == Axis::Azimuth);
+    switch (state) {
+        case StepState::Done:
+            return GuideWords::tr("done");
+        case StepState::Skipped:
+            return GuideWords::tr("skipped");
+        case StepState::NeedsYou:
+            return GuideWords::tr("needs you");
+        case StepState::Open:
+            break;
+    }
+    return GuideWords::tr("to do");
 }
 
-QString whyNotDone(GuideStep step, const StationStatus& status)
+QString confirmation(GuideStep step)
 {
     switch (step) {
-        case GuideStep::Connect:
-            return everyDriveAnswers(status) ? QString() : GuideWords::tr("Every drive must answer and be read first.");
-        case GuideStep::Protection:
-            return !everyDriveAnswers(status) ? GuideWords::tr("The drives have not been read.")
-                                              : drivesOf(status).armingObstacle;
-        case GuideStep::Directions:
-            return status.profile->mount.directions == profile::Directions::Confirmed
-                       ? QString()
-                       : GuideWords::tr("The directions are not confirmed.");
-        case GuideStep::Site:
-            return status.profile->site.known ? QString() : GuideWords::tr("No site has been set.");
+        case GuideStep::Travel:
+            return GuideWords::tr("I have looked: the ends of the travel are right as they are");
+        case GuideStep::Level:
+            return GuideWords::tr("I have looked: elevation 0° is level");
+        case GuideStep::North:
+            return GuideWords::tr("I have looked: north is right as it is");
+        case GuideStep::Client:
+            return GuideWords::tr("The program that follows the satellites is set up");
         default:
             return {};
     }
 }
 
-StepState stateOf(GuideStep step, const StationStatus& status, const GuideProgress& progress)
+bool applies(GuideStep step, const StationStatus& status)
 {
-    const bool isSeen = step == GuideStep::Connect || step == GuideStep::Protection || step == GuideStep::Directions ||
-                        step == GuideStep::Site;
-    const bool done = isSeen ? whyNotDone(step, status).isEmpty()
-                             : progress.passed.contains(step) || (step == GuideStep::Client && !status.clients.empty());
-    return done ? StepState::Done : progress.later.contains(step) ? StepState::Later : StepState::Open;
+    switch (step) {
+        case GuideStep::Protection:
+            return std::ranges::any_of(
+                kAxes, [&](Axis axis) { return profile::kindOf(status.profile->axis(axis).driver).hasId; });
+        case GuideStep::Level:
+            return missingAxis(status) != Axis::Elevation;
+        case GuideStep::North:
+            return missingAxis(status) != Axis::Azimuth;
+        default:
+            return true;
+    }
+}
+
+StepReport reportOf(GuideStep step, const StationStatus& status, const GuideProgress& progress)
+{
+    if (step == GuideStep::Ready) {
+        return readiness(status, progress);
+    }
+    if (const QString wrong = trouble(step, status); !wrong.isEmpty()) {
+        return {.state = StepState::NeedsYou, .why = wrong};
+    }
+    const QString missing = whyNotSeen(step, status);
+    const bool confirmed = !confirmation(step).isEmpty() && progress.confirmed.contains(step);
+    if (missing.isEmpty() || confirmed) {
+        return {.state = StepState::Done};
+    }
+    return {.state = progress.skipped.contains(step) ? StepState::Skipped : StepState::Open, .why = missing};
 }
 
 QString toText(const GuideProgress& progress)
 {
-    return QStringList{progress.open ? QStringLiteral("open") : QStringLiteral("closed"), word(progress.current),
-                       words(progress.passed), words(progress.later), progress.mount}
+    return QStringList{kForm,
+                       progress.open ? QStringLiteral("open") : QStringLiteral("closed"),
+                       key(progress.current),
+                       words(progress.confirmed),
+                       words(progress.skipped),
+                       progress.mount}
         .join(QLatin1Char('|'));
 }
 
 GuideProgress guideProgressFrom(const QString& text)
 {
     const QStringList parts = text.split(QLatin1Char('|'));
-    if (parts.size() < 5) {
+    if (parts.size() < 6 || parts[0] != kForm) {
         return {};
     }
-    GuideProgress progress{.open = parts[0] == QLatin1String("open"),
-                           .passed = stepsIn(parts[2]),
-                           .later = stepsIn(parts[3]),
-                           .mount = parts.mid(4).join(QLatin1Char('|'))};
-    const auto current = stepsIn(parts[1]);
+    GuideProgress progress{.open = parts[1] == QLatin1String("open"),
+                           .confirmed = stepsIn(parts[3]),
+                           .skipped = stepsIn(parts[4]),
+                           .mount = parts.mid(5).join(QLatin1Char('|'))};
+    const auto current = stepsIn(parts[2]);
     progress.current = current.empty() ? GuideStep::Connect : *current.begin();
     return progress;
 }

@@ -5,8 +5,8 @@
 
 #include <QAbstractButton>
 
-// One step of the guide in its row: number, name, and by its shape whether it is done, skipped or open. The step that
-// is shown is underlined.
+// One step of the guide: number, name, and its state by a shape and a word. In the row above the pages the word may
+// find no room, and stands in the tooltip and below the row. On the last page there is room for a line.
 namespace boresight::ui {
 
 class StepButton : public QAbstractButton
@@ -14,10 +14,16 @@ class StepButton : public QAbstractButton
     Q_OBJECT
 
 public:
-    StepButton(GuideStep step, int number, QWidget* parent);
+    enum class Form
+    {
+        OfTheRow,  // the step that is shown is underlined
+        Line
+    };
 
-    void setState(StepState state);
-    [[nodiscard]] StepState state() const { return m_state; }
+    StepButton(GuideStep step, int number, Form form, QWidget* parent);
+
+    void showReport(const StepReport& report);
+    [[nodiscard]] StepState state() const { return m_report.state; }
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -27,10 +33,13 @@ protected:
 
 private:
     void describe();
+    void paintInRow(QPainter& painter) const;
+    void paintLine(QPainter& painter) const;
 
     GuideStep m_step;
     int m_number;
-    StepState m_state = StepState::Open;
+    Form m_form;
+    StepReport m_report;
 };
 
 }  // namespace boresight::ui

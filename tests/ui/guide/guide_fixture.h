@@ -3,9 +3,9 @@
 
 #include "core/profile/commissioning.h"
 #include "tests/ui/sample_permissions.h"
+#include "tests/ui/step_button_of.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/guide/guide_page.h"
-#include "ui/guide/step_button.h"
 #include "ui/hold/jog_button.h"
 #include "ui/jog/jog_panel.h"
 
@@ -28,7 +28,7 @@ protected:
 
     GuidePage& guide() { return *window.findChild<GuidePage*>(); }
     bool isOpen() { return guide().isVisible() && !window.findChild<JogPanel*>()->isVisible(); }
-    StepButton& stepButton(GuideStep step) { return *window.findChildren<StepButton*>().at(static_cast<int>(step)); }
+    StepButton& stepButton(GuideStep step) { return stepButtonOf(window, step); }
     template <class Page>
     Page& open(GuideStep step)
     {

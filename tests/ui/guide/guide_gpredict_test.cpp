@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/step_button_of.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/guide/guide_page.h"
-#include "ui/guide/step_button.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -24,7 +24,7 @@ protected:
         QTest::keyClick(&window, Qt::Key_F3);
         QObject::connect(&window.host(), &HostDesk::gpredictWanted, &window,
                          [this](const QString& folder) { wanted << folder; });
-        QTest::mouseClick(window.findChildren<StepButton*>().at(static_cast<int>(GuideStep::Site)), Qt::LeftButton);
+        QTest::mouseClick(&stepButtonOf(window, GuideStep::Site), Qt::LeftButton);
     }
     void answer(const profile::GpredictFiles& found) { Q_EMIT window.host().gpredictFound(found); }
     QString told() { return text("What Gpredict knows"); }

@@ -2,8 +2,8 @@
 #include "core/station/adapters.h"
 #include "tests/ui/picture_book.h"
 #include "tests/ui/sample_calibration.h"
+#include "tests/ui/step_button_of.h"
 #include "ui/guide/guide_north.h"
-#include "ui/guide/step_button.h"
 
 #include <QDoubleSpinBox>
 
@@ -35,7 +35,7 @@ TEST_P(GuidePictures, AreTakenOfEveryStep)
     for (const GuideStep step : kGuideSteps) {
         give(samples::update(step == GuideStep::Protection ? samples::factoryDrives() : samples::freshMount()));
         const int number = static_cast<int>(step);
-        QTest::mouseClick(window.findChildren<StepButton*>().at(number), Qt::LeftButton);
+        QTest::mouseClick(&stepButtonOf(window, step), Qt::LeftButton);
         take(QStringLiteral("guide-%1").arg(number + 1));
     }
 }
@@ -48,7 +48,7 @@ TEST_P(GuidePictures, AreTakenOfANorthThatIsKnown)
     status.profile = std::make_shared<const profile::Profile>(known);
     status.calibration = samples::sixPoints().calibration;
     give(samples::update(status));
-    QTest::mouseClick(window.findChildren<StepButton*>().at(static_cast<int>(GuideStep::North)), Qt::LeftButton);
+    QTest::mouseClick(&stepButtonOf(window, GuideStep::North), Qt::LeftButton);
     window.findChild<GuideNorth*>()->findChild<QDoubleSpinBox*>()->setValue(210.0);
     take(QStringLiteral("guide-6-known"));
 }

@@ -6,6 +6,7 @@
 #include "ui/guide/guide_connect.h"
 #include "ui/guide/guide_directions.h"
 #include "ui/guide/guide_north.h"
+#include "ui/guide/guide_ready.h"
 #include "ui/window/main_menu.h"
 #include "ui/window/stop_button.h"
 
@@ -58,73 +59,175 @@ TEST_F(GuideTest, StopWorksOnEveryStepByButtonAndKey)
     }
 }
 
-TEST_F(GuideTest, NextNeedsWhatCanBeSeenAndSkipLeavesItForLater)
+// REQ-UI-960: Done is what the station shows or the operator has confirmed. Next on a step that is not done marks it as
+// skipped.
+// Story: Next counted the travel, the level and north as done, although nobody had looked.
+TEST_F(GuideTest, NextSkipsWhatIsNotDone)
 {
     EXPECT_EQ(stepButton(GuideStep::Connect).state(), StepState::Done);
     EXPECT_EQ(stepButton(GuideStep::Directions).state(), StepState::Open);
     click("Next");
     click("Next");
     EXPECT_EQ(current(), GuideStep::Directions);
-    EXPECT_FALSE(inGuide<QPushButton>("Next").isEnabled());
+    EXPECT_EQ(stepButton(GuideStep::Protection).state(), StepState::Done) << "seen in the station";
     EXPECT_TRUE(inGuide<QPushButton>("Next").toolTip().contains(QStringLiteral("not confirmed")));
+    EXPECT_TRUE(inGuide<QPushButton>("Next").toolTip().contains(QStringLiteral("skipped")));
     QTest::keyClick(&guide(), Qt::Key_Right, Qt::AltModifier);
-    EXPECT_EQ(current(), GuideStep::Directions) << "nor by its key";
-    click("Skip");
     EXPECT_EQ(current(), GuideStep::Travel);
-    EXPECT_EQ(stepButton(GuideStep::Directions).state(), StepState::Later);
+    EXPECT_EQ(stepButton(GuideStep::Directions).state(), StepState::Skipped);
     click("Next");
-    EXPECT_EQ(stepButton(GuideStep::Travel).state(), StepState::Done) << "it is right as it is";
+    EXPECT_EQ(stepButton(GuideStep::Travel).state(), StepState::Skipped);
     QTest::keyClick(&guide(), Qt::Key_Left, Qt::AltModifier);
     EXPECT_EQ(current(), GuideStep::Travel);
     EXPECT_TRUE(requests.empty()) << "looking at the steps asks nothing of the station";
+}
+
+// REQ-UI-960
+TEST_F(GuideTest, TheOperatorConfirmsWhatNobodyCanSee)
+{
+    open<QWidget>(GuideStep::Level);
+    click("Next");
+    open<QWidget>(GuideStep::Level);
+    EXPECT_EQ(stepButton(GuideStep::Level).state(), StepState::Skipped);
+    click("Confirm: I have looked: elevation 0° is level");
+    EXPECT_EQ(stepButton(GuideStep::Level).state(), StepState::Done);
+    EXPECT_TRUE(kept.confirmed.contains(GuideStep::Level));
+    EXPECT_FALSE(kept.skipped.contains(GuideStep::Level));
+    EXPECT_EQ(current(), GuideStep::Level) << "confirming goes nowhere";
+    open<QWidget>(GuideStep::Directions);
+    for (const QPushButton* const button : guide().findChildren<QPushButton*>()) {
+        EXPECT_FALSE(button->isVisible() && button->text() == QStringLiteral("Confirm")) << "this the station sees";
+    }
+    EXPECT_TRUE(requests.empty());
+}
+
+// REQ-UI-961: A step needs the operator while something is wrong or waits for an answer, also one that was confirmed or
+// skipped. Its button says so by a shape and a word, to the screen reader too.
+TEST_F(GuideTest, AStepNeedsYouWhileSomethingIsWrong)
+{
+    status = samples::factoryDrives();
+    give(samples::update(status));
+    open<QWidget>(GuideStep::Protection);
+    click("Next");
+    EXPECT_EQ(stepButton(GuideStep::Protection).state(), StepState::NeedsYou) << "skipped or not";
+    EXPECT_TRUE(kept.skipped.contains(GuideStep::Protection));
+    EXPECT_TRUE(stepButton(GuideStep::Protection).accessibleDescription().startsWith(QStringLiteral("needs you: ")));
+    EXPECT_TRUE(stepButton(GuideStep::Protection).toolTip().contains(QStringLiteral("needs you")));
+
+    status = samples::asking(Axis::Azimuth, 3, 180_deg, true);
+    give(samples::update(status));
+    EXPECT_EQ(stepButton(GuideStep::Travel).state(), StepState::NeedsYou);
+    EXPECT_TRUE(stepButton(GuideStep::Travel).toolTip().contains(QStringLiteral("azimuth")));
+
+    status = samples::freshMount();
+    status.listening.clear();
+    give(samples::update(status));
+    EXPECT_EQ(stepButton(GuideStep::Client).state(), StepState::NeedsYou);
+    EXPECT_EQ(stepButton(GuideStep::Protection).state(), StepState::Done) << "it is right now";
+}
+
+// REQ-UI-961
+TEST_F(GuideTest, AMountThatDoesNotAnswerNeedsYouAndOneThatIsReadDoesNot)
+{
+    status.state = StationState::Disconnected;
+    status.drives->survey = SurveyState::Running;
+    give(samples::update(status));
+    EXPECT_EQ(stepButton(GuideStep::Connect).state(), StepState::Open);
+    status.drives->survey = SurveyState::NotDone;
+    status.drives->armingObstacle = QStringLiteral("no drive answers on the bus");
+    give(samples::update(status));
+    EXPECT_EQ(stepButton(GuideStep::Connect).state(), StepState::NeedsYou);
+    EXPECT_TRUE(stepButton(GuideStep::Connect).toolTip().contains(QStringLiteral("no drive answers")));
+    EXPECT_EQ(stepButton(GuideStep::Protection).state(), StepState::Open);
+    status.drives->released = true;
+    give(samples::update(status));
+    EXPECT_TRUE(stepButton(GuideStep::Connect).toolTip().contains(QStringLiteral("Take it back")));
 }
 
 // REQ-UI-34
 TEST_F(GuideTest, FinishLaterGoesToThePanelsAndComesBackToTheSameStep)
 {
     open<QWidget>(GuideStep::North);
-    click("Skip");
+    click("Next");
     click("Finish later");
     EXPECT_FALSE(isOpen());
     EXPECT_FALSE(kept.open);
     Q_EMIT window.findChild<MainMenu*>()->guideWanted();
     EXPECT_TRUE(isOpen());
     EXPECT_EQ(current(), GuideStep::Site);
-    EXPECT_EQ(stepButton(GuideStep::North).state(), StepState::Later);
+    EXPECT_EQ(stepButton(GuideStep::North).state(), StepState::Skipped);
 }
 
-TEST_F(GuideTest, TheLastStepEndsTheGuide)
+// REQ-UI-962: The last page lists what is done, what was skipped and what needs the operator, as it is now, and leads
+// back to each step. It tells what the first pass needs: the line for Gpredict, park, STOP.
+TEST_F(GuideTest, TheLastPageEndsTheGuide)
 {
-    open<GuideClient>(GuideStep::Client);
+    open<GuideReady>(GuideStep::Ready);
     click("Finish");
     EXPECT_FALSE(isOpen());
-    EXPECT_TRUE(kept.passed.contains(GuideStep::Client));
+    EXPECT_FALSE(kept.confirmed.contains(GuideStep::Ready));
+    EXPECT_TRUE(kept.skipped.empty());
+}
+
+// REQ-UI-962
+TEST_F(GuideTest, TheLastPageLeadsBackToWhatWasSkipped)
+{
+    status.profile = samples::idle().profile;  // the directions are confirmed
+    give(samples::update(status));
+    open<QWidget>(GuideStep::North);
+    click("Next");
+    open<GuideReady>(GuideStep::Ready);
+    auto& north = inGuide<StepButton>("Go to step 6: North");
+    EXPECT_EQ(north.state(), StepState::Skipped);
+    EXPECT_TRUE(inGuide<ValueLabel>("What is done").text().contains(QStringLiteral("Skipped: 1")))
+        << inGuide<ValueLabel>("What is done").text().toStdString();
+    status.listening.clear();
+    give(samples::update(status));
+    EXPECT_EQ(inGuide<ValueLabel>("What is done").text(), QStringLiteral("Not ready: one step needs you."));
+    EXPECT_EQ(stepButton(GuideStep::Ready).state(), StepState::NeedsYou);
+    QTest::mouseClick(&north, Qt::LeftButton);
+    EXPECT_EQ(current(), GuideStep::North);
+}
+
+// REQ-UI-962
+TEST_F(GuideTest, TheLastPageTellsWhatTheFirstPassNeeds)
+{
+    open<GuideReady>(GuideStep::Ready);
+    EXPECT_TRUE(inGuide<ValueLabel>("Line for Gpredict").text().contains(QStringLiteral("Port 4533")));
+    EXPECT_TRUE(inGuide<ValueLabel>("After the pass").text().contains(QStringLiteral("Ctrl+P")));
+    EXPECT_TRUE(inGuide<ValueLabel>("After the pass").text().contains(QStringLiteral("F12")));
+    EXPECT_TRUE(
+        inGuide<ValueLabel>("Why the mount can not be pointed now").text().contains(QStringLiteral("directions")));
+    click("Copy the line for Gpredict");
+    EXPECT_TRUE(QApplication::clipboard()->text().contains(QStringLiteral("Port: 4533")));
+    status = samples::idle();
+    give(samples::update(status));
+    EXPECT_TRUE(findNamed<ValueLabel>(guide(), "Why the mount can not be pointed now")->text().isEmpty());
 }
 
 TEST_F(GuideTest, AnotherMountBeginsAnew)
 {
     open<GuideNorth>(GuideStep::North);
-    click("Next");
+    click("Confirm: I have looked: north is right as it is");
     profile::Profile other = *status.profile;
     other.mount.name = "Roof";
     putInForce(other);
     EXPECT_EQ(current(), GuideStep::Connect);
     EXPECT_EQ(kept.mount, QStringLiteral("Roof (simulated)"));
-    EXPECT_TRUE(kept.passed.empty());
+    EXPECT_TRUE(kept.confirmed.empty());
 }
 
 // Story: level and ends were ticked on the simulated mount, and stayed ticked when the real one was connected.
 // REQ-UI-34
 TEST_F(GuideTest, TheRealMountBeginsAnewAfterTheSimulatedOne)
 {
-    open<GuideDirections>(GuideStep::Travel);
-    click("Next");
-    click("Next");
-    EXPECT_TRUE(kept.passed.contains(GuideStep::Level));
+    open<QWidget>(GuideStep::Level);
+    click("Confirm: I have looked: elevation 0° is level");
+    EXPECT_TRUE(kept.confirmed.contains(GuideStep::Level));
     profile::Profile real = *status.profile;
     real.bus = "socketcan:can0";
     putInForce(real);
-    EXPECT_TRUE(kept.passed.empty());
+    EXPECT_TRUE(kept.confirmed.empty());
     EXPECT_EQ(kept.mount, toQString(real.mount.name));
     EXPECT_EQ(stepButton(GuideStep::Travel).state(), StepState::Open);
 }
@@ -228,7 +331,7 @@ TEST_F(GuideTest, DrivesThatAreNotFitAreMendedFirst)
     open<GuideDirections>(GuideStep::Directions);
     EXPECT_FALSE(hold(Axis::Azimuth, true).isEnabled());
     EXPECT_TRUE(inGuide<ValueLabel>("What is in the way").text().contains(QStringLiteral("step 2, Protect")));
-    EXPECT_EQ(stepButton(GuideStep::Protection).state(), StepState::Open);
+    EXPECT_EQ(stepButton(GuideStep::Protection).state(), StepState::NeedsYou);
     open<ProtectionPanel>(GuideStep::Protection);
     click("Fix …");
     EXPECT_TRUE(asked<request::FixDrives>().empty()) << "it asks first";
@@ -271,11 +374,13 @@ TEST(GuideProgressText, SurvivesTheSettingsFile)
 {
     const GuideProgress progress{.open = true,
                                  .current = GuideStep::Travel,
-                                 .passed = {GuideStep::Level},
-                                 .later = {GuideStep::North, GuideStep::Site},
+                                 .confirmed = {GuideStep::Level},
+                                 .skipped = {GuideStep::North, GuideStep::Site},
                                  .mount = QStringLiteral("Roof | west")};
     EXPECT_EQ(guideProgressFrom(toText(progress)), progress);
     EXPECT_EQ(guideProgressFrom(QStringLiteral("rubbish")), GuideProgress{});
+    EXPECT_EQ(guideProgressFrom(QStringLiteral("open|level|travel level|north|Roof")), GuideProgress{})
+        << "of a time when each Next counted as done";
 }
 
 // A window that was closed with the guide on the screen opens with it, at the same step.
@@ -286,7 +391,7 @@ TEST(GuideAtStart, OpensWhereItWas)
     WindowSettings settings;
     settings.guide = {.open = true,
                       .current = GuideStep::Site,
-                      .passed = {GuideStep::Level},
+                      .confirmed = {GuideStep::Level},
                       .mount = QStringLiteral("Boresight mount (simulated)")};
     MainWindow window(clock, settings);
     window.show();

@@ -8,8 +8,8 @@
 #include "tests/fakes/hand_turned_timers.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/ui/find_widget.h"
+#include "tests/ui/step_button_of.h"
 #include "ui/guide/guide_page.h"
-#include "ui/guide/step_button.h"
 #include "ui/hold/jog_button.h"
 #include "ui/kit/command_button.h"
 #include "ui/window/main_window.h"
@@ -124,10 +124,7 @@ protected:
         QTest::mouseClick(&button, Qt::LeftButton);
         tick();
     }
-    void goTo(GuideStep step)
-    {
-        QTest::mouseClick(window.findChildren<StepButton*>().at(static_cast<int>(step)), Qt::LeftButton);
-    }
+    void goTo(GuideStep step) { QTest::mouseClick(&stepButtonOf(window, step), Qt::LeftButton); }
     void hold(const char* name, Seconds time)
     {
         auto& button = inGuide<JogButton>(name);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/step_button_of.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/guide/guide_page.h"
-#include "ui/guide/step_button.h"
 #include "ui/sky/polar_plot.h"
 #include "ui/window/help_page.h"
 
@@ -56,9 +56,9 @@ protected:
         }
         give(samples::update(samples::freshMount()));
         QTest::keyClick(&window, Qt::Key_F3);
-        for (StepButton* const step : window.findChildren<StepButton*>()) {
-            SCOPED_TRACE(step->accessibleName().toStdString());
-            QTest::mouseClick(step, Qt::LeftButton);
+        for (const GuideStep step : kGuideSteps) {
+            SCOPED_TRACE(name(step).toStdString());
+            QTest::mouseClick(&stepButtonOf(window, step), Qt::LeftButton);
             settle();
             check(window);
         }

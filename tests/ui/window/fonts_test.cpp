@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/sample_calibration.h"
+#include "tests/ui/step_button_of.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/guide/step_button.h"
 #include "ui/kit/choice_button.h"
 #include "ui/kit/language.h"
 #include "ui/north/calibration_panel.h"
@@ -118,7 +118,7 @@ TEST_P(FontsTest, EveryStepOfTheGuideHasRoom)
     QTest::keyClick(&window, Qt::Key_F3);
     for (const GuideStep step : kGuideSteps) {
         give(samples::update(step == GuideStep::Protection ? samples::factoryDrives() : samples::freshMount()));
-        QTest::mouseClick(window.findChildren<StepButton*>().at(static_cast<int>(step)), Qt::LeftButton);
+        QTest::mouseClick(&stepButtonOf(window, step), Qt::LeftButton);
         expectRoom(title(step).toStdString());
     }
 }

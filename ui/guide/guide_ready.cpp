@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/guide/guide_ready.h"
+
+#include "ui/clients/gpredict_settings.h"
+#include "ui/guide/step_button.h"
+#include "ui/guide/step_mark.h"
+#include "ui/kit/caption.h"
+#include "ui/kit/command_button.h"
+#include "ui/kit/format.h"
+#include "ui/kit/push_button.h"
+#include "ui/kit/value_label.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QGridLayout>
+#include <QVBoxLayout>
+
+namespace boresight::ui {
+
+namespace {
+
+struct StepCount
+{
+    int done = 0;
+    int skipped = 0;
+    int open = 0;
+    int needYou = 0;
+};
+
+QString summaryOf(const StepCount& count)
+{
+    if (count.needYou > 0) {
+        return count.needYou == 1 ? GuideReady::tr("Not ready: one step needs you.")
+                                  : GuideReady::tr("Not ready: %1 steps need you.").arg(count.needYou);
+    }
+    const int left = count.skipped + count.open;
+    return left == 0 ? GuideReady::tr("Every step is done.")
+                     : GuideReady::tr("Done: %1. Skipped: %2. To do: %3. Press a step to go back to it.")
+                           .arg(count.done)
+                           .arg(count.skipped)
+                           .arg(count.open);
+}
+
+void addTo(StepCount& count, StepState state)
+{
+    switch (state) {
+        case StepState::Done:
+            ++count.done;
+            break;
+        case StepState::Skipped:
+            ++count.skipped;
+            break;
+        case StepState::NeedsYou:
+            ++count.needYou;
+            break;
+        case StepState::Open:
+            ++count.open;
+            break;
+    }
+}
+
+QString endOfPass(const StationStatus& status)
+{
+    return GuideReady::tr(
+               "After the pass: Park (Ctrl+P) goes to %1. "
+               "STOP: the button, Pause or F12, at any time. The mast needs a hard-wired emergency stop besides.")
+        .arg(axisText(status.profile->park));
+}
+
+}  // namespace
+
+GuideReady::GuideReady(QWidget* parent)
+    : QWidget(parent),
+      m_summary(new ValueLabel(tr("What is done"), fonts::text(), {}, this)),
+      m_inTheWay(new ValueLabel(tr("Why the mount can not be pointed now"), fonts::label(), {}, this)),
+      m_client(new ValueLabel(tr("Line for Gpredict"), fonts::label(), {}, this)),
+      m_pass(new ValueLabel(tr("What to do for the first pass"), fonts::label(), {}, this)),
+      m_end(new ValueLabel(tr("After the pass"), fonts::label(), {}, this)),
+      m_copy(nullptr)
+{
+    for (const GuideStep step : kWorkSteps) {
+        auto* const button = new StepButton(step, static_cast<int>(m_steps.size()) + 1, StepButton::Form::Line, this);
+        m_steps[step] = button;
+        connect(button, &QAbstractButton::clicked, this, [this, step] { Q_EMIT stepWanted(step); });
+    }
+    m_copy = makePushButton({.text = tr("Copy"),
+                             .name = tr("Copy the line for Gpredict"),
+                             .help = tr("Put the settings for Gpredict into the clipboard")},
+                            this);
+    build();
+    connect(m_copy, &QPushButton::clicked, this, &GuideReady::copy);
+}
+
+void GuideReady::build()
+{
+    for (ValueLabel* const label : {m_summary, m_inTheWay, m_client, m_pass, m_end}) {
+        label->setStretching(true);
+        label->setLines(2);
+    }
+    m_end->setLines(3);
+    m_inTheWay->setCollapsing(true);
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    auto* const steps = new QGridLayout;
+    steps->setSpacing(4);
+    int place = 0;
+    const int rows = static_cast<int>(m_steps.size() + 1) / 2;
+    for (const auto& [step, button] : m_steps) {
+        steps->addWidget(button, place % rows, place / rows);
+        ++place;
+    }
+    auto* const line = new QHBoxLayout;
+    line->setSpacing(4);
+    line->addWidget(m_client, 1);
+    line->addWidget(m_copy);
+    column->addWidget(m_summary);
+    column->addLayout(steps);
+    column->addWidget(m_inTheWay);
+    column->addLayout(line);
+    column->addWidget(m_pass);
+    column->addWidget(m_end);
+    column->addStretch(1);
+}
+
+void GuideReady::showStatus(const StationStatus& status, const GuideProgress& progress)
+{
+    showSteps(status, progress);
+    showFirstPass(status);
+}
+
+void GuideReady::showSteps(const StationStatus& status, const GuideProgress& progress)
+{
+    StepCount count;
+    for (const auto& [step, button] : m_steps) {
+        button->setVisible(applies(step, status));
+        if (applies(step, status)) {
+            const StepReport report = reportOf(step, status, progress);
+            button->showReport(report);
+            addTo(count, report.state);
+        }
+    }
+    m_summary->setValue(summaryOf(count), count.needYou > 0 ? Tone::Warning : Tone::Normal,
+                        count.needYou > 0 ? Symbol::Warning : Symbol::None);
+}
+
+void GuideReady::showFirstPass(const StationStatus& status)
+{
+    const QString obstacle = status.permissions.reason(Action::Point);
+    m_inTheWay->setValue(obstacle.isEmpty() ? QString() : tr("Not yet: %1").arg(obstacle), Tone::Warning,
+                         obstacle.isEmpty() ? Symbol::None : Symbol::Warning);
+    m_gpredict = status.listening.isEmpty() ? QString() : gpredictSettings(status);
+    m_copy->setEnabled(!m_gpredict.isEmpty());
+    m_client->setValue(gpredictInBrief(status), status.listening.isEmpty() ? Tone::Warning : Tone::Normal,
+                       status.listening.isEmpty() ? Symbol::Warning : Symbol::None);
+    m_pass->setValue(tr(
+        "In Gpredict open Antenna Control, choose the satellite, press Track, then Engage. The state becomes TRACK."));
+    m_end->setValue(endOfPass(status));
+}
+
+void GuideReady::copy()
+{
+    QApplication::clipboard()->setText(m_gpredict);
+}
+
+}  // namespace boresight::ui
+
+#include "moc_guide_ready.cpp"
