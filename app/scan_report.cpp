@@ -88,9 +88,8 @@ std::string aligned(const std::vector<Row>& rows)
     return text;
 }
 
-const QString kOneIdEach = QStringLiteral(
-    "Leave only one of them connected, give it another id (the maker's tool: conf set id.id N, conf write), then "
-    "connect the other again.");
+const QString kOneIdEach =
+    QStringLiteral("Open the guide of Boresight (F3), step Connect. It gives one board after the other its id.");
 
 void addOwnProblems(const FoundController& controller, QStringList& found)
 {

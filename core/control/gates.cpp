@@ -282,6 +282,13 @@ Result<> Gates::mayFixDrives() const
     });
 }
 
+Result<> Gates::mayChangeBoards() const
+{
+    return mayReadDrives().and_then([this] { return axesStand(); }).and_then([this] {
+        return m_of.mount.service()->mayBeWritten();
+    });
+}
+
 Result<> Gates::maySwitchOff() const
 {
     return hasService().and_then([this] { return drivesRest(); }).and_then([this] { return drivesAnswer(); });

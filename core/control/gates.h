@@ -50,6 +50,7 @@ public:
     [[nodiscard]] Result<> drivesRest() const;  // for what is done to the drives themselves
     [[nodiscard]] Result<> mayReadDrives() const;
     [[nodiscard]] Result<> mayFixDrives() const;
+    [[nodiscard]] Result<> mayChangeBoards() const;  // an id or a gear; also where not every drive answers
     [[nodiscard]] Result<> maySwitchOff() const;
     [[nodiscard]] Result<> maySwitchOff(Axis axis) const;
     [[nodiscard]] Result<> mayLeaveBus() const;

@@ -17,6 +17,16 @@ Result<> MountDesk::ask(const request::FixDrives&, const Source& by)
     });
 }
 
+Result<> MountDesk::ask(const request::AssignBoard&, const Source& by)
+{
+    return operatorOnly(by).and_then([this] { return gates().mayChangeBoards(); }).map([&] { m_helm.takeOver(by); });
+}
+
+Result<> MountDesk::ask(const request::SetGear&, const Source& by)
+{
+    return operatorOnly(by).and_then([this] { return gates().mayChangeBoards(); }).map([&] { m_helm.takeOver(by); });
+}
+
 Result<> MountDesk::ask(const request::SwitchOff& wanted, const Source& by)
 {
     const auto may = [&] { return wanted.axis ? gates().maySwitchOff(*wanted.axis) : gates().maySwitchOff(); };

@@ -20,6 +20,8 @@ public:
     // Only whether it may be: the connection of the mount reads and writes.
     Result<> ask(const request::ReadDrives& wanted, const Source& by);
     Result<> ask(const request::FixDrives& wanted, const Source& by);
+    Result<> ask(const request::AssignBoard& wanted, const Source& by);
+    Result<> ask(const request::SetGear& wanted, const Source& by);
     Result<> ask(const request::SwitchOff& wanted, const Source& by);
     Result<> ask(const request::ReleaseBus& wanted, const Source& by);
     Result<> ask(const request::TakeBus& wanted, const Source& by);

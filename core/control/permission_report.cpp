@@ -81,6 +81,10 @@ void PermissionReport::judgeDrives(Permissions& may) const
     const Result<> rest = gates.drivesRest();
     judge(may, Action::ReadDrives, gates.mayReadDrives());
     judge(may, Action::FixDrives, gates.mayFixDrives());
+    for (const Axis axis : kAxes) {
+        judge(may, assignBoardAction(axis), gates.mayChangeBoards());
+        judge(may, setGearAction(axis), gates.mayChangeBoards());
+    }
     judge(may, Action::SwitchOff, gates.maySwitchOff());
     judge(may, Action::ReleaseBus, gates.mayLeaveBus());
     judge(may, Action::Reconnect, rest);

@@ -15,6 +15,16 @@ struct DriveIdentity
     bool operator==(const DriveIdentity&) const = default;
 };
 
+// A board that the last look at the bus has found.
+struct BoardOnBus
+{
+    int id = 0;
+    QString uuid;         // empty: it did not tell
+    bool shared = false;  // another board has the same id: their answers collide
+
+    bool operator==(const BoardOnBus&) const = default;
+};
+
 // A board on the bus that is none of ours.
 struct Stranger
 {

@@ -46,6 +46,14 @@ struct DriveReadings
     std::uint64_t answered = 0;  // of those
 };
 
+// The gear in the drive differs from the profile, and can be set.
+struct GearCorrection
+{
+    QString found;   // "1"
+    QString wanted;  // "0.01"
+    QString effect;  // what else depends on it, in sentences
+};
+
 struct DriveStatus
 {
     bool present = true;  // this axis has such a drive; else nothing more is told
@@ -57,6 +65,15 @@ struct DriveStatus
     std::optional<TurnQuestion> turnQuestion;  // waits for the operator
     std::optional<CrashStop> crashStop;        // of the last proof
     DriveGains gains;
+    std::optional<GearCorrection> gear;  // empty: it is right, or unread
+};
+
+// An id or a gear that is written into one board.
+struct BoardWork
+{
+    bool running = false;
+    bool failed = false;
+    QString text;  // what it does, or how it ended; empty: nothing was asked for
 };
 
 struct DrivesStatus
@@ -70,6 +87,8 @@ struct DrivesStatus
     bool proofRunning = false;        // the crash-stop proof moves the mount
     QString proofText;                // what it does now, or how it ended
     std::vector<Stranger> strangers;  // boards that the profile does not know
+    std::vector<BoardOnBus> boards;   // all of them, by their ids
+    BoardWork boardWork;
     DriveStatus azimuth;
     DriveStatus elevation;
 };

@@ -43,6 +43,10 @@ enum class Action
     SetElevation,
     ReadDrives,
     FixDrives,
+    AssignAzimuthBoard,  // the board that is connected alone gets the id of the axis
+    AssignElevationBoard,
+    SetAzimuthGear,  // the ratio of the profile is written into the drive
+    SetElevationGear,
     SwitchOff,
     SwitchOffAzimuth,  // this drive alone
     SwitchOffElevation,
@@ -122,6 +126,16 @@ template <class Which>
 [[nodiscard]] constexpr Action switchOffAction(Axis axis)
 {
     return actionOf(Action::SwitchOffAzimuth, axis);
+}
+
+[[nodiscard]] constexpr Action assignBoardAction(Axis axis)
+{
+    return actionOf(Action::AssignAzimuthBoard, axis);
+}
+
+[[nodiscard]] constexpr Action setGearAction(Axis axis)
+{
+    return actionOf(Action::SetAzimuthGear, axis);
 }
 
 [[nodiscard]] constexpr Action chooseTurnAction(Axis axis)

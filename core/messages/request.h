@@ -122,6 +122,15 @@ struct ReadDrives  // scan, identify, read the drives' protections anew
 {};
 struct FixDrives  // write the protections that differ; the drives must be switched off
 {};
+struct AssignBoard  // the only board on the bus gets the id of this axis: set, read back, stored
+{
+    QString board;  // its UUID, as the operator has confirmed it; empty: it tells none
+    Axis axis = Axis::Azimuth;
+};
+struct SetGear  // the ratio of the profile is written into the drive of this axis: set, read back, stored
+{
+    Axis axis = Axis::Azimuth;
+};
 struct SwitchOff  // the drives off: an unbalanced elevation falls. Also the answer to "how do I let go"
 {
     std::optional<Axis> axis{};  // this one alone, and the other goes on holding
@@ -258,10 +267,10 @@ using Request =
                  request::Hold, request::Stop, request::ResetStop, request::Park, request::Home, request::Unwind,
                  request::Rearm, request::TakeAuthority, request::GiveAuthority, request::GiveLead,
                  request::SetReadOnly, request::Disconnect, request::AcknowledgeAlarms, request::AcknowledgeAlarm,
-                 request::ApplyProfile, request::Reconnect, request::ReadDrives, request::FixDrives, request::SwitchOff,
-                 request::ReleaseBus, request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof,
-                 request::ReadGains, request::SetGain, request::PutGainsBack, request::StoreGains, request::Trial,
-                 TuningRequest, CalibrationRequest>;
+                 request::ApplyProfile, request::Reconnect, request::ReadDrives, request::FixDrives,
+                 request::AssignBoard, request::SetGear, request::SwitchOff, request::ReleaseBus, request::TakeBus,
+                 request::ChooseTurn, request::ProveCrashStop, request::EndProof, request::ReadGains, request::SetGain,
+                 request::PutGainsBack, request::StoreGains, request::Trial, TuningRequest, CalibrationRequest>;
 
 // A request of the screen, numbered so that the answer finds the control that sent it.
 struct NumberedRequest

@@ -72,6 +72,7 @@ DriveCare::DriveCare(const profile::InForce& profile, MoteusMount& mount, AlarmB
       m_alarms(alarms),
       m_log(log),
       m_survey(profile, knownBoards(mount.memory()), mount.axes()),
+      m_boards(profile, m_survey, mount.axes(), log),
       m_gains{survey::AxisGains(Axis::Azimuth, profile->azimuth.id),
               survey::AxisGains(Axis::Elevation, profile->elevation.id)}
 {}
@@ -79,6 +80,7 @@ DriveCare::DriveCare(const profile::InForce& profile, MoteusMount& mount, AlarmB
 void DriveCare::take(const CanFrame& frame)
 {
     m_survey.take(frame);
+    m_boards.take(frame);
     const Result<moteus::Reply> reply = moteus::decodeReply(frame);
     if (!reply || reply->destination != moteus::kDiagnosticHostId) {
         return;
@@ -94,7 +96,7 @@ std::vector<CanFrame> DriveCare::tick(SteadyTime now)
     if (m_mount.busLeft()) {
         return {};
     }
-    auto frames = m_survey.frames(now);
+    auto frames = m_boards.isRunning() ? changeBoard(now) : m_survey.frames(now);
     tendGains(now, frames);
     tellMount();
     tellFindings();
@@ -109,7 +111,7 @@ void DriveCare::tendGains(SteadyTime now, std::vector<CanFrame>& frames)
     for (const Axis axis : m_mount.axes()) {
         survey::AxisGains& gains = m_gains[index(axis)];
         const auto& facts = m_survey.facts(axis);
-        if (m_survey.state() != SurveyState::Done || !facts) {
+        if (m_boards.isRunning() || m_survey.state() != SurveyState::Done || !facts) {
             gains.interrupt(Text::tr("The drive check came in between. Read the gains again."));
             continue;
         }
@@ -132,6 +134,17 @@ void DriveCare::tendGains(SteadyTime now, std::vector<CanFrame>& frames)
     if (countsAnew) {
         m_survey.begin(now);
     }
+}
+
+// The drive check waits meanwhile, and begins again: the boards are others than before.
+std::vector<CanFrame> DriveCare::changeBoard(SteadyTime now)
+{
+    bool ended = false;
+    auto frames = m_boards.frames(now, ended);
+    if (ended) {
+        m_survey.begin(now);
+    }
+    return frames;
 }
 
 // A drive that was silent may be another one, or have lost its power, when it answers again.
@@ -170,7 +183,7 @@ void DriveCare::watchSilence(SteadyTime now)
 void DriveCare::tellMount()
 {
     m_survey.setKnownBoards(knownBoards(m_mount.memory()));
-    m_mount.setFitness(m_survey.fitToMove());
+    m_mount.setFitness(m_boards.isRunning() ? mayTouch() : m_survey.fitToMove());
     for (const Axis axis : m_mount.axes()) {
         if (m_survey.rebootsSeen(axis) != std::exchange(m_rebootsTold[index(axis)], m_survey.rebootsSeen(axis))) {
             m_mount.driveRestarted(axis);
@@ -214,6 +227,9 @@ void DriveCare::tellChanges()
 
 Result<> DriveCare::mayTouch() const
 {
+    if (m_boards.isRunning()) {
+        return failure(ErrorCode::Busy, Text::tr("A board is being changed. Wait some seconds."));
+    }
     if (m_survey.state() == SurveyState::Fixing) {
         return failure(ErrorCode::Refused, Text::tr("the drives' settings are being written: wait until that is done"));
     }
@@ -289,6 +305,12 @@ Result<> DriveCare::admits(const Request& request) const
                    [this](const request::SetGain& wanted) { return mayWrite(wanted.axis, wanted.gain, wanted.value); },
                    [this](const request::PutGainsBack& wanted) { return mayPutBack(wanted.axis); },
                    [this](const request::StoreGains& wanted) { return mayStore(wanted.axis); },
+                   [&](const request::AssignBoard& wanted) {
+                       return mayTouch().and_then([&] { return m_boards.admits(wanted); });
+                   },
+                   [&](const request::SetGear& wanted) {
+                       return mayTouch().and_then([&] { return m_boards.admits(wanted); });
+                   },
                    [](const auto&) -> Result<> { return {}; }},
         request);
 }
@@ -316,6 +338,14 @@ Result<> DriveCare::carryOut(const Request& request, SteadyTime now)
                                               m_gains[index(wanted.axis)].store();
                                               return {};
                                           },
+                                          [&](const request::AssignBoard& wanted) -> Result<> {
+                                              m_boards.begin(wanted, now);
+                                              return {};
+                                          },
+                                          [&](const request::SetGear& wanted) -> Result<> {
+                                              m_boards.begin(wanted, now);
+                                              return {};
+                                          },
                                           [](const auto&) -> Result<> { return {}; }},
                                request);
     tellMount();  // at once: a client's command may come before the next tick
@@ -330,6 +360,7 @@ void DriveCare::judge(Permissions& may) const
     add(Action::ReadDrives, mayRead());
     add(Action::FixDrives, mayFix());
     add(Action::ReleaseBus, mayTouch());
+    m_boards.judge(may);
     judgeGains(may);
 }
 
@@ -357,6 +388,7 @@ void DriveCare::fill(DrivesStatus& drives) const
     drives.surveyText = m_survey.progress();
     drives.fixable = m_survey.isFixable();
     drives.strangers = m_survey.strangers();
+    m_boards.fill(drives);
     for (const Axis axis : m_mount.axes()) {
         fill(axis, axis == Axis::Azimuth ? drives.azimuth : drives.elevation);
     }

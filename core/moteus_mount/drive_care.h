@@ -6,6 +6,7 @@
 #include "core/base/can_frame.h"
 #include "core/messages/permissions.h"
 #include "core/messages/request.h"
+#include "core/moteus_mount/board_desk.h"
 #include "core/moteus_mount/moteus_mount.h"
 #include "core/profile/in_force.h"
 #include "core/survey/axis_gains.h"
@@ -52,6 +53,7 @@ private:
     void tendGains(SteadyTime now, std::vector<CanFrame>& frames);
     void watchConnection(SteadyTime now);
     void watchSilence(SteadyTime now);
+    [[nodiscard]] std::vector<CanFrame> changeBoard(SteadyTime now);
     void tellMount();
     void tellFindings();
     void tellChanges();
@@ -61,6 +63,7 @@ private:
     AlarmBoard& m_alarms;
     EventLog& m_log;
     survey::DriveSurvey m_survey;
+    BoardDesk m_boards;
     std::array<survey::AxisGains, 2> m_gains;
     std::array<int, 2> m_rebootsTold{};
     std::array<bool, 2> m_answering{};

@@ -58,6 +58,7 @@ PairSettings factoryPair(const AxisPosition& start)
 SimulatedPair::SimulatedPair(const PairSettings& settings)
     : m_supply(settings.supply),
       m_supplyVoltage(settings.supply.voltage),
+      m_collisions(settings.collisions),
       m_sides{{{.axis = Axis::Azimuth,
                 .drive = std::make_unique<SimulatedMoteus>(settings.azimuth),
                 .spoiler = {Axis::Azimuth, settings.seed}},
@@ -188,7 +189,12 @@ std::vector<SimulatedPair::Answer> SimulatedPair::ask(const CanFrame& frame)
     }
     if (answers.size() == 2 && answers[0].frame.id == answers[1].frame.id) {
         // Two with one id answer together: different bits destroy each other, the same bits are one frame.
-        answers.erase(answers.begin() + (answers[0].frame == answers[1].frame ? 1 : 0), answers.end());
+        if (answers[0].frame == answers[1].frame) {
+            answers.pop_back();
+        } else if (m_collisions >= 1.0 || std::uniform_real_distribution<double>(0.0, 1.0)(m_random) < m_collisions) {
+            m_replyCounts.collided += answers.size();
+            answers.clear();
+        }
     }
     return answers;
 }

@@ -24,6 +24,9 @@ struct PairSettings
     MoteusSettings elevation;
     SupplySettings supply{};
     std::uint32_t seed = 1;  // of lost and edited frames
+    // How often two different answers under one id destroy each other. Else one board begins a bit later, waits, and
+    // both arrive.
+    double collisions = 1.0;
 };
 
 // The reference mount (reference_mount.h), referenced and protected, standing at `start`.
@@ -55,7 +58,8 @@ struct PairReply
 struct ReplyCounts
 {
     std::uint64_t said = 0;
-    std::uint64_t lost = 0;  // of these, by injected faults
+    std::uint64_t lost = 0;      // of these, by injected faults
+    std::uint64_t collided = 0;  // of these, destroyed by an answer under the same id
 };
 
 class SimulatedPair
@@ -109,6 +113,7 @@ private:
 
     PowerSupply m_supply;
     double m_supplyVoltage;
+    double m_collisions;
     std::array<Side, 2> m_sides;
     FaultSchedule m_faults;
     ReplyCounts m_replyCounts;

@@ -56,11 +56,13 @@ Result<> SimulatedLink::send(std::span<const CanFrame> frames)
     if (isInjected(sim::FaultKind::AdapterError)) {
         return {};  // an adapter says so later, by its ERR
     }
+    const std::uint64_t collided = m_pair.replyCounts().collided;
     for (const CanFrame& frame : frames) {
         for (const sim::PairReply& reply : m_pair.exchange(frame, pairTime())) {
             m_replies.add(reply.due, reply);
         }
     }
+    m_status.busErrors += m_pair.replyCounts().collided - collided;
     schedule();
     return {};
 }

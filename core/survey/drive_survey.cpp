@@ -190,6 +190,7 @@ void DriveSurvey::take(const CanFrame& frame)
 
 void DriveSurvey::endScan(SteadyTime now)
 {
+    m_boards = m_scan.controllers();
     for (Side& side : m_sides) {
         const FoundController* board = onlyBoard(m_scan.controllers(), side.id);
         if (board == nullptr || !hasKnownMap(*board)) {

@@ -66,6 +66,8 @@ public:
     [[nodiscard]] QString progress() const;  // what it does, or why it is not done; may be empty
     [[nodiscard]] const std::optional<DriveFacts>& facts(Axis axis) const { return side(axis).facts; }
     [[nodiscard]] std::span<const ProtectionLine> protections(Axis axis) const { return side(axis).drive.lines(); }
+    // All boards of the last scan that ended, by their ids.
+    [[nodiscard]] const std::vector<FoundController>& boards() const { return m_boards; }
     // Boards that the profile does not know, of the last scan that ended.
     [[nodiscard]] const std::vector<Stranger>& strangers() const { return m_strangers; }
     // In the operator's words why nothing may move yet.
@@ -106,6 +108,7 @@ private:
     std::optional<SteadyTime> m_retryAt;
     bool m_retrying = false;  // a survey has ended without all drives, and is repeated
     bool m_fixed = false;     // the last thing done was a Fix that worked
+    std::vector<FoundController> m_boards;
     std::vector<Stranger> m_strangers;
     std::vector<Finding> m_findings;
 };

@@ -62,8 +62,9 @@ void IdentityJudge::judgeShared()
              .about = QString::number(id),
              .weight = isOurs(id) ? FindingWeight::Blocking : FindingWeight::Warning,
              .what = Text::tr("two boards have the id %1, so their answers collide").arg(id),
-             .remedy = Text::tr("Connect only one of them, give it another id (conf set id.id N, conf write), then "
-                                "connect the other. If there is only one board, check plugs and termination.")});
+             .remedy =
+                 Text::tr("Open the guide (F3), step Connect. It gives one board after the other its id. If there "
+                          "is only one board, check plugs and termination.")});
     }
 }
 
@@ -98,9 +99,9 @@ void IdentityJudge::judgeSwapped()
              .what = Text::tr("the ids are swapped, and the board with the id %1 (%2) was the board of %3")
                          .arg(idOf(axis))
                          .arg(axisText(axis), axisText(other)),
-             .remedy = Text::tr("Exchange the ids in the profile or in the boards (conf set id.id N, conf write). If "
-                                "the boards were exchanged, end Boresight, move the mount's .memory.json files out of "
-                                "the state folder, and start again.")});
+             .remedy =
+                 Text::tr("Exchange the ids in the profile. If the boards were exchanged, end Boresight, move the "
+                          "mount's .memory.json files out of the state folder, and start again.")});
         return;
     }
 }

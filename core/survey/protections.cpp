@@ -269,7 +269,7 @@ void addGear(List& list, const profile::AxisSettings& axis)
          .isRight = [ratio](double found) { return std::abs(found - ratio) <= 1e-6 + 1e-4 * ratio; },
          .otherwise = Verdict::Dangerous,
          .reason = Text::tr("the gear as the profile has it (gear_ratio, gear_in): with another one every angle is "
-                            "wrong. To be changed by hand only: the gains change with the square of it")});
+                            "wrong. Set gear writes it: the gains change with the square of it")});
     list.push_back({.key = "motor_position.output.sign",
                     .wanted = Text::tr("1 or -1"),
                     .isRight = [](double found) { return found == 1.0 || found == -1.0; },

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/moteus_mount/board_desk.h"
+
+#include "core/base/text.h"
+#include "core/moteus/describe.h"
+#include "core/survey/identity_findings.h"
+#include "core/survey/protections.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+const QString kBoardSource = QStringLiteral("drives");
+constexpr const char* kRatioKey = "motor_position.rotor_to_output_ratio";
+
+QString uuidOf(const survey::FoundController& board)
+{
+    return survey::identityOf(board).uuid;
+}
+
+bool sharesItsId(const std::vector<survey::FoundController>& boards, const survey::FoundController& one)
+{
+    return one.isUnreadable() || std::ranges::count(boards, one.id, &survey::FoundController::id) > 1;
+}
+
+double wantedRatio(const profile::AxisSettings& axis)
+{
+    return axis.geometry.gearIn == pointing::GearIn::Drive ? 1.0 / axis.geometry.gearRatio : 1.0;
+}
+
+QString numberText(double value)
+{
+    return QString::number(value, 'g', 6);
+}
+
+}  // namespace
+
+bool BoardDesk::hasDrive(Axis axis) const
+{
+    return std::ranges::find(m_axes, axis) != m_axes.end();
+}
+
+Result<> BoardDesk::mayAssign(Axis axis) const
+{
+    const auto refuse = [](const QString& why) -> Result<> { return failure(ErrorCode::Refused, why); };
+    if (isRunning()) {
+        return failure(ErrorCode::Busy, m_change.progress());
+    }
+    if (!hasDrive(axis)) {
+        return failure(ErrorCode::NotAvailable, Text::tr("The mount has no such drive for this axis."));
+    }
+    const auto& boards = m_survey.boards();
+    if (boards.empty()) {
+        return refuse(Text::tr("No board answers. Connect the board of the %1.").arg(survey::axisText(axis)));
+    }
+    if (const auto shared = std::ranges::find_if(boards, [&](const auto& one) { return sharesItsId(boards, one); });
+        shared != boards.end()) {
+        return refuse(
+            Text::tr("Two boards have the id %1. Switch the power off, disconnect one of them, and switch the "
+                     "power on again.")
+                .arg(shared->id));
+    }
+    if (boards.size() > 1) {
+        return refuse(Text::tr("More than one board is connected. Leave only the board of the %1 connected.")
+                          .arg(survey::axisText(axis)));
+    }
+    if (boards.front().id == m_profile->axis(axis).id) {
+        return refuse(
+            Text::tr("This board has the id %1 of the %2 already.").arg(boards.front().id).arg(survey::axisText(axis)));
+    }
+    return {};
+}
+
+Result<> BoardDesk::maySetGear(Axis axis) const
+{
+    if (isRunning()) {
+        return failure(ErrorCode::Busy, m_change.progress());
+    }
+    if (m_survey.state() == SurveyState::Running || m_survey.state() == SurveyState::Fixing) {
+        return failure(ErrorCode::Busy, Text::tr("The drives are being read. Wait some seconds."));
+    }
+    return gear(axis) ? Result<>{}
+                      : failure(ErrorCode::NotAvailable,
+                                Text::tr("The gear in the drive is the one of the profile, or it was not read."));
+}
+
+Result<> BoardDesk::admits(const request::AssignBoard& wanted) const
+{
+    return mayAssign(wanted.axis).and_then([&]() -> Result<> {
+        return uuidOf(m_survey.boards().front()) == wanted.board
+                   ? Result<>{}
+                   : failure(ErrorCode::Refused,
+                             Text::tr("Another board is connected than the one you confirmed. Look again."));
+    });
+}
+
+Result<> BoardDesk::admits(const request::SetGear& wanted) const
+{
+    return maySetGear(wanted.axis);
+}
+
+void BoardDesk::begin(const request::AssignBoard& wanted, SteadyTime now)
+{
+    const survey::FoundController& board = m_survey.boards().front();
+    const int id = m_profile->axis(wanted.axis).id;
+    m_done = Text::tr(
+                 "The board %1 has the id %2 now. It was read back and stored. Switch the power off, connect the "
+                 "other board again, and switch the power on.")
+                 .arg(uuidOf(board))
+                 .arg(id);
+    m_log.add(Severity::Warning, kBoardSource,
+              Text::tr("giving the board %1 the id %2, it had %3").arg(uuidOf(board)).arg(id).arg(board.id));
+    m_change.begin({.board = board.known.uuid(),
+                    .id = board.id,
+                    .newId = id,
+                    .key = "id.id",
+                    .value = static_cast<double>(id),
+                    .alone = true,
+                    .what = Text::tr("the id %1").arg(id)},
+                   now);
+}
+
+void BoardDesk::begin(const request::SetGear& wanted, SteadyTime now)
+{
+    const profile::AxisSettings& axis = m_profile->axis(wanted.axis);
+    const survey::FoundController* const board = survey::onlyBoard(m_survey.boards(), axis.id);
+    if (board == nullptr) {
+        return;  // admits() has seen it
+    }
+    const double ratio = wantedRatio(axis);
+    m_done = Text::tr(
+                 "The gear ratio of the %1 drive is %2 now. It was read back and stored. Press Fix next: bounds and "
+                 "speeds count turns of the axis. Then check the gains.")
+                 .arg(survey::axisText(wanted.axis), numberText(ratio));
+    m_log.add(
+        Severity::Warning, kBoardSource,
+        Text::tr("writing the gear ratio %1 into the %2 drive").arg(numberText(ratio), survey::axisText(wanted.axis)));
+    m_change.begin({.board = board->known.uuid(),
+                    .id = axis.id,
+                    .newId = axis.id,
+                    .key = kRatioKey,
+                    .value = ratio,
+                    .what = Text::tr("the gear ratio")},
+                   now);
+}
+
+std::vector<CanFrame> BoardDesk::frames(SteadyTime now, bool& ended)
+{
+    std::vector<CanFrame> frames = m_change.frames(now);
+    ended = !m_change.isRunning();
+    if (ended) {
+        finish();
+    }
+    return frames;
+}
+
+void BoardDesk::finish()
+{
+    const Result<>& outcome = *m_change.outcome();
+    m_log.add(outcome ? Severity::Advisory : Severity::Warning, kBoardSource, outcome ? m_done : outcome.error().text);
+}
+
+void BoardDesk::take(const CanFrame& frame)
+{
+    const Result<moteus::Reply> reply = moteus::decodeReply(frame);
+    if (reply && reply->destination == moteus::kDiagnosticHostId && reply->prefix == 0) {
+        m_change.take(*reply);
+    }
+}
+
+std::optional<GearCorrection> BoardDesk::gear(Axis axis) const
+{
+    if (!hasDrive(axis)) {
+        return std::nullopt;
+    }
+    const auto lines = m_survey.protections(axis);
+    const auto line = std::ranges::find(lines, QLatin1String(kRatioKey), &ProtectionLine::key);
+    const auto& facts = m_survey.facts(axis);
+    if (line == lines.end() || line->verdict != Verdict::Dangerous || !facts) {
+        return std::nullopt;
+    }
+    const double wanted = wantedRatio(m_profile->axis(axis));
+    const double found = facts->rotorToOutputRatio;
+    return GearCorrection{
+        .found = numberText(found),
+        .wanted = numberText(wanted),
+        .effect =
+            Text::tr("Bounds, speeds and gains of the drive count turns of the axis. Fix writes bounds and speeds "
+                     "afterwards. The gains keep their numbers: for the same stiffness at the motor kp, ki and kd "
+                     "must be %1 times as large. Set them before the axis moves a load. Boresight asks for the "
+                     "cable wrap again.")
+                .arg(numberText(std::pow(found / wanted, 2)))};
+}
+
+void BoardDesk::fill(DrivesStatus& drives) const
+{
+    drives.boards.clear();
+    for (const survey::FoundController& board : m_survey.boards()) {
+        const bool shared = sharesItsId(m_survey.boards(), board);
+        drives.boards.push_back({.id = board.id, .uuid = uuidOf(board), .shared = shared});
+    }
+    const auto& outcome = m_change.outcome();
+    const QString ended = !outcome ? QString() : *outcome ? m_done : outcome->error().text;
+    drives.boardWork = {.running = isRunning(),
+                        .failed = !isRunning() && outcome && !*outcome,
+                        .text = isRunning() ? m_change.progress() : ended};
+    drives.azimuth.gear = gear(Axis::Azimuth);
+    drives.elevation.gear = gear(Axis::Elevation);
+}
+
+void BoardDesk::judge(Permissions& may) const
+{
+    const auto add = [&may](Action action, const Result<>& answer) {
+        may.refuse(action, answer ? QString() : answer.error().text);
+    };
+    for (const Axis axis : kAxes) {
+        add(assignBoardAction(axis), mayAssign(axis));
+        add(setGearAction(axis), maySetGear(axis));
+    }
+}
+
+}  // namespace boresight
