@@ -14,6 +14,17 @@
 
 namespace boresight::ui {
 
+namespace {
+
+std::optional<Axis> axisOfWrongGear(const DrivesStatus& drives)
+{
+    return drives.azimuth.gear     ? std::optional(Axis::Azimuth)
+           : drives.elevation.gear ? std::optional(Axis::Elevation)
+                                   : std::nullopt;
+}
+
+}  // namespace
+
 ProtectionPanel::ProtectionPanel(RequestDesk& desk, QWidget* parent)
     : AskingPanel(desk, parent),
       m_model(new ProtectionModel(this)),
@@ -24,6 +35,8 @@ ProtectionPanel::ProtectionPanel(RequestDesk& desk, QWidget* parent)
       m_read(new CommandButton(tr("Read again"), tr("Look who is on the bus and read all settings anew"), desk,
                                *m_notice, this)),
       m_fix(new CommandButton(tr("Fix …"), tr("Write the settings that differ; asks first"), desk, *m_notice, this)),
+      m_gear(new CommandButton(tr("Set gear …"), tr("Write the gear ratio of the profile; asks first"), desk, *m_notice,
+                               this)),
       m_switchOff(
           new CommandButton(tr("Switch drives off …"), tr("Release the axes; asks first"), desk, *m_notice, this)),
       m_switchAxisOff{new CommandButton(tr("Azimuth off …"),
@@ -36,6 +49,7 @@ ProtectionPanel::ProtectionPanel(RequestDesk& desk, QWidget* parent)
     build();
     connect(m_read, &QPushButton::clicked, this, [this] { m_read->ask(request::ReadDrives{}); });
     connect(m_fix, &QPushButton::clicked, this, &ProtectionPanel::fix);
+    connect(m_gear, &QPushButton::clicked, this, &ProtectionPanel::setGear);
     connect(m_switchOff, &QPushButton::clicked, this, qOverload<>(&ProtectionPanel::switchOff));
     for (const Axis axis : kAxes) {
         connect(m_switchAxisOff[axisIndex(axis)], &QPushButton::clicked, this, [this, axis] { switchOff(axis); });
@@ -69,7 +83,7 @@ void ProtectionPanel::build()
     column->addWidget(m_survey);
     column->addWidget(m_table, 1);
     column->addWidget(m_reason);
-    column->addLayout(rowOf({m_read, m_fix}));
+    column->addLayout(rowOf({m_read, m_gear, m_fix}));
     column->addLayout(rowOf({m_switchAxisOff[0], m_switchAxisOff[1], m_switchOff}));
     column->addWidget(m_notice);
 }
@@ -96,6 +110,9 @@ void ProtectionPanel::showStatus(const StationStatus& status)
     showSurvey(drivesOf(status));
     m_read->setBlocked(status.permissions.reason(Action::ReadDrives));
     m_fix->setBlocked(status.permissions.reason(Action::FixDrives));
+    const std::optional<Axis> wrong = axisOfWrongGear(drivesOf(status));
+    m_gear->setVisible(wrong.has_value());
+    m_gear->setBlocked(status.permissions.reason(setGearAction(wrong.value_or(Axis::Azimuth))));
     m_switchOff->setBlocked(status.permissions.reason(Action::SwitchOff));
     for (const Axis axis : kAxes) {
         m_switchAxisOff[axisIndex(axis)]->setBlocked(status.permissions.reason(switchOffAction(axis)));
@@ -106,6 +123,12 @@ void ProtectionPanel::showStatus(const StationStatus& status)
 // What stops the mount goes before how far the reading is; both fit nowhere else when the table is long.
 void ProtectionPanel::showSurvey(const DrivesStatus& drives)
 {
+    const BoardWork& work = drives.boardWork;
+    if (work.running || (work.failed && axisOfWrongGear(drives))) {
+        m_survey->setValue(work.text, work.failed ? Tone::Warning : Tone::Advisory,
+                           work.failed ? Symbol::Warning : Symbol::Advisory);
+        return;
+    }
     const bool busy = drives.survey == SurveyState::Running || drives.survey == SurveyState::Fixing;
     const Sentence line =
         !busy && !drives.released && !drives.armingObstacle.isEmpty() ? armingSentence(drives) : surveySentence(drives);
@@ -143,6 +166,24 @@ void ProtectionPanel::fix()
               .act = tr("Write"),
               .request = request::FixDrives{},
               .action = Action::FixDrives},
+             m_status);
+}
+
+void ProtectionPanel::setGear()
+{
+    const std::optional<Axis> axis = axisOfWrongGear(drivesOf(m_status));
+    if (!axis) {
+        return;
+    }
+    const GearCorrection& gear = *driveOf(m_status, *axis).gear;
+    askFirst({.title = tr("Write the gear ratio into the %1 drive?").arg(name(*axis)),
+              .text = tr("The drive has %1. The profile says %2 (turns of the axis for one turn of the motor). If the "
+                         "profile is wrong, cancel and correct the gear there (tab Mount, Profile).\n\n%3\n\nBoresight "
+                         "sets the ratio, reads it back, and stores it in the drive. Nothing moves.")
+                          .arg(gear.found, gear.wanted, gear.effect),
+              .act = tr("Write"),
+              .request = request::SetGear{.axis = *axis},
+              .action = setGearAction(*axis)},
              m_status);
 }
 

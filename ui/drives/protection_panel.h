@@ -28,6 +28,7 @@ private:
     void showSurvey(const DrivesStatus& drives);
     void showReason();
     void fix();
+    void setGear();
     void switchOff();
     void switchOff(Axis axis);
 
@@ -39,6 +40,7 @@ private:
     ValueLabel* m_notice;
     CommandButton* m_read;
     CommandButton* m_fix;
+    CommandButton* m_gear;  // only where it differs
     CommandButton* m_switchOff;
     std::array<CommandButton*, 2> m_switchAxisOff;
 };

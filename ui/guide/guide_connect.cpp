@@ -2,6 +2,8 @@
 #include "ui/guide/guide_connect.h"
 
 #include "core/profile/commissioning.h"
+#include "ui/guide/bus_picture.h"
+#include "ui/guide/guide_boards.h"
 #include "ui/kit/axes.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
@@ -83,6 +85,8 @@ GuideConnect::GuideConnect(ProfileChange& change, RequestDesk& desk, HostDesk& h
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_list(new QListWidget(this)),
       m_found(new QPlainTextEdit(this)),
+      m_picture(new BusPicture(this)),
+      m_boards(new GuideBoards(desk, this)),
       m_refresh(makePushButton({.text = tr("Refresh"), .help = tr("List the adapters again, after one was plugged in")},
                                this)),
       m_scan(new CommandButton(tr("Scan"), tr("List the drives on the selected bus. Nothing moves"), desk, *m_notice,
@@ -121,7 +125,12 @@ void GuideConnect::build()
         row->addWidget(button);
     }
     column->addWidget(m_list, 2);
-    column->addWidget(m_found, 1);
+    auto* const who = new QHBoxLayout;
+    who->addWidget(m_found, 1);
+    who->addWidget(m_picture, 0, Qt::AlignTop);
+    column->addLayout(who, 1);
+    column->addWidget(m_boards, 2);
+    m_boards->hide();
     column->addLayout(row);
     column->addWidget(m_notice);
 }
@@ -205,6 +214,18 @@ void GuideConnect::showButtons()
                       : m_change.isAlready(take) ? tr("The mount is already connected by this adapter.")
                                                  : m_change.whyNot(m_status, take));
     showFound();
+    showBoards();
+}
+
+void GuideConnect::showBoards()
+{
+    const bool needed = m_boards->isAsking() || (selectedBus() == busInUse() && GuideBoards::isNeeded(m_status));
+    m_boards->setVisible(needed);
+    m_found->setVisible(!needed);
+    m_picture->setVisible(!needed && m_status.drives);
+    if (needed) {
+        m_boards->showStatus(m_status);
+    }
 }
 
 // The simulated mount in use leaves the bus that its profile names.
@@ -233,7 +254,8 @@ void GuideConnect::showFound()
 {
     QStringList lines;
     if (selectedBus() == busInUse()) {
-        lines << (m_status.drives ? tr("In use. %1.").arg(surveySentence(*m_status.drives).text) : tr("In use."));
+        lines << (m_status.drives ? tr("In use. %1.").arg(surveySentence(*m_status.drives).text)
+                                  : tr("In use. This rotator has no boards that can be listed."));
         lines << tagged(linesOfDrives(m_status), isSimulated(selectedBus()));
     } else if (selectedBus() == m_scanning) {
         lines << tr("Scanning …");

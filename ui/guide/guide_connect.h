@@ -18,7 +18,9 @@ class QPushButton;
 // one, and taking it for the mount. On the bus that the station works on, the station itself says who is there.
 namespace boresight::ui {
 
+class BusPicture;
 class CommandButton;
+class GuideBoards;
 class HostDesk;
 class ValueLabel;
 
@@ -42,6 +44,7 @@ private:
     void scan();
     void use();
     void showFound();
+    void showBoards();
     [[nodiscard]] QString selectedBus() const;
     [[nodiscard]] QString busInUse() const;
     [[nodiscard]] bool isSimulated(const QString& bus) const;
@@ -57,6 +60,8 @@ private:
     ValueLabel* m_notice;
     QListWidget* m_list;
     QPlainTextEdit* m_found;
+    BusPicture* m_picture;
+    GuideBoards* m_boards;  // in its place
     QPushButton* m_refresh;
     CommandButton* m_scan;
     CommandButton* m_use;

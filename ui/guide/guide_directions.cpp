@@ -143,9 +143,10 @@ void GuideDirections::follow(Axis axis)
 
 void GuideDirections::showButtons()
 {
-    const bool both = std::ranges::all_of(kAxes, [this](Axis axis) { return driveOf(m_status, axis).present; });
+    const bool both =
+        m_status.drives && std::ranges::all_of(kAxes, [this](Axis axis) { return driveOf(m_status, axis).present; });
     const bool single = missingAxis(m_status).has_value();
-    m_swap->setVisible(!single);
+    m_swap->setVisible(!single && m_status.drives);  // else there is nothing to exchange
     m_swap->setBlocked(both ? m_change.whyNot(m_status, &profile::swapMotors)
                             : tr("only one axis has a motor that can be exchanged"));
     for (const Axis axis : kAxes) {

@@ -2,6 +2,7 @@
 #include "ui/guide/guide_north.h"
 
 #include "core/profile/commissioning.h"
+#include "ui/guide/step_picture.h"
 #include "ui/hold/hold_buttons.h"
 #include "ui/kit/axes.h"
 #include "ui/kit/caption.h"
@@ -47,9 +48,20 @@ QString knownText(const StationStatus& status, Angle offset)
                                   .arg(angleText(offset), entry->title, minuteText(entry->when));
 }
 
-QString explanation(const QString& known)
+QString panelText(const StationStatus& status)
 {
-    return known.isEmpty()
+    return status.sensor.configured() ? GuideNorth::tr("Sensor, Sun, Moon (Ctrl+9)")
+                                      : GuideNorth::tr("Sun, Moon (Ctrl+9)");
+}
+
+QString explanation(const QString& known, bool sensor)
+{
+    return known.isEmpty() && !sensor
+               ? GuideNorth::tr(
+                     "Point the antenna at a landmark whose bearing is known, and type the bearing. Or ask the Sun or "
+                     "the "
+                     "Moon. This mount has no sensor. Without any press Next: north can wait, everything else works.")
+           : known.isEmpty()
                ? GuideNorth::tr(
                      "Point the antenna at a landmark whose bearing is known, and type the bearing. Or ask "
                      "the sensor, the Sun or the Moon. Without any press Next: north can wait, everything "
@@ -97,7 +109,7 @@ void GuideNorth::build()
     for (ValueLabel* const label : {m_explanation, m_pointing, m_effect, m_notice}) {
         label->setStretching(true);
     }
-    m_explanation->setLines(3);
+    m_explanation->setLines(4);
     m_effect->setLines(3);
     m_notice->setCollapsing(true);
     m_replace->setFont(fonts::label());
@@ -106,7 +118,10 @@ void GuideNorth::build()
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(6);
-    grid->addWidget(m_explanation, 0, 0, 1, 3);
+    auto* const top = new QHBoxLayout;
+    top->addWidget(m_explanation, 1);
+    top->addWidget(new StepPicture(StepPicture::Scene::North, this));
+    grid->addLayout(top, 0, 0, 1, 3);
     grid->addWidget(m_pointing, 1, 0, 1, 2);
     grid->addWidget(m_hold, 1, 2);
     grid->addWidget(makeCaption(tr("It really points to"), *m_truth), 2, 0);
@@ -168,7 +183,9 @@ void GuideNorth::showKnown()
 {
     const QString known = knownText(m_status, m_change.applied().pointing.azimuthOffset);
     m_known = !known.isEmpty();
-    m_explanation->setValue(explanation(known));
+    m_explanation->setValue(explanation(known, m_status.sensor.configured()));
+    m_panel->setText(panelText(m_status));
+    m_panel->setAccessibleName(m_panel->text());
     m_replace->setVisible(m_known);
 }
 

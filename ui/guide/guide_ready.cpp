@@ -4,7 +4,7 @@
 #include "ui/clients/gpredict_settings.h"
 #include "ui/guide/step_button.h"
 #include "ui/guide/step_mark.h"
-#include "ui/kit/caption.h"
+#include "ui/kit/axes.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
 #include "ui/kit/push_button.h"
@@ -59,19 +59,28 @@ void addTo(StepCount& count, StepState state)
     }
 }
 
+QString parkText(const StationStatus& status)
+{
+    const AxisPosition& park = status.profile->park;
+    const auto missing = missingAxis(status);
+    return !missing                      ? axisText(park)
+           : *missing == Axis::Elevation ? GuideReady::tr("azimuth %1").arg(angleText(park.azimuth, 1))
+                                         : GuideReady::tr("elevation %1").arg(angleText(park.elevation, 1));
+}
+
 QString endOfPass(const StationStatus& status)
 {
     return GuideReady::tr(
                "After the pass: Park (Ctrl+P) goes to %1. "
                "STOP: the button, Pause or F12, at any time. The mast needs a hard-wired emergency stop besides.")
-        .arg(axisText(status.profile->park));
+        .arg(parkText(status));
 }
 
 }  // namespace
 
 GuideReady::GuideReady(QWidget* parent)
     : QWidget(parent),
-      m_summary(new ValueLabel(tr("What is done"), fonts::text(), {}, this)),
+      m_summary(new ValueLabel(tr("What is done"), fonts::label(), {}, this)),
       m_inTheWay(new ValueLabel(tr("Why the mount can not be pointed now"), fonts::label(), {}, this)),
       m_client(new ValueLabel(tr("Line for Gpredict"), fonts::label(), {}, this)),
       m_pass(new ValueLabel(tr("What to do for the first pass"), fonts::label(), {}, this)),
@@ -97,13 +106,12 @@ void GuideReady::build()
         label->setStretching(true);
         label->setLines(2);
     }
-    m_end->setLines(3);
     m_inTheWay->setCollapsing(true);
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(4);
+    column->setSpacing(2);
     auto* const steps = new QGridLayout;
-    steps->setSpacing(4);
+    steps->setSpacing(2);
     int place = 0;
     const int rows = static_cast<int>(m_steps.size() + 1) / 2;
     for (const auto& [step, button] : m_steps) {
@@ -140,7 +148,9 @@ void GuideReady::showSteps(const StationStatus& status, const GuideProgress& pro
             addTo(count, report.state);
         }
     }
-    m_summary->setValue(summaryOf(count), count.needYou > 0 ? Tone::Warning : Tone::Normal,
+    const QString summary = summaryOf(count);
+    const QString simulated = tr("%1 This is the simulated mount. A real one begins again.").arg(summary);
+    m_summary->setValue(status.simulated ? simulated : summary, count.needYou > 0 ? Tone::Warning : Tone::Normal,
                         count.needYou > 0 ? Symbol::Warning : Symbol::None);
 }
 

@@ -2,6 +2,7 @@
 #include "ui/guide/guide_travel.h"
 
 #include "core/profile/commissioning.h"
+#include "ui/guide/step_picture.h"
 #include "ui/hold/hold_buttons.h"
 #include "ui/kit/axes.h"
 #include "ui/kit/caption.h"
@@ -31,12 +32,13 @@ GuideTravel::GuideTravel(ProfileChange& change, RequestDesk& desk, QWidget* pare
     column->setSpacing(4);
     auto* const explanation = new ValueLabel(tr("What the ends are"), fonts::label(), {}, this);
     explanation->setStretching(true);
-    explanation->setLines(2);
+    explanation->setLines(3);
     explanation->setValue(
         tr("Type the ends, or drive there and set them here. Turns of the cable count: 370° is not "
            "10°."));
     auto* const top = new QHBoxLayout;
     top->addWidget(explanation, 1);
+    top->addWidget(new StepPicture(StepPicture::Scene::Travel, this));
     top->addWidget(m_use);
     column->addLayout(top);
     for (const Axis axis : kAxes) {

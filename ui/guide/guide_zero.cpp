@@ -2,6 +2,7 @@
 #include "ui/guide/guide_zero.h"
 
 #include "core/profile/commissioning.h"
+#include "ui/guide/step_picture.h"
 #include "ui/hold/hold_buttons.h"
 #include "ui/kit/axes.h"
 #include "ui/kit/caption.h"
@@ -72,7 +73,10 @@ void GuideZero::build()
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(6);
-    grid->addWidget(m_explanation, 0, 0, 1, 3);
+    auto* const top = new QHBoxLayout;
+    top->addWidget(m_explanation, 1);
+    top->addWidget(new StepPicture(StepPicture::Scene::Level, this));
+    grid->addLayout(top, 0, 0, 1, 3);
     grid->addWidget(m_reading, 1, 0, 1, 2);
     grid->addWidget(m_hold, 1, 2);
     grid->addWidget(makeCaption(tr("It really is"), *m_truth), 2, 0);
@@ -130,7 +134,8 @@ void GuideZero::showEffect()
     const QString ends = tr("travel %1, now %2")
                              .arg(travelText(then.axis(kAxis).geometry.travel),
                                   travelText(m_change.applied().axis(kAxis).geometry.travel));
-    const QString bounds = m_endsStay->isChecked()
+    const QString bounds = !m_status.drives ? QString()
+                           : m_endsStay->isChecked()
                                ? tr("The drives' own bounds stay right.")
                                : tr("The drives' own bounds are to be fixed afterwards (step Protect).");
     m_effect->setValue(tr("Every angle changes by %1: %2. %3").arg(by, ends, bounds), Tone::Secondary);

@@ -219,9 +219,17 @@ TEST_F(GuideTest, ANorthOfAnotherPlaceIsNotCalledKnown)
     EXPECT_FALSE(inGuide<ValueLabel>("What to do").text().contains(QStringLiteral("North is known")));
 }
 
+// REQ-UI-973: The guide adapts to what is connected: without a sensor none is offered, without boards none are listed,
+// and the step Protect is left out of a rotator that has nothing to read.
 TEST_F(GuideTest, TheOtherWaysToNorthAreOnePressAway)
 {
     open<GuideNorth>(GuideStep::North);
+    status.sensor.source.clear();
+    give(samples::update(status));
+    (void)inGuide<QPushButton>("Sun, Moon (Ctrl+9)");  // of a mount without a sensor
+    EXPECT_TRUE(inGuide<ValueLabel>("What to do").text().contains(QStringLiteral("has no sensor")));
+    status.sensor.source = QStringLiteral("serial /dev/ttyUSB0");
+    give(samples::update(status));
     QTest::mouseClick(&inGuide<QPushButton>("Sensor, Sun, Moon (Ctrl+9)"), Qt::LeftButton);
     EXPECT_FALSE(window.findChild<GuidePage*>()->isVisible());
     EXPECT_TRUE(window.findChild<CalibrationPanel*>()->isVisible());

@@ -4,8 +4,10 @@
 #include "tests/ui/sample_calibration.h"
 #include "tests/ui/step_button_of.h"
 #include "ui/guide/guide_north.h"
+#include "ui/kit/axes.h"
 
 #include <QDoubleSpinBox>
+#include <QPushButton>
 
 // The guide's steps, on a mount that nobody has commissioned.
 namespace boresight::ui {
@@ -38,6 +40,27 @@ TEST_P(GuidePictures, AreTakenOfEveryStep)
         QTest::mouseClick(&stepButtonOf(window, step), Qt::LeftButton);
         take(QStringLiteral("guide-%1").arg(number + 1));
     }
+}
+
+TEST_P(GuidePictures, AreTakenOfBoardsFromTheFactory)
+{
+    StationStatus status = samples::freshMount();
+    status.state = StationState::Disconnected;
+    status.drives->survey = SurveyState::NotDone;
+    status.drives->armingObstacle = QStringLiteral("two boards have the id 1, so their answers collide");
+    status.drives->boards = {{.id = 1, .uuid = {}, .shared = true}};
+    for (const Axis axis : kAxes) {
+        status.permissions.refuse(assignBoardAction(axis), QStringLiteral("Two boards have the id 1."));
+    }
+    give(samples::update(status));
+    QTest::mouseClick(&stepButtonOf(window, GuideStep::Connect), Qt::LeftButton);
+    take(QStringLiteral("guide-1-one-id"));
+    status.drives->boards = {{.id = 1, .uuid = QStringLiteral("626f7265-7369-6768-7420-73696d203032")}};
+    status.permissions = samples::freshMount().permissions;
+    give(samples::update(status));
+    take(QStringLiteral("guide-1-alone"));
+    QTest::mouseClick(findNamed<QPushButton>(window, "It turns elevation …"), Qt::LeftButton);
+    take(QStringLiteral("guide-1-question"));
 }
 
 TEST_P(GuidePictures, AreTakenOfANorthThatIsKnown)

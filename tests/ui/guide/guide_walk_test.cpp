@@ -12,6 +12,7 @@
 #include "ui/guide/guide_page.h"
 #include "ui/hold/jog_button.h"
 #include "ui/kit/command_button.h"
+#include "ui/kit/value_label.h"
 #include "ui/window/main_window.h"
 #include "ui/window/stop_button.h"
 
@@ -212,6 +213,52 @@ TEST_F(GuideWalk, FromTheFirstStartToTheFirstSafeMove)
     ASSERT_TRUE(until([this] { return station->status().state == StationState::Stopped; }, Seconds(1.0)));
     ASSERT_TRUE(until([this] { return station->status().azimuth.state != AxisState::Moving; }, Seconds(5.0)));
     EXPECT_LT(farthest.azimuth, 60_deg);
+}
+
+// Boards as the factory sends them, unplugged and plugged in by hand, everything else by keys.
+// REQ-UI-974 (GuideWalk.*): Two boards with one id are resolved in the guide alone, by the keyboard, on the running
+// station.
+TEST_F(GuideWalk, TwoBoardsWithOneIdAreResolvedByKeys)
+{
+    ASSERT_TRUE(until([this] { return fit(); }, Seconds(15.0)));
+    goTo(GuideStep::Connect);
+    for (const std::string command : {"conf set id.id 1\n", "conf write\n"}) {
+        link->pair()
+            .drive(Axis::Elevation)
+            .receiveText(1, {reinterpret_cast<const std::uint8_t*>(command.data()), command.size()});
+    }
+    const auto boards = [this] { return station->status().drives->boards; };
+    ASSERT_TRUE(until([&] { return !boards().empty() && boards().front().shared; }, Seconds(20.0)));
+    EXPECT_EQ(stepButtonOf(window, GuideStep::Connect).state(), StepState::NeedsYou);
+    EXPECT_FALSE(inGuide<QPushButton>("It turns elevation …").isEnabled());
+
+    link->pair().setFitted(Axis::Azimuth, false);
+    ASSERT_TRUE(until([&] { return inGuide<QPushButton>("It turns elevation …").isEnabled(); }, Seconds(20.0)));
+    markPlace();
+    const auto press = [&](const char* button) {
+        inGuide<QPushButton>(button).setFocus(Qt::TabFocusReason);
+        QTest::keyClick(&inGuide<QPushButton>(button), Qt::Key_Space);
+        run(Seconds(0.1));
+    };
+    press("It turns elevation …");
+    press("Write");
+    ASSERT_TRUE(until(
+        [&] {
+            const BoardWork work = station->status().drives->boardWork;
+            return !work.running && work.text.contains(QStringLiteral("has the id 2 now"));
+        },
+        Seconds(20.0)))
+        << station->status().drives->boardWork.text.toStdString();
+    EXPECT_TRUE(inGuide<ValueLabel>("What to do with the boards").text().contains(QStringLiteral("connect the other")));
+
+    link->pair().setFitted(Axis::Azimuth, true);
+    ASSERT_TRUE(until([&] { return station->status().drives->survey == SurveyState::Done; }, Seconds(20.0)));
+    run(Seconds(0.2));
+    EXPECT_EQ(stepButtonOf(window, GuideStep::Connect).state(), StepState::Done);
+    EXPECT_EQ(link->pair().drive(Axis::Azimuth).driveConfig().id, 1);
+    EXPECT_EQ(link->pair().drive(Axis::Elevation).driveConfig().id, 2);
+    EXPECT_LT(farthest.azimuth, 0.1_deg) << "nothing moved";
+    EXPECT_LT(farthest.elevation, 0.1_deg);
 }
 
 }  // namespace

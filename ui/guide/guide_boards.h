@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/messages/station_status.h"
+#include "ui/kit/asking_panel.h"
+
+#include <array>
+
+// Boards from the factory all have one id. This part of the step Connect leads through it: one board alone on the bus,
+// the operator says which axis it turns, the station writes the id, reads it back and stores it, then the other board.
+namespace boresight::ui {
+
+class BusPicture;
+
+class GuideBoards : public AskingPanel
+{
+    Q_OBJECT
+
+public:
+    explicit GuideBoards(RequestDesk& desk, QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+    // There is something to say or to do.
+    [[nodiscard]] static bool isNeeded(const StationStatus& status);
+
+private:
+    void build();
+    void showSentence(const DrivesStatus& drives);
+    void assign(Axis axis);
+
+    StationStatus m_status;
+    BusPicture* m_picture;
+    ValueLabel* m_sentence;
+    ValueLabel* m_notice;
+    std::array<CommandButton*, 2> m_buttons;  // by axis
+};
+
+}  // namespace boresight::ui
