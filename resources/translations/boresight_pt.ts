@@ -315,10 +315,6 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>Cliente: que programa segue os satélites?</translation>
     </message>
     <message>
-        <source>Every drive must answer and be read first.</source>
-        <translation>Todos os acionamentos têm primeiro de responder e ser lidos.</translation>
-    </message>
-    <message>
         <source>The drives have not been read.</source>
         <translation>Os acionamentos não foram lidos.</translation>
     </message>
@@ -329,6 +325,86 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <message>
         <source>No site has been set.</source>
         <translation>Nenhum local foi definido.</translation>
+    </message>
+    <message>
+        <source>The bus is released. Take it back on the panel Drives.</source>
+        <translation>O barramento está libertado. Retome-o no painel Acionamentos.</translation>
+    </message>
+    <message>
+        <source>The mount does not answer.</source>
+        <translation>A montagem não responde.</translation>
+    </message>
+    <message>
+        <source>The cable wrap of the %1 is unknown. Press Ctrl+9 to enter it.</source>
+        <translation>A volta do cabo do %1 é desconhecida. Prima Ctrl+9 para a indicar.</translation>
+    </message>
+    <message>
+        <source>No program can connect, because rotctld does not listen.</source>
+        <translation>Nenhum programa se pode ligar, porque o rotctld não está à escuta.</translation>
+    </message>
+    <message>
+        <source>The drives are being read.</source>
+        <translation>Os acionamentos estão a ser lidos.</translation>
+    </message>
+    <message>
+        <source>No program has connected.</source>
+        <translation>Nenhum programa se ligou.</translation>
+    </message>
+    <message>
+        <source>Nobody has confirmed north.</source>
+        <translation>Ninguém confirmou o norte.</translation>
+    </message>
+    <message>
+        <source>Nobody has confirmed this step.</source>
+        <translation>Ninguém confirmou este passo.</translation>
+    </message>
+    <message>
+        <source>A step needs you.</source>
+        <translation>Um passo precisa de si.</translation>
+    </message>
+    <message>
+        <source>Not every step is done.</source>
+        <translation>Nem todos os passos estão feitos.</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Pronto</translation>
+    </message>
+    <message>
+        <source>Ready: first pass</source>
+        <translation>Pronto: primeira passagem</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>feito</translation>
+    </message>
+    <message>
+        <source>skipped</source>
+        <translation>saltado</translation>
+    </message>
+    <message>
+        <source>needs you</source>
+        <translation>precisa de si</translation>
+    </message>
+    <message>
+        <source>to do</source>
+        <translation>por fazer</translation>
+    </message>
+    <message>
+        <source>I have looked: the ends of the travel are right as they are</source>
+        <translation>Verifiquei: os fins do curso estão certos como estão</translation>
+    </message>
+    <message>
+        <source>I have looked: elevation 0° is level</source>
+        <translation>Verifiquei: elevação 0° é horizontal</translation>
+    </message>
+    <message>
+        <source>I have looked: north is right as it is</source>
+        <translation>Verifiquei: o norte está certo como está</translation>
+    </message>
+    <message>
+        <source>The program that follows the satellites is set up</source>
+        <translation>O programa que segue os satélites está configurado</translation>
     </message>
 </context>
 <context>
@@ -2439,10 +2515,6 @@ até %1</translation>
     <message>
         <source>with it the drive brakes when the computer dies: too low and the axis runs on, too high (the factory&apos;s 50 turns/s²) and the mount is hit hard</source>
         <translation>com ela o acionamento freia quando o computador morre: baixa demais e o eixo continua, alta demais (de fábrica 50 voltas/s²) e a montagem leva uma pancada</translation>
-    </message>
-    <message>
-        <source>the gear as the profile has it (gear_ratio, gear_in): with another one every angle is wrong. To be changed by hand only: the gains change with the square of it</source>
-        <translation>a redução tal como o perfil a tem (gear_ratio, gear_in): com outra todos os ângulos estão errados. Só se altera à mão: os ganhos mudam com o seu quadrado</translation>
     </message>
     <message>
         <source>1 or -1</source>
@@ -4558,20 +4630,12 @@ até %1</translation>
         <translation>duas placas têm o id %1, por isso as suas respostas colidem</translation>
     </message>
     <message>
-        <source>Connect only one of them, give it another id (conf set id.id N, conf write), then connect the other. If there is only one board, check plugs and termination.</source>
-        <translation>Ligue só uma delas, dê-lhe outro id (conf set id.id N, conf write), e ligue a outra. Se houver uma só placa, verifique as fichas e a terminação.</translation>
-    </message>
-    <message>
         <source>a board with the id %1 (%2) is not in the profile</source>
         <translation>uma placa com o id %1 (%2) não está no perfil</translation>
     </message>
     <message>
         <source>the ids are swapped, and the board with the id %1 (%2) was the board of %3</source>
         <translation>os ids estão trocados, e a placa com o id %1 (%2) era a placa de %3</translation>
-    </message>
-    <message>
-        <source>Exchange the ids in the profile or in the boards (conf set id.id N, conf write). If the boards were exchanged, end Boresight, move the mount&apos;s .memory.json files out of the state folder, and start again.</source>
-        <translation>Troque os ids no perfil ou nas placas (conf set id.id N, conf write). Se as placas foram trocadas, termine o Boresight, retire os arquivos .memory.json da montagem da pasta de estado, e inicie de novo.</translation>
     </message>
     <message>
         <source>the board of %1 (id %2) does not answer</source>
@@ -6761,6 +6825,490 @@ até %1</translation>
         <source>The local socket did not open: %1. Commands of the shell that need it do not reach this station.</source>
         <translation>O socket local não abriu: %1. Os comandos da linha de comandos que precisam dele não chegam a esta estação.</translation>
     </message>
+    <message>
+        <source>%1 more accepted in %2 s, the last %3</source>
+        <translation>mais %1 aceites em %2 s, o último %3</translation>
+    </message>
+    <message>
+        <source>A tuning run is going on. End it first.</source>
+        <translation>Está a decorrer uma medição de afinação. Termine-a primeiro.</translation>
+    </message>
+    <message>
+        <source>The mount has no such drive for this axis.</source>
+        <translation>A montagem não tem um acionamento destes para este eixo.</translation>
+    </message>
+    <message>
+        <source>No board answers. Connect the board of the %1.</source>
+        <translation>Nenhuma placa responde. Ligue a placa do %1.</translation>
+    </message>
+    <message>
+        <source>Two boards have the id %1. Switch the power off, disconnect one of them, and switch the power on again.</source>
+        <translation>Duas placas têm o id %1. Desligue a alimentação, desligue uma delas e volte a ligar a alimentação.</translation>
+    </message>
+    <message>
+        <source>More than one board is connected. Leave only the board of the %1 connected.</source>
+        <translation>Há mais de uma placa ligada. Deixe ligada só a placa do %1.</translation>
+    </message>
+    <message>
+        <source>This board has the id %1 of the %2 already.</source>
+        <translation>Esta placa já tem o id %1 do %2.</translation>
+    </message>
+    <message>
+        <source>The drives are being read. Wait some seconds.</source>
+        <translation>Os acionamentos estão a ser lidos. Espere alguns segundos.</translation>
+    </message>
+    <message>
+        <source>The gear in the drive is the one of the profile, or it was not read.</source>
+        <translation>A redução no acionamento é a do perfil, ou não foi lida.</translation>
+    </message>
+    <message>
+        <source>Another board is connected than the one you confirmed. Look again.</source>
+        <translation>Está ligada outra placa que não a que confirmou. Verifique de novo.</translation>
+    </message>
+    <message>
+        <source>The board %1 has the id %2 now. It was read back and stored. Switch the power off, connect the other board again, and switch the power on.</source>
+        <translation>A placa %1 tem agora o id %2. Foi relido e guardado. Desligue a alimentação, volte a ligar a outra placa e ligue a alimentação.</translation>
+    </message>
+    <message>
+        <source>giving the board %1 the id %2, it had %3</source>
+        <translation>a dar à placa %1 o id %2, tinha %3</translation>
+    </message>
+    <message>
+        <source>the id %1</source>
+        <translation>o id %1</translation>
+    </message>
+    <message>
+        <source>The gear ratio of the %1 drive is %2 now. It was read back and stored. Press Fix next: bounds and speeds count turns of the axis. Then check the gains.</source>
+        <translation>A redução do acionamento de %1 é agora %2. Foi relida e guardada. Prima Corrigir a seguir: limites e velocidades contam voltas do eixo. Depois verifique os ganhos.</translation>
+    </message>
+    <message>
+        <source>writing the gear ratio %1 into the %2 drive</source>
+        <translation>a escrever a redução %1 no acionamento de %2</translation>
+    </message>
+    <message>
+        <source>the gear ratio</source>
+        <translation>a redução</translation>
+    </message>
+    <message>
+        <source>Bounds, speeds and gains of the drive count turns of the axis. Fix writes bounds and speeds afterwards. The gains keep their numbers: for the same stiffness at the motor kp, ki and kd must be %1 times as large. Set them before the axis moves a load. Boresight asks for the cable wrap again.</source>
+        <translation>Limites, velocidades e ganhos do acionamento contam voltas do eixo. Corrigir escreve depois os limites e as velocidades. Os ganhos mantêm os números: para a mesma rigidez no motor, kp, ki e kd têm de ser %1 vezes maiores. Ajuste-os antes de o eixo mover uma carga. O Boresight volta a perguntar a volta do cabo.</translation>
+    </message>
+    <message>
+        <source>The drive check came in between. Read the gains again.</source>
+        <translation>A verificação dos acionamentos interrompeu. Leia os ganhos de novo.</translation>
+    </message>
+    <message>
+        <source>A board is being changed. Wait some seconds.</source>
+        <translation>Uma placa está a ser alterada. Espere alguns segundos.</translation>
+    </message>
+    <message>
+        <source>The gains are being read or written. Wait until that is done.</source>
+        <translation>Os ganhos estão a ser lidos ou escritos. Espere até terminar.</translation>
+    </message>
+    <message>
+        <source>New gains are on trial, and Fix would store them too. Store them or put them back first.</source>
+        <translation>Há ganhos novos à experiência, e Corrigir também os guardaria. Guarde-os ou reponha-os primeiro.</translation>
+    </message>
+    <message>
+        <source>The drive check has not read this drive yet.</source>
+        <translation>A verificação ainda não leu este acionamento.</translation>
+    </message>
+    <message>
+        <source>The gains are as they were found.</source>
+        <translation>Os ganhos estão como foram encontrados.</translation>
+    </message>
+    <message>
+        <source>No gains are on trial: the drive has stored what it uses.</source>
+        <translation>Não há ganhos à experiência: o acionamento guardou os que usa.</translation>
+    </message>
+    <message>
+        <source>Read the gains first.</source>
+        <translation>Leia primeiro os ganhos.</translation>
+    </message>
+    <message>
+        <source>counts anew with the other encoder filter, so its cable wrap is judged again</source>
+        <translation>conta de novo com o outro filtro do codificador, por isso a volta do cabo é verificada de novo</translation>
+    </message>
+    <message>
+        <source>The %1 is switched off already.</source>
+        <translation>O %1 já está desligado.</translation>
+    </message>
+    <message>
+        <source>Cannot be measured: the drive reported no torque.</source>
+        <translation>Não se pode medir: o acionamento não indicou torque.</translation>
+    </message>
+    <message>
+        <source>Cannot be measured: the axis did not turn around often enough.</source>
+        <translation>Não se pode medir: o eixo não inverteu vezes suficientes.</translation>
+    </message>
+    <message>
+        <source>Cannot be measured: the play is larger than the axis was moved to and fro.</source>
+        <translation>Não se pode medir: a folga é maior do que o movimento do eixo.</translation>
+    </message>
+    <message>
+        <source>Cannot be measured: the torque shows no gap when the axis turns around. Either the play is smaller than the encoder shows, or the weight or the wind keeps the gear on one side.</source>
+        <translation>Não se pode medir: o torque não mostra folga quando o eixo inverte. Ou a folga é menor do que o codificador mostra, ou o peso ou o vento mantém a engrenagem de um lado.</translation>
+    </message>
+    <message>
+        <source>the axis was not moved at a constant rate for a second</source>
+        <translation>o eixo não se moveu a velocidade constante durante um segundo</translation>
+    </message>
+    <message>
+        <source>the axis was not watched for long enough after the step</source>
+        <translation>o eixo não foi observado tempo suficiente depois do degrau</translation>
+    </message>
+    <message>
+        <source>the step is too small to be told from the end</source>
+        <translation>o degrau é pequeno demais para se distinguir do fim</translation>
+    </message>
+    <message>
+        <source>the axis was not swung for long enough</source>
+        <translation>o eixo não oscilou tempo suficiente</translation>
+    </message>
+    <message>
+        <source>the set-point hardly swung</source>
+        <translation>o valor comandado quase não oscilou</translation>
+    </message>
+    <message>
+        <source>tuning run</source>
+        <translation>medição de afinação</translation>
+    </message>
+    <message>
+        <source>the tuning run ends because its next rate did not come</source>
+        <translation>a medição de afinação termina porque não chegou a velocidade seguinte</translation>
+    </message>
+    <message>
+        <source>Reading the gains of %1.</source>
+        <translation>A ler os ganhos de %1.</translation>
+    </message>
+    <message>
+        <source>The firmware of this drive has no %1.</source>
+        <translation>O firmware deste acionamento não tem %1.</translation>
+    </message>
+    <message>
+        <source>%1 may be %2 to %3. %4</source>
+        <translation>%1 pode ser de %2 a %3. %4</translation>
+    </message>
+    <message>
+        <source>Writing %1 of %2.</source>
+        <translation>A escrever %1 de %2.</translation>
+    </message>
+    <message>
+        <source>Putting the gains of %1 back.</source>
+        <translation>A repor os ganhos de %1.</translation>
+    </message>
+    <message>
+        <source>Storing the gains of %1.</source>
+        <translation>A guardar os ganhos de %1.</translation>
+    </message>
+    <message>
+        <source>The %1 drive was lost meanwhile. Read its gains again.</source>
+        <translation>O acionamento de %1 perdeu-se entretanto. Leia os ganhos de novo.</translation>
+    </message>
+    <message>
+        <source>The %1 drive did not answer: %2. Read its gains again.</source>
+        <translation>O acionamento de %1 não respondeu: %2. Leia os ganhos de novo.</translation>
+    </message>
+    <message>
+        <source>The gains were read.</source>
+        <translation>Os ganhos foram lidos.</translation>
+    </message>
+    <message>
+        <source>%1 was set to %2 and reads back %3.</source>
+        <translation>%1 foi posto em %2 e lê-se %3.</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nada</translation>
+    </message>
+    <message>
+        <source>gain of %1, in force until a power cycle: %2 %3 → %4</source>
+        <translation>ganho de %1, em vigor até desligar a alimentação: %2 %3 → %4</translation>
+    </message>
+    <message>
+        <source>Written and read back.</source>
+        <translation>Escrito e relido.</translation>
+    </message>
+    <message>
+        <source>The %1 drive did not store its gains: %2.</source>
+        <translation>O acionamento de %1 não guardou os ganhos: %2.</translation>
+    </message>
+    <message>
+        <source>the gains of %1 are stored in its drive</source>
+        <translation>os ganhos de %1 estão guardados no acionamento</translation>
+    </message>
+    <message>
+        <source>Stored. The drive keeps them without power.</source>
+        <translation>Guardado. O acionamento mantém-nos sem alimentação.</translation>
+    </message>
+    <message>
+        <source>%1 Nothing was stored. Switch the board off and on, then it has its old settings again.</source>
+        <translation>%1 Nada foi guardado. Desligue e ligue a placa, e ela volta a ter as definições antigas.</translation>
+    </message>
+    <message>
+        <source>Two boards with the id %1 are still connected. Disconnect one of them. Nothing was changed.</source>
+        <translation>Ainda estão ligadas duas placas com o id %1. Desligue uma delas. Nada foi alterado.</translation>
+    </message>
+    <message>
+        <source>No board answers under the id %1. Nothing was changed.</source>
+        <translation>Nenhuma placa responde com o id %1. Nada foi alterado.</translation>
+    </message>
+    <message>
+        <source>Another board is connected than the one you confirmed: %1. Nothing was changed.</source>
+        <translation>Está ligada outra placa que não a que confirmou: %1. Nada foi alterado.</translation>
+    </message>
+    <message>
+        <source>Another board is connected too. Leave only the one that shall be changed. Nothing was changed.</source>
+        <translation>Também está ligada outra placa. Deixe só a que deve ser alterada. Nada foi alterado.</translation>
+    </message>
+    <message>
+        <source>The board does not answer under the id %1.</source>
+        <translation>A placa não responde com o id %1.</translation>
+    </message>
+    <message>
+        <source>Another board was connected meanwhile.</source>
+        <translation>Outra placa foi ligada entretanto.</translation>
+    </message>
+    <message>
+        <source>%1 Nothing was changed.</source>
+        <translation>%1 Nada foi alterado.</translation>
+    </message>
+    <message>
+        <source>%1. Nothing was changed.</source>
+        <translation>%1. Nada foi alterado.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>The board was set to %1 and reads back %2.</source>
+        <translation>A placa foi posta em %1 e lê-se %2.</translation>
+    </message>
+    <message>
+        <source>Looking which boards are connected.</source>
+        <translation>A ver que placas estão ligadas.</translation>
+    </message>
+    <message>
+        <source>Setting %1.</source>
+        <translation>A definir %1.</translation>
+    </message>
+    <message>
+        <source>Looking whether the same board answers.</source>
+        <translation>A ver se responde a mesma placa.</translation>
+    </message>
+    <message>
+        <source>Reading back %1.</source>
+        <translation>A reler %1.</translation>
+    </message>
+    <message>
+        <source>Storing %1.</source>
+        <translation>A guardar %1.</translation>
+    </message>
+    <message>
+        <source>A quarter to four times the stored value. A larger change is more likely a slip.</source>
+        <translation>De um quarto a quatro vezes o valor guardado. Uma alteração maior é provavelmente um engano.</translation>
+    </message>
+    <message>
+        <source>Ten times the bandwidth of the position control or more: below it the measured speed comes too late for the damping.</source>
+        <translation>Dez vezes a largura de banda do controlo de posição ou mais: abaixo disso a velocidade medida chega tarde demais para o amortecimento.</translation>
+    </message>
+    <message>
+        <source>Ten times kp, or four times the stored value. A faster integral makes the axis swing by itself.</source>
+        <translation>Dez vezes kp, ou quatro vezes o valor guardado. Um integral mais rápido faz o eixo oscilar sozinho.</translation>
+    </message>
+    <message>
+        <source>The torque that kp gives at an error of 0.1°, or four times the stored value.</source>
+        <translation>O torque que kp dá com um erro de 0,1°, ou quatro vezes o valor guardado.</translation>
+    </message>
+    <message>
+        <source>Four times the inertia that kp and kd suit, or four times the stored value.</source>
+        <translation>Quatro vezes a inércia adequada a kp e kd, ou quatro vezes o valor guardado.</translation>
+    </message>
+    <message>
+        <source>Nm/turn</source>
+        <translation>Nm/volta</translation>
+    </message>
+    <message>
+        <source>Nm/s/turn</source>
+        <translation>Nm/s/volta</translation>
+    </message>
+    <message>
+        <source>Nm/(turn/s)</source>
+        <translation>Nm/(volta/s)</translation>
+    </message>
+    <message>
+        <source>Open the guide (F3), step Connect. It gives one board after the other its id. If there is only one board, check plugs and termination.</source>
+        <translation>Abra o guia (F3), passo Ligar. Ele dá o id a uma placa após a outra. Se só há uma placa, verifique fichas e terminação.</translation>
+    </message>
+    <message>
+        <source>Exchange the ids in the profile. If the boards were exchanged, end Boresight, move the mount&apos;s .memory.json files out of the state folder, and start again.</source>
+        <translation>Troque os ids no perfil. Se as placas foram trocadas, termine o Boresight, tire os ficheiros .memory.json da montagem da pasta de estado e inicie de novo.</translation>
+    </message>
+    <message>
+        <source>the gear as the profile has it (gear_ratio, gear_in): with another one every angle is wrong. Set gear writes it: the gains change with the square of it</source>
+        <translation>a redução como está no perfil (gear_ratio, gear_in): com outra, todos os ângulos estão errados. Definir redução escreve-a: os ganhos mudam com o quadrado dela</translation>
+    </message>
+    <message>
+        <source>step of the azimuth</source>
+        <translation>degrau do azimute</translation>
+    </message>
+    <message>
+        <source>step of the elevation</source>
+        <translation>degrau da elevação</translation>
+    </message>
+    <message>
+        <source>ramp of the azimuth</source>
+        <translation>rampa do azimute</translation>
+    </message>
+    <message>
+        <source>ramp of the elevation</source>
+        <translation>rampa da elevação</translation>
+    </message>
+    <message>
+        <source>small swings of the azimuth</source>
+        <translation>oscilações pequenas do azimute</translation>
+    </message>
+    <message>
+        <source>small swings of the elevation</source>
+        <translation>oscilações pequenas da elevação</translation>
+    </message>
+    <message>
+        <source>backlash of the azimuth</source>
+        <translation>folga do azimute</translation>
+    </message>
+    <message>
+        <source>backlash of the elevation</source>
+        <translation>folga da elevação</translation>
+    </message>
+    <message>
+        <source>STOP ended it. There is no result.</source>
+        <translation>STOP terminou-a. Não há resultado.</translation>
+    </message>
+    <message>
+        <source>A fault ended it. There is no result.</source>
+        <translation>Uma falha terminou-a. Não há resultado.</translation>
+    </message>
+    <message>
+        <source>Another command to the mount ended it. There is no result.</source>
+        <translation>Outro comando à montagem terminou-a. Não há resultado.</translation>
+    </message>
+    <message>
+        <source>No tuning run is going on.</source>
+        <translation>Não decorre nenhuma medição de afinação.</translation>
+    </message>
+    <message>
+        <source>The operator ended it. There is no result.</source>
+        <translation>O operador terminou-a. Não há resultado.</translation>
+    </message>
+    <message>
+        <source>A calibration moves the mount. End it first.</source>
+        <translation>Uma calibração move a montagem. Termine-a primeiro.</translation>
+    </message>
+    <message>
+        <source>This mount has no such axis.</source>
+        <translation>Esta montagem não tem esse eixo.</translation>
+    </message>
+    <message>
+        <source>The clients have the control. Take it before an axis is tuned.</source>
+        <translation>Os clientes têm o controlo. Tome-o antes de afinar um eixo.</translation>
+    </message>
+    <message>
+        <source>There is no result.</source>
+        <translation>Não há resultado.</translation>
+    </message>
+    <message>
+        <source>the limits of motion leave nothing of the swings</source>
+        <translation>os limites de movimento não deixam nada das oscilações</translation>
+    </message>
+    <message>
+        <source>Overshoot %1: small.</source>
+        <translation>Ultrapassagem %1: pequena.</translation>
+    </message>
+    <message>
+        <source>Overshoot %1: the axis swings over its end. Raise kd, or lower ki.</source>
+        <translation>Ultrapassagem %1: o eixo passa do fim. Aumente kd ou baixe ki.</translation>
+    </message>
+    <message>
+        <source>It does not settle within %1. Lower kp and ki, or raise kd.</source>
+        <translation>Não estabiliza dentro de %1. Baixe kp e ki, ou aumente kd.</translation>
+    </message>
+    <message>
+        <source>Settled %1 s after the set-point: quick.</source>
+        <translation>Estabilizou %1 s depois do comando: rápido.</translation>
+    </message>
+    <message>
+        <source>Settled %1 s after the set-point: slow. Raise kp and kd together.</source>
+        <translation>Estabilizou %1 s depois do comando: lento. Aumente kp e kd juntos.</translation>
+    </message>
+    <message>
+        <source>%1 of error stay. Raise ki, or its limit: friction or weight holds the axis.</source>
+        <translation>Fica um erro de %1. Aumente ki ou o seu limite: atrito ou peso segura o eixo.</translation>
+    </message>
+    <message>
+        <source>It follows %1°/s within %2: good for every pass.</source>
+        <translation>Segue %1°/s dentro de %2: bom para qualquer passagem.</translation>
+    </message>
+    <message>
+        <source>It is up to %1 off at %2°/s. Raise kp, then ki.</source>
+        <translation>Está até %1 fora a %2°/s. Aumente kp, depois ki.</translation>
+    </message>
+    <message>
+        <source>It is %1 off while it sets off and stops. Raise the inertia feed-forward.</source>
+        <translation>Está %1 fora ao arrancar e parar. Aumente a antecipação da inércia.</translation>
+    </message>
+    <message>
+        <source>At %1 Hz it swings %2 times as far as it is asked to. Raise kd, or lower kp.</source>
+        <translation>A %1 Hz oscila %2 vezes mais do que o pedido. Aumente kd ou baixe kp.</translation>
+    </message>
+    <message>
+        <source>It follows all swings up to %1 Hz.</source>
+        <translation>Segue todas as oscilações até %1 Hz.</translation>
+    </message>
+    <message>
+        <source>It does not even follow a swing at %1 Hz. Raise kp and kd together.</source>
+        <translation>Nem segue uma oscilação a %1 Hz. Aumente kp e kd juntos.</translation>
+    </message>
+    <message>
+        <source>It follows swings up to %1 Hz.</source>
+        <translation>Segue oscilações até %1 Hz.</translation>
+    </message>
+    <message>
+        <source>Backlash %1 ± %2, seen at %3 of %4 reversals.</source>
+        <translation>Folga %1 ± %2, vista em %3 de %4 inversões.</translation>
+    </message>
+    <message>
+        <source>The motor needs %1 Nm in the gap and %2 Nm with the load.</source>
+        <translation>O motor precisa de %1 Nm na folga e de %2 Nm com a carga.</translation>
+    </message>
+    <message>
+        <source>The run needs %1 of free way on both sides of the %2, and there is only %3. Move the axis away from its limits.</source>
+        <translation>A medição precisa de %1 livres de ambos os lados do %2, e há só %3. Afaste o eixo dos limites.</translation>
+    </message>
+    <message>
+        <source>The run needs %1 of free way on one side of the %2, and there is only %3. Move the axis away from its limits.</source>
+        <translation>A medição precisa de %1 livres de um lado do %2, e há só %3. Afaste o eixo dos limites.</translation>
+    </message>
+    <message>
+        <source>Moves the %1 to and fro by %2 about %3, in %4 s.</source>
+        <translation>Move o %1 para lá e para cá %2 em torno de %3, em %4 s.</translation>
+    </message>
+    <message>
+        <source>Moves the %1 by %2 from %3 and back, in %4 s.</source>
+        <translation>Move o %1 %2 a partir de %3 e volta, em %4 s.</translation>
+    </message>
+    <message>
+        <source>The mount stands in what is forbidden. Move it out first.</source>
+        <translation>A montagem está numa zona proibida. Tire-a de lá primeiro.</translation>
+    </message>
+    <message>
+        <source>The axis was %1 off its set-point. Put the gains back, or look at what holds the axis</source>
+        <translation>O eixo estava %1 fora do comando. Reponha os ganhos, ou veja o que segura o eixo</translation>
+    </message>
+    <message>
+        <source>The axis does not get on. Something is blocking it, or a limit holds it</source>
+        <translation>O eixo não avança. Algo o bloqueia, ou um limite segura-o</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -6787,6 +7335,129 @@ até %1</translation>
     <message>
         <source>High</source>
         <translation>Alto</translation>
+    </message>
+</context>
+<context>
+    <name>TuningWords</name>
+    <message>
+        <source>Error rms</source>
+        <translation>Erro rms</translation>
+    </message>
+    <message>
+        <source>Error peak</source>
+        <translation>Erro máximo</translation>
+    </message>
+    <message>
+        <source>Torque rms</source>
+        <translation>Torque rms</translation>
+    </message>
+    <message>
+        <source>Torque peak</source>
+        <translation>Torque máximo</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Ultrapassagem</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>Tempo até estabilizar</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nunca</translation>
+    </message>
+    <message>
+        <source>Left over</source>
+        <translation>Erro final</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Velocidade</translation>
+    </message>
+    <message>
+        <source>Lag</source>
+        <translation>Atraso</translation>
+    </message>
+    <message>
+        <source>Error at start</source>
+        <translation>Erro no arranque</translation>
+    </message>
+    <message>
+        <source>At %1 Hz</source>
+        <translation>A %1 Hz</translation>
+    </message>
+    <message>
+        <source>Backlash</source>
+        <translation>Folga</translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation>Incerteza</translation>
+    </message>
+    <message>
+        <source>Torque in the gap</source>
+        <translation>Torque na folga</translation>
+    </message>
+    <message>
+        <source>Torque with the load</source>
+        <translation>Torque com a carga</translation>
+    </message>
+    <message>
+        <source>Reversals</source>
+        <translation>Inversões</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Degrau</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>Rampa</translation>
+    </message>
+    <message>
+        <source>Swings</source>
+        <translation>Oscilações</translation>
+    </message>
+    <message>
+        <source>Stiffness kp</source>
+        <translation>Rigidez kp</translation>
+    </message>
+    <message>
+        <source>Integral ki</source>
+        <translation>Integral ki</translation>
+    </message>
+    <message>
+        <source>Damping kd</source>
+        <translation>Amortecimento kd</translation>
+    </message>
+    <message>
+        <source>Limit of the integral</source>
+        <translation>Limite do integral</translation>
+    </message>
+    <message>
+        <source>Inertia feed-forward</source>
+        <translation>Antecipação da inércia</translation>
+    </message>
+    <message>
+        <source>Encoder filter</source>
+        <translation>Filtro do codificador</translation>
+    </message>
+    <message>
+        <source>First tuning, 1 of 5: read the gains of the drive.</source>
+        <translation>Primeira afinação, 1 de 5: ler os ganhos do acionamento.</translation>
+    </message>
+    <message>
+        <source>First tuning, %1 of 5: measure the run &quot;%2&quot;.</source>
+        <translation>Primeira afinação, %1 de 5: medir &quot;%2&quot;.</translation>
+    </message>
+    <message>
+        <source>First tuning, 5 of 5: the %1 is well tuned. Nothing needs to be changed.</source>
+        <translation>Primeira afinação, 5 de 5: o %1 está bem afinado. Não é preciso mudar nada.</translation>
+    </message>
+    <message>
+        <source>First tuning, 5 of 5: change a gain as &quot;%1&quot; advises, and measure again.</source>
+        <translation>Primeira afinação, 5 de 5: mude um ganho como &quot;%1&quot; aconselha e meça de novo.</translation>
     </message>
 </context>
 <context>
@@ -7339,6 +8010,37 @@ velocidade %1</translation>
     <message>
         <source>step %1</source>
         <translation>passo %1</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::BusPicture</name>
+    <message>
+        <source>Cabling of adapter and drives</source>
+        <translation>Cablagem do adaptador e dos acionamentos</translation>
+    </message>
+    <message>
+        <source>Adapter and boards on one cable, with 120 Ω at both ends</source>
+        <translation>Adaptador e placas num só cabo, com 120 Ω nas duas pontas</translation>
+    </message>
+    <message>
+        <source>%1. One board is disconnected</source>
+        <translation>%1. Uma placa está desligada</translation>
+    </message>
+    <message>
+        <source>%1. Both boards have one id</source>
+        <translation>%1. As duas placas têm o mesmo id</translation>
+    </message>
+    <message>
+        <source>id 1</source>
+        <translation>id 1</translation>
+    </message>
+    <message>
+        <source>AZ</source>
+        <translation>AZ</translation>
+    </message>
+    <message>
+        <source>EL</source>
+        <translation>EL</translation>
     </message>
 </context>
 <context>
@@ -8042,6 +8744,133 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::FiguresModel</name>
+    <message>
+        <source>Figure</source>
+        <translation>Grandeza</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Depois</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::GainsModel</name>
+    <message>
+        <source>Gain</source>
+        <translation>Ganho</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Encontrado</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Agora</translation>
+    </message>
+    <message>
+        <source>May be</source>
+        <translation>Pode ser</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::GainsPage</name>
+    <message>
+        <source>Gains of the drive</source>
+        <translation>Ganhos do acionamento</translation>
+    </message>
+    <message>
+        <source>Bounds of the selected gain</source>
+        <translation>Limites do ganho selecionado</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>Ler</translation>
+    </message>
+    <message>
+        <source>Read the gains of this drive. Nothing moves</source>
+        <translation>Ler os ganhos deste acionamento. Nada se move</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Escrever</translation>
+    </message>
+    <message>
+        <source>Write this value and read it back. In force until a power cycle</source>
+        <translation>Escrever este valor e relê-lo. Em vigor até desligar a alimentação</translation>
+    </message>
+    <message>
+        <source>Put back</source>
+        <translation>Repor</translation>
+    </message>
+    <message>
+        <source>Write the gains as they were found first</source>
+        <translation>Escrever os ganhos como foram encontrados no início</translation>
+    </message>
+    <message>
+        <source>Store …</source>
+        <translation>Guardar …</translation>
+    </message>
+    <message>
+        <source>Keep the gains in the drive without power; asks first</source>
+        <translation>Manter os ganhos no acionamento sem alimentação; pergunta antes</translation>
+    </message>
+    <message>
+        <source>New value of the selected gain</source>
+        <translation>Novo valor do ganho selecionado</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>Ganhos</translation>
+    </message>
+    <message>
+        <source>The gains of this drive were not read yet.</source>
+        <translation>Os ganhos deste acionamento ainda não foram lidos.</translation>
+    </message>
+    <message>
+        <source>On trial, not stored: %1</source>
+        <translation>À experiência, não guardado: %1</translation>
+    </message>
+    <message>
+        <source>Select a gain in the table first.</source>
+        <translation>Selecione primeiro um ganho na tabela.</translation>
+    </message>
+    <message>
+        <source>Select a gain to change it.</source>
+        <translation>Selecione um ganho para o alterar.</translation>
+    </message>
+    <message>
+        <source>Write the encoder filter?</source>
+        <translation>Escrever o filtro do codificador?</translation>
+    </message>
+    <message>
+        <source>The drive then counts its position anew. The cable wrap of the %1 is unknown until you confirm where the axis stands. Nothing moves.</source>
+        <translation>O acionamento conta então a posição de novo. A volta do cabo do %1 é desconhecida até confirmar onde está o eixo. Nada se move.</translation>
+    </message>
+    <message>
+        <source>Store the gains in the %1 drive?</source>
+        <translation>Guardar os ganhos no acionamento de %1?</translation>
+    </message>
+    <message>
+        <source>
+The drive keeps them without power. Everything else that is in force in it is stored too. Nothing moves.</source>
+        <translation>
+O acionamento mantém-nos sem alimentação. Tudo o mais que está em vigor nele também é guardado. Nada se move.</translation>
+    </message>
+    <message>
+        <source>Store</source>
+        <translation>Guardar</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::Gamepad</name>
     <message>
         <source>Gamepad</source>
@@ -8105,6 +8934,67 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
     <message>
         <source>Go: Enter an azimuth, an elevation or both.</source>
         <translation>Ir: Indique um azimute, uma elevação ou ambos.</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::GuideBoards</name>
+    <message>
+        <source>id %1, UUID unread</source>
+        <translation>id %1, UUID não lido</translation>
+    </message>
+    <message>
+        <source>id %1, UUID %2</source>
+        <translation>id %1, UUID %2</translation>
+    </message>
+    <message>
+        <source>What to do with the boards</source>
+        <translation>O que fazer com as placas</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>It turns azimuth …</source>
+        <translation>Roda o azimute …</translation>
+    </message>
+    <message>
+        <source>Give the only connected board the id of the azimuth; asks first</source>
+        <translation>Dar à única placa ligada o id do azimute; pergunta antes</translation>
+    </message>
+    <message>
+        <source>It turns elevation …</source>
+        <translation>Roda a elevação …</translation>
+    </message>
+    <message>
+        <source>Give the only connected board the id of the elevation; asks first</source>
+        <translation>Dar à única placa ligada o id da elevação; pergunta antes</translation>
+    </message>
+    <message>
+        <source>Two boards have one id, as they come from the factory. Their answers collide. Switch the power off, disconnect one board, and switch the power on. Leave the board connected that shall get another id. The page goes on when it answers.</source>
+        <translation>Duas placas têm o mesmo id, como vêm de fábrica. As respostas colidem. Desligue a alimentação, desligue uma placa e ligue a alimentação. Deixe ligada a placa que deve receber outro id. A página continua quando ela responder.</translation>
+    </message>
+    <message>
+        <source>One board answers: %1. If the other one is connected too, check its power and plugs. If both had one id, say which axis this board turns. Boresight then gives it the id of that axis.</source>
+        <translation>Uma placa responde: %1. Se a outra também está ligada, verifique a alimentação e as fichas. Se ambas tinham o mesmo id, diga que eixo esta placa roda. O Boresight dá-lhe então o id desse eixo.</translation>
+    </message>
+    <message>
+        <source>Give this board the id %1?</source>
+        <translation>Dar a esta placa o id %1?</translation>
+    </message>
+    <message>
+        <source>Board: %1.
+It becomes the board of the %2, with the id %3.
+
+Boresight sets the id, looks whether the same board answers under it, reads it back, and stores it in the board. If one of these fails, nothing is stored. Nothing moves.</source>
+        <translation>Placa: %1.
+Passa a ser a placa do %2, com o id %3.
+
+O Boresight define o id, vê se a mesma placa responde com ele, relê-o e guarda-o na placa. Se algo falhar, nada é guardado. Nada se move.</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Escrever</translation>
     </message>
 </context>
 <context>
@@ -8229,16 +9119,16 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
         <translation>Clique em Procurar para listar os acionamentos neste barramento. Procurar não move nada.</translation>
     </message>
     <message>
-        <source>In use.</source>
-        <translation>Em uso.</translation>
-    </message>
-    <message>
         <source>%1 (simulated)</source>
         <translation>%1 (simulado)</translation>
     </message>
     <message>
         <source>SIMULATED  ·  %1</source>
         <translation>SIMULADO  ·  %1</translation>
+    </message>
+    <message>
+        <source>In use. This rotator has no boards that can be listed.</source>
+        <translation>Em uso. Este rotor não tem placas que se possam listar.</translation>
     </message>
 </context>
 <context>
@@ -8397,10 +9287,6 @@ trocar os motores</translation>
         <translation>Sensor, Sol, Lua (Ctrl+9)</translation>
     </message>
     <message>
-        <source>Point the antenna at a landmark whose bearing is known, and type the bearing. Or ask the sensor, the Sun or the Moon. Without any press Skip: north can wait, everything else works.</source>
-        <translation>Aponte a antena a um marco de azimute conhecido e escreva-o. Ou pergunte ao sensor, ao Sol ou à Lua. Sem nada disso, salte: o norte pode esperar, tudo o resto funciona.</translation>
-    </message>
-    <message>
         <source>Moves the %1 slowly while held</source>
         <translation>Move o eixo de %1 devagar enquanto premido</translation>
     </message>
@@ -8429,10 +9315,6 @@ trocar os motores</translation>
         <translation>O norte é conhecido: desvio de azimute %1, posto à mão.</translation>
     </message>
     <message>
-        <source>Press Next to keep it. To replace it, type where the antenna really points.</source>
-        <translation>Prima Seguinte para o manter. Para o substituir, escreva para onde a antena realmente aponta.</translation>
-    </message>
-    <message>
         <source>Replace the known north</source>
         <translation>Substituir o norte conhecido</translation>
     </message>
@@ -8447,6 +9329,22 @@ trocar os motores</translation>
     <message>
         <source>Azimuth offset %1 → %2, at once; the way back: tab Mount, Profile, Undo. Nothing moves; travel, cable and park keep their numbers, horizon and keep-outs their true directions.</source>
         <translation>Desvio de azimute %1 → %2, de imediato; o caminho de volta: separador Montagem, Perfil, Desfazer. Nada se move; curso, cabo e estacionamento guardam os seus números, horizonte e zonas proibidas as direções verdadeiras.</translation>
+    </message>
+    <message>
+        <source>Sun, Moon (Ctrl+9)</source>
+        <translation>Sol, Lua (Ctrl+9)</translation>
+    </message>
+    <message>
+        <source>Point the antenna at a landmark whose bearing is known, and type the bearing. Or ask the Sun or the Moon. This mount has no sensor. Without any press Next: north can wait, everything else works.</source>
+        <translation>Aponte a antena para um marco de azimute conhecido e escreva esse azimute. Ou use o Sol ou a Lua. Esta montagem não tem sensor. Sem nada disto prima Seguinte: o norte pode esperar, tudo o resto funciona.</translation>
+    </message>
+    <message>
+        <source>Point the antenna at a landmark whose bearing is known, and type the bearing. Or ask the sensor, the Sun or the Moon. Without any press Next: north can wait, everything else works.</source>
+        <translation>Aponte a antena para um marco de azimute conhecido e escreva esse azimute. Ou use o sensor, o Sol ou a Lua. Sem nada disto prima Seguinte: o norte pode esperar, tudo o resto funciona.</translation>
+    </message>
+    <message>
+        <source>Press Confirm to keep it. To replace it, type where the antenna really points.</source>
+        <translation>Prima Confirmar para o manter. Para o substituir, escreva para onde a antena aponta realmente.</translation>
     </message>
 </context>
 <context>
@@ -8472,14 +9370,6 @@ trocar os motores</translation>
         <translation>Seguinte</translation>
     </message>
     <message>
-        <source>Skip</source>
-        <translation>Saltar</translation>
-    </message>
-    <message>
-        <source>Leave this step for later and go on</source>
-        <translation>Deixar este passo para depois e continuar</translation>
-    </message>
-    <message>
         <source>Finish later</source>
         <translation>Terminar depois</translation>
     </message>
@@ -8496,20 +9386,115 @@ trocar os motores</translation>
         <translation>Terminar</translation>
     </message>
     <message>
-        <source>This step is right; to the next one (Alt+Right)</source>
-        <translation>Este passo está certo; para o seguinte (Alt+Direita)</translation>
-    </message>
-    <message>
-        <source>%1 Skip leaves it for later.</source>
-        <translation>%1 Saltar deixa-o para depois.</translation>
-    </message>
-    <message>
         <source>Boresight asks which turn the %1 is on: press Ctrl+9 to answer, F3 to come back</source>
         <translation>O Boresight pergunta em que volta está o eixo de %1: Ctrl+9 para responder, F3 para voltar</translation>
     </message>
     <message>
         <source>Nothing may move before step 2, Protect, is done: %1</source>
         <translation>Nada se pode mover antes do passo 2, Proteção: %1</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>Confirmar</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Leave the guide. F3 opens it again</source>
+        <translation>Sair do guia. F3 volta a abri-lo</translation>
+    </message>
+    <message>
+        <source>This step is done. Go to the next one (Alt+Right)</source>
+        <translation>Este passo está feito. Ir para o seguinte (Alt+Direita)</translation>
+    </message>
+    <message>
+        <source>%1 Next marks this step as skipped (Alt+Right).</source>
+        <translation>%1 Seguinte marca este passo como saltado (Alt+Direita).</translation>
+    </message>
+    <message>
+        <source>This step is done</source>
+        <translation>Este passo está feito</translation>
+    </message>
+    <message>
+        <source>Confirm: %1</source>
+        <translation>Confirmar: %1</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::GuideReady</name>
+    <message>
+        <source>Not ready: one step needs you.</source>
+        <translation>Não está pronto: um passo precisa de si.</translation>
+    </message>
+    <message>
+        <source>Not ready: %1 steps need you.</source>
+        <translation>Não está pronto: %1 passos precisam de si.</translation>
+    </message>
+    <message>
+        <source>Every step is done.</source>
+        <translation>Todos os passos estão feitos.</translation>
+    </message>
+    <message>
+        <source>Done: %1. Skipped: %2. To do: %3. Press a step to go back to it.</source>
+        <translation>Feitos: %1. Saltados: %2. Por fazer: %3. Prima um passo para voltar a ele.</translation>
+    </message>
+    <message>
+        <source>azimuth %1</source>
+        <translation>azimute %1</translation>
+    </message>
+    <message>
+        <source>elevation %1</source>
+        <translation>elevação %1</translation>
+    </message>
+    <message>
+        <source>After the pass: Park (Ctrl+P) goes to %1. STOP: the button, Pause or F12, at any time. The mast needs a hard-wired emergency stop besides.</source>
+        <translation>Depois da passagem: Estacionar (Ctrl+P) vai para %1. STOP: o botão, Pause ou F12, a qualquer momento. O mastro precisa também de uma paragem de emergência por fios.</translation>
+    </message>
+    <message>
+        <source>What is done</source>
+        <translation>O que está feito</translation>
+    </message>
+    <message>
+        <source>Why the mount can not be pointed now</source>
+        <translation>Porque não se pode apontar a montagem agora</translation>
+    </message>
+    <message>
+        <source>Line for Gpredict</source>
+        <translation>Linha para o Gpredict</translation>
+    </message>
+    <message>
+        <source>What to do for the first pass</source>
+        <translation>O que fazer para a primeira passagem</translation>
+    </message>
+    <message>
+        <source>After the pass</source>
+        <translation>Depois da passagem</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Copy the line for Gpredict</source>
+        <translation>Copiar a linha para o Gpredict</translation>
+    </message>
+    <message>
+        <source>Put the settings for Gpredict into the clipboard</source>
+        <translation>Copiar as definições do Gpredict para a área de transferência</translation>
+    </message>
+    <message>
+        <source>%1 This is the simulated mount. A real one begins again.</source>
+        <translation>%1 Esta é a montagem simulada. Uma real começa de novo.</translation>
+    </message>
+    <message>
+        <source>Not yet: %1</source>
+        <translation>Ainda não: %1</translation>
+    </message>
+    <message>
+        <source>In Gpredict open Antenna Control, choose the satellite, press Track, then Engage. The state becomes TRACK.</source>
+        <translation>No Gpredict abra Antenna Control, escolha o satélite, prima Track e depois Engage. O estado passa a RASTREIO.</translation>
     </message>
 </context>
 <context>
@@ -9991,6 +10976,113 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::MeasurePage</name>
+    <message>
+        <source>2° away and back: overshoot, time to settle</source>
+        <translation>2° e volta: ultrapassagem, tempo até estabilizar</translation>
+    </message>
+    <message>
+        <source>At 0.5 °/s away and back: tracking error of a pass</source>
+        <translation>A 0,5 °/s e volta: erro de seguimento de uma passagem</translation>
+    </message>
+    <message>
+        <source>Small swings of four frequencies: how fast the axis can follow</source>
+        <translation>Oscilações pequenas de quatro frequências: com que rapidez o eixo segue</translation>
+    </message>
+    <message>
+        <source>Very slowly to and fro: the play of the gear, seen in the torque</source>
+        <translation>Muito devagar para lá e para cá: a folga da engrenagem, vista no torque</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>Torque</translation>
+    </message>
+    <message>
+        <source>Show the torque in place of the tracking error</source>
+        <translation>Mostrar o torque em vez do erro de seguimento</translation>
+    </message>
+    <message>
+        <source>First tuning</source>
+        <translation>Primeira afinação</translation>
+    </message>
+    <message>
+        <source>The run, or what it has found</source>
+        <translation>A medição, ou o que encontrou</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Seguinte</translation>
+    </message>
+    <message>
+        <source>The next step of the first tuning</source>
+        <translation>O passo seguinte da primeira afinação</translation>
+    </message>
+    <message>
+        <source>Measure …</source>
+        <translation>Medir …</translation>
+    </message>
+    <message>
+        <source>Move the axis through this run; asks first</source>
+        <translation>Mover o eixo nesta medição; pergunta antes</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Valores</translation>
+    </message>
+    <message>
+        <source>End run</source>
+        <translation>Terminar</translation>
+    </message>
+    <message>
+        <source>End the run. The mount holds</source>
+        <translation>Terminar a medição. A montagem fica parada</translation>
+    </message>
+    <message>
+        <source>%1 of the %2: %3 % done, %4 left. STOP and every other command end it.</source>
+        <translation>%1 do %2: %3 % feito, faltam %4. STOP e qualquer outro comando terminam-na.</translation>
+    </message>
+    <message>
+        <source>Read gains</source>
+        <translation>Ler ganhos</translation>
+    </message>
+    <message>
+        <source>Read the gains of this drive. Nothing moves</source>
+        <translation>Ler os ganhos deste acionamento. Nada se move</translation>
+    </message>
+    <message>
+        <source>Next …</source>
+        <translation>Seguinte …</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>Ganhos</translation>
+    </message>
+    <message>
+        <source>Show the gains of this drive</source>
+        <translation>Mostrar os ganhos deste acionamento</translation>
+    </message>
+    <message>
+        <source>Move the %1?</source>
+        <translation>Mover o %1?</translation>
+    </message>
+    <message>
+        <source>%1
+
+Keep people and ropes clear of the antenna. STOP and every other command end the run.</source>
+        <translation>%1
+
+Mantenha pessoas e cordas longe da antena. STOP e qualquer outro comando terminam a medição.</translation>
+    </message>
+    <message>
+        <source>Move the axis</source>
+        <translation>Mover o eixo</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::ModelPage</name>
     <message>
         <source>How well the model fits</source>
@@ -10178,6 +11270,14 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <message>
         <source>What the drives report now</source>
         <translation>O que os acionamentos comunicam agora</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Afinação</translation>
+    </message>
+    <message>
+        <source>How well the axes are controlled, and the gains</source>
+        <translation>Quão bem os eixos são controlados, e os ganhos</translation>
     </message>
 </context>
 <context>
@@ -11010,6 +12110,62 @@ Fica para si, porque só quem construiu a montagem o pode saber:
         <source>Switch off</source>
         <translation>Desligar</translation>
     </message>
+    <message>
+        <source>Set gear …</source>
+        <translation>Definir redução …</translation>
+    </message>
+    <message>
+        <source>Write the gear ratio of the profile; asks first</source>
+        <translation>Escrever a redução do perfil; pergunta antes</translation>
+    </message>
+    <message>
+        <source>Azimuth off …</source>
+        <translation>Desligar azimute …</translation>
+    </message>
+    <message>
+        <source>Release the azimuth alone; the elevation goes on holding; asks first</source>
+        <translation>Soltar só o azimute; a elevação continua segura; pergunta antes</translation>
+    </message>
+    <message>
+        <source>Elevation off …</source>
+        <translation>Desligar elevação …</translation>
+    </message>
+    <message>
+        <source>Release the elevation alone; the azimuth goes on holding; asks first</source>
+        <translation>Soltar só a elevação; o azimute continua seguro; pergunta antes</translation>
+    </message>
+    <message>
+        <source>Write the gear ratio into the %1 drive?</source>
+        <translation>Escrever a redução no acionamento de %1?</translation>
+    </message>
+    <message>
+        <source>The drive has %1. The profile says %2 (turns of the axis for one turn of the motor). If the profile is wrong, cancel and correct the gear there (tab Mount, Profile).
+
+%3
+
+Boresight sets the ratio, reads it back, and stores it in the drive. Nothing moves.</source>
+        <translation>O acionamento tem %1. O perfil diz %2 (voltas do eixo por volta do motor). Se o perfil está errado, cancele e corrija a redução lá (separador Montagem, Perfil).
+
+%3
+
+O Boresight define a redução, relê-a e guarda-a no acionamento. Nada se move.</translation>
+    </message>
+    <message>
+        <source>Switch the azimuth drive off?</source>
+        <translation>Desligar o acionamento de azimute?</translation>
+    </message>
+    <message>
+        <source>Switch the elevation drive off?</source>
+        <translation>Desligar o acionamento de elevação?</translation>
+    </message>
+    <message>
+        <source>The azimuth is let go at once. Wind may turn it. The elevation goes on holding.</source>
+        <translation>O azimute fica solto de imediato. O vento pode rodá-lo. A elevação continua segura.</translation>
+    </message>
+    <message>
+        <source>The elevation is let go at once. If it is unbalanced, it falls. Keep people away from the antenna, or support it first. The azimuth goes on holding.</source>
+        <translation>A elevação fica solta de imediato. Se estiver desequilibrada, cai. Mantenha as pessoas longe da antena, ou apoie-a primeiro. O azimute continua seguro.</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::ReadingsModel</name>
@@ -11160,6 +12316,50 @@ Fica para si, porque só quem construiu a montagem o pode saber:
         <source>Not written: %1</source>
         <translation>Não foi escrito: %1</translation>
     </message>
+    <message>
+        <source>%1 W</source>
+        <translation>%1 W</translation>
+    </message>
+    <message>
+        <source>%1 J</source>
+        <translation>%1 J</translation>
+    </message>
+    <message>
+        <source>%1 Wh</source>
+        <translation>%1 Wh</translation>
+    </message>
+    <message>
+        <source>%1, peak %2</source>
+        <translation>%1, máximo %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 s not reported</source>
+        <translation>%1, %2 s sem dados</translation>
+    </message>
+    <message>
+        <source>Power: %1.</source>
+        <translation>Potência: %1.</translation>
+    </message>
+    <message>
+        <source>Power: not reported.</source>
+        <translation>Potência: sem dados.</translation>
+    </message>
+    <message>
+        <source>This motion: %1.</source>
+        <translation>Este movimento: %1.</translation>
+    </message>
+    <message>
+        <source>Last motion: %1.</source>
+        <translation>Último movimento: %1.</translation>
+    </message>
+    <message>
+        <source>Electrical power and energy</source>
+        <translation>Potência e energia elétricas</translation>
+    </message>
+    <message>
+        <source>Electrical power of all drives together. Energy and highest power of the motion that runs, else of the last one. Power that is fed back into the supply counts negative.</source>
+        <translation>Potência elétrica de todos os acionamentos. Energia e potência máxima do movimento em curso, ou do último. A potência devolvida à alimentação conta como negativa.</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::RegionTableModel</name>
@@ -11232,6 +12432,37 @@ Fica para si, porque só quem construiu a montagem o pode saber:
     <message>
         <source>longest: ┄ %1  — %2</source>
         <translation>maior: ┄ %1  — %2</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::ResponseChart</name>
+    <message>
+        <source>Response of the axis</source>
+        <translation>Resposta do eixo</translation>
+    </message>
+    <message>
+        <source>%1 up to %2 in %3 s</source>
+        <translation>%1 até %2 em %3 s</translation>
+    </message>
+    <message>
+        <source>no run yet</source>
+        <translation>ainda sem medição</translation>
+    </message>
+    <message>
+        <source>Tracking error °</source>
+        <translation>Erro de seguimento °</translation>
+    </message>
+    <message>
+        <source>Torque Nm</source>
+        <translation>Torque Nm</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>antes</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>depois</translation>
     </message>
 </context>
 <context>
@@ -11780,20 +13011,45 @@ Fica para si, porque só quem construiu a montagem o pode saber:
         <translation>Passo %1: %2</translation>
     </message>
     <message>
-        <source>done</source>
-        <translation>feito</translation>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
     <message>
-        <source>later</source>
-        <translation>depois</translation>
+        <source>Go to step %1: %2</source>
+        <translation>Ir para o passo %1: %2</translation>
     </message>
     <message>
-        <source>to do</source>
-        <translation>por fazer</translation>
+        <source>%1
+%2</source>
+        <translation>%1
+%2</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::StepPicture</name>
+    <message>
+        <source>A spirit level lies on the antenna. Its bubble is in the middle: elevation 0°</source>
+        <translation>Um nível de bolha está sobre a antena. A bolha está no meio: elevação 0°</translation>
+    </message>
+    <message>
+        <source>The axis turns between two ends. The cable goes with it</source>
+        <translation>O eixo roda entre dois fins. O cabo vai com ele</translation>
+    </message>
+    <message>
+        <source>Seen from above: the antenna points at a landmark. Its bearing counts clockwise from north</source>
+        <translation>Visto de cima: a antena aponta para um marco. O azimute conta a partir do norte no sentido dos ponteiros</translation>
+    </message>
+    <message>
+        <source>Picture of this step</source>
+        <translation>Imagem deste passo</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
     </message>
 </context>
 <context>
@@ -12285,6 +13541,41 @@ Em comparação com a montagem em uso:
     <message>
         <source>%1 min</source>
         <translation>%1 min</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::TuningPanel</name>
+    <message>
+        <source>Azimuth</source>
+        <translation>Azimute</translation>
+    </message>
+    <message>
+        <source>Tune the azimuth axis</source>
+        <translation>Afinar o eixo de azimute</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Elevação</translation>
+    </message>
+    <message>
+        <source>Tune the elevation axis</source>
+        <translation>Afinar o eixo de elevação</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Medir</translation>
+    </message>
+    <message>
+        <source>Runs and their figures</source>
+        <translation>Medições e valores</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>Ganhos</translation>
+    </message>
+    <message>
+        <source>The gains of the drive</source>
+        <translation>Os ganhos do acionamento</translation>
     </message>
 </context>
 <context>
