@@ -300,10 +300,10 @@ TEST(SmoothTracking, AGoToStaysWithinTheLimits)
 
 // Story: a reply that came a tick late was taken for that of the next frame, so that the drive led by what it travels
 // in a tick. With more than two ticks the axis reached 11.4 °/s and 15.2 °/s² with limits of 10.
-// REQ-AXES-941, REQ-AXES-942, REQ-AXES-950: Each frame says its number and each reply repeats it, so that a reply is
-// compared with its own frame. Where frames and replies come late, by up to three ticks in all, a go-to stays within
-// the speed and the acceleration of the axis by 1 %. The axis is off by at most what it travels in that time and in a
-// tick, passes its goal by at most 0.1° and comes to it.
+// REQ-AXES-950: Each frame says its number and each reply repeats it, so that a reply is compared with its own frame.
+// Where frames and replies come late, by up to three ticks in all, a go-to stays within the speed and the acceleration
+// of the axis by 1 %. The axis is off by at most what it travels in that time and in a tick, passes its goal by at most
+// 0.1° and comes to it.
 TEST(SmoothTracking, LateFramesAndRepliesKeepTheAxisWithinItsLimits)
 {
     for (const auto& [frames, replies] :
