@@ -2,6 +2,7 @@
 #include "ui/kit/asking_panel.h"
 
 #include "ui/kit/command_button.h"
+#include "ui/kit/page_room.h"
 #include "ui/kit/push_button.h"
 #include "ui/kit/value_label.h"
 
@@ -25,6 +26,7 @@ AskingPanel::AskingPanel(RequestDesk& desk, QWidget* parent)
 {
     addWidget(m_controls);
     addWidget(makeQuestionPage());
+    keepHeightOfShownPage(*this);
     connect(m_act, &QPushButton::clicked, this, &AskingPanel::carryOut);
     connect(m_typed, &QLineEdit::returnPressed, m_act, &QPushButton::click);
     connect(m_act, &CommandButton::accepted, this, &AskingPanel::closeQuestion);

@@ -3,6 +3,7 @@
 
 #include "ui/kit/axes.h"
 #include "ui/kit/choice_button.h"
+#include "ui/kit/page_room.h"
 #include "ui/tuning/gains_page.h"
 #include "ui/tuning/measure_page.h"
 
@@ -50,6 +51,7 @@ void TuningPanel::build()
     }
     m_pages->addWidget(m_measure);
     m_pages->addWidget(m_gains);
+    keepHeightOfShownPage(*m_pages);
     column->addLayout(row);
     column->addWidget(m_pages, 1);
 }

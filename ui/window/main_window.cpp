@@ -12,6 +12,7 @@
 #include "ui/kit/accessibility.h"
 #include "ui/kit/focus_frame.h"
 #include "ui/kit/format.h"
+#include "ui/kit/page_room.h"
 #include "ui/kit/value_label.h"
 #include "ui/limits/limits_panel.h"
 #include "ui/link/motion_state.h"
@@ -189,6 +190,7 @@ QWidget* MainWindow::makeSide(QWidget& ground)
     column->addWidget(m_readout);
     column->addWidget(m_sensor);
     m_side->addWidget(m_panels);
+    keepHeightOfShownPage(*m_side);
     // The guide needs the room and moves the mount by its own buttons.
     connect(m_side, &QStackedWidget::currentChanged, m_places,
             [this] { m_places->setVisible(m_side->currentWidget() == m_panels); });

@@ -10,6 +10,7 @@
 #include "ui/drives/turn_page.h"
 #include "ui/jog/jog_panel.h"
 #include "ui/kit/axes.h"
+#include "ui/kit/page_room.h"
 #include "ui/limits/limits_panel.h"
 #include "ui/log/log_panel.h"
 #include "ui/look/glyph.h"
@@ -55,6 +56,7 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
     addPanel(*this, *m_north, tr("North"), tr("Finding north: sensor, swing, Sun and Moon (Ctrl+9)"), Qt::Key_9);
     addTurnPage();
     addIcons();
+    keepHeightOfShownPage(*this);
     connect(m_north, &CalibrationPanel::settingsWanted, this, [this](const QString& words) {
         bringUp(*m_profile);
         m_profile->seek(words);
@@ -91,6 +93,7 @@ QTabWidget* PanelTabs::makeMountTabs()
     addPanel(*tabs, *m_protection, tr("Protection"), tr("The drives' own protections (Ctrl+7)"), Qt::Key_7);
     tabs->setTabToolTip(tabs->addTab(m_tuning, tr("Tuning")), tr("How well the axes are controlled, and the gains"));
     addPanel(*tabs, *m_profile, tr("Profile"), tr("All settings, and the mounts that are kept (Ctrl+8)"), Qt::Key_8);
+    keepHeightOfShownPage(*tabs);
     return tabs;
 }
 

@@ -210,7 +210,7 @@ TEST_F(DrivesTest, OneDriveIsSwitchedOffAloneAfterAQuestion)
     QTest::keyClick(act("Switch off"), Qt::Key_Space);
     ASSERT_EQ(asked<request::SwitchOff>().size(), 1u);
     EXPECT_EQ(asked<request::SwitchOff>().front().axis, Axis::Elevation);
-    StationStatus status = samples::holding();
+    StationStatus status = samples::idle();
     status.permissions.refuse(Action::SwitchOffAzimuth, QStringLiteral("The azimuth drive is switched off already."));
     give(samples::update(status));
     EXPECT_FALSE(named<CommandButton>("Azimuth off …")->isEnabled());
