@@ -8042,6 +8042,14 @@ velocidade %1</translation>
         <source>EL</source>
         <translation>EL</translation>
     </message>
+    <message>
+        <source>this</source>
+        <translation>esta</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>outra</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::CalibrationBar</name>

@@ -74,7 +74,9 @@ void BusPicture::paintEvent(QPaintEvent* /*event*/)
     drawTermination(painter, ends[2]);
     const bool one = m_boards == Boards::One;
     const bool same = m_boards == Boards::BothWithOneId;
-    const QString names[] = {QStringLiteral("USB"), same ? tr("id 1") : tr("AZ"), same ? tr("id 1") : tr("EL")};
+    const QString first = same ? tr("id 1") : one ? tr("this") : tr("AZ");
+    const QString second = same ? tr("id 1") : one ? tr("other") : tr("EL");
+    const QString names[] = {QStringLiteral("USB"), first, second};
     for (int i = 0; i < 3; ++i) {
         const bool off = one && i == 2;
         painter.setPen(QPen(off ? theme.grid : theme.secondary, 2, off ? Qt::DotLine : Qt::SolidLine));

@@ -219,7 +219,8 @@ void GuideConnect::showButtons()
 
 void GuideConnect::showBoards()
 {
-    const bool needed = m_boards->isAsking() || (selectedBus() == busInUse() && GuideBoards::isNeeded(m_status));
+    const bool here = selectedBus().isEmpty() || selectedBus() == busInUse();
+    const bool needed = m_boards->isAsking() || (here && GuideBoards::isNeeded(m_status));
     m_boards->setVisible(needed);
     m_found->setVisible(!needed);
     m_picture->setVisible(!needed && m_status.drives);
