@@ -3,6 +3,7 @@
 #include "tests/ui/picture_book.h"
 #include "tests/ui/sample_calibration.h"
 #include "tests/ui/step_button_of.h"
+#include "ui/guide/guide_boards.h"
 #include "ui/guide/guide_north.h"
 #include "ui/kit/axes.h"
 
@@ -59,7 +60,8 @@ TEST_P(GuidePictures, AreTakenOfBoardsFromTheFactory)
     status.permissions = samples::freshMount().permissions;
     give(samples::update(status));
     take(QStringLiteral("guide-1-alone"));
-    QTest::mouseClick(findNamed<QPushButton>(window, "It turns elevation …"), Qt::LeftButton);
+    const QByteArray itTurnsElevation = GuideBoards::tr("It turns elevation …").toUtf8();
+    QTest::mouseClick(findNamed<QPushButton>(window, itTurnsElevation), Qt::LeftButton);
     take(QStringLiteral("guide-1-question"));
 }
 
