@@ -5,14 +5,12 @@
 #include "ui/charts/strip_charts.h"
 #include "ui/clients/hand_back_prompt.h"
 #include "ui/clients/lead_prompt.h"
-#include "ui/guide/guide_page.h"
 #include "ui/jog/gamepad.h"
 #include "ui/jog/jog_panel.h"
 #include "ui/jog/places_bar.h"
 #include "ui/kit/accessibility.h"
 #include "ui/kit/focus_frame.h"
 #include "ui/kit/format.h"
-#include "ui/kit/page_room.h"
 #include "ui/kit/value_label.h"
 #include "ui/limits/limits_panel.h"
 #include "ui/link/motion_state.h"
@@ -28,6 +26,7 @@
 #include "ui/window/axis_readout.h"
 #include "ui/window/close_prompt.h"
 #include "ui/window/diagnostics_saver.h"
+#include "ui/window/guide_room.h"
 #include "ui/window/header_bar.h"
 #include "ui/window/help_page.h"
 #include "ui/window/main_menu.h"
@@ -45,7 +44,6 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QShortcut>
-#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include <memory>
@@ -84,10 +82,9 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_strip(new QWidget(this)),
       m_readout(new AxisReadout(this)),
       m_sensor(new SensorReadout(this)),
-      m_side(new QStackedWidget(this)),
       m_panels(new PanelTabs(clock, m_desk, m_draft, settings, this)),
       m_places(new PlacesBar(m_draft, m_desk, settings.recentGoTos, this)),
-      m_guideProgress(settings.guide),
+      m_side(new GuideRoom(*m_panels, m_last, m_draft, m_desk, m_host, settings.guide, this)),
       m_lastCommand(new ValueLabel(tr("Last line of the log"), fonts::label(), {}, this)),
       m_leadBar(new LeadPrompt(m_desk, this)),
       m_handBackBar(new HandBackPrompt(m_desk, this)),
@@ -139,7 +136,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     m_panels->arrange(settings.layout);
     m_stopKeys->setFirstUse([this] { return m_plot->editor().cancelDrag(); });
     connect(&m_beat, &QTimer::timeout, this, &MainWindow::beat);
-    connect(m_panels, &PanelTabs::broughtUp, this, &MainWindow::closeGuide);
+    connect(m_side, &GuideRoom::progressChanged, this, &MainWindow::guideProgressed);
     m_beat.start(kBeat);
     showStatus(m_last.received());
     resize(1280, 800);
@@ -189,11 +186,8 @@ QWidget* MainWindow::makeSide(QWidget& ground)
     column->addWidget(m_alarms);
     column->addWidget(m_readout);
     column->addWidget(m_sensor);
-    m_side->addWidget(m_panels);
-    keepHeightOfShownPage(*m_side);
     // The guide needs the room and moves the mount by its own buttons.
-    connect(m_side, &QStackedWidget::currentChanged, m_places,
-            [this] { m_places->setVisible(m_side->currentWidget() == m_panels); });
+    connect(m_side, &GuideRoom::guideShown, m_places, &QWidget::setHidden);
     // While an alarm takes room in a low window, the panel scrolls.
     auto* const scroll = new QScrollArea(side);
     scroll->setFrameShape(QFrame::NoFrame);
@@ -248,7 +242,7 @@ void MainWindow::connectMenu()
     connect(m_menu, &MainMenu::fullScreenWanted, this, &MainWindow::toggleFullScreen);
     connect(m_menu, &MainMenu::manualWanted, this, &MainWindow::showManual);
     connect(m_menu, &MainMenu::keysWanted, this, &MainWindow::showHelp);
-    connect(m_menu, &MainMenu::guideWanted, this, &MainWindow::openGuide);
+    connect(m_menu, &MainMenu::guideWanted, m_side, &GuideRoom::showGuide);
     connect(m_menu, &MainMenu::profileWanted, this, [this] { m_panels->bringUp(m_panels->profile()); });
     connect(m_menu, &MainMenu::diagnosticsWanted, this, &MainWindow::saveDiagnostics);
     connect(m_menu, &MainMenu::aboutWanted, this, [this] { showBelowReadout(*m_about); });
@@ -275,9 +269,7 @@ void MainWindow::showUpdate(const StationUpdate& update)
     m_desk.take(update.answers);
     m_draft.showStatus(update.status);
     showStatus(m_last.now());
-    if (m_guideProgress.open && m_guide == nullptr) {
-        openGuide();  // not before it is known which mount it is about
-    }
+    m_side->resume();
     Q_EMIT updateShown();
 }
 
@@ -293,9 +285,7 @@ void MainWindow::showStatus(const StationStatus& status)
     m_sensor->showStatus(status.sensor);
     m_panels->showStatus(status);
     m_places->showStatus(status);
-    if (m_guide != nullptr) {
-        m_guide->showStatus(status);
-    }
+    m_side->showStatus(status);
     m_leadBar->showStatus(status);
     m_handBackBar->showStatus(status);
     if (!isMoving(status)) {
@@ -477,38 +467,14 @@ WindowLayout MainWindow::arrangement() const
     return m_panels->arrangement();
 }
 
-// Beside the plot, in the place of the panels.
-void MainWindow::openGuide()
-{
-    if (m_guide == nullptr) {
-        m_guide = new GuidePage(m_draft, m_desk, m_host, m_guideProgress, m_side);
-        connect(m_guide, &GuidePage::northWanted, this, [this] { m_panels->bringUp(m_panels->north()); });
-        m_side->addWidget(m_guide);
-        connect(m_guide, &GuidePage::closeWanted, this, &MainWindow::closeGuide);
-        connect(m_guide, &GuidePage::progressChanged, this, &MainWindow::guideProgressed);
-        m_guide->showStatus(m_last.now());
-    }
-    m_side->setCurrentWidget(m_guide);
-    m_guide->setOpen(true);
-    m_guide->focusStep();
-}
-
-void MainWindow::closeGuide()
-{
-    m_side->setCurrentWidget(m_panels);
-    if (m_guide != nullptr) {
-        m_guide->setOpen(false);
-    }
-}
-
 void MainWindow::toggleGuide()
 {
-    m_side->currentWidget() == m_panels ? openGuide() : closeGuide();
+    m_side->toggle();
 }
 
 void MainWindow::goTo()
 {
-    closeGuide();
+    m_side->showPanels();
     m_places->focusGoTo();
 }
 
@@ -519,7 +485,7 @@ void MainWindow::hold()
 
 void MainWindow::park()
 {
-    closeGuide();  // a refusal stands below the panels
+    m_side->showPanels();  // a refusal stands below the panels
     m_places->park();
 }
 

@@ -14,7 +14,6 @@
 #include <QTimer>
 
 class QGridLayout;
-class QStackedWidget;
 
 // The desktop window: it composes the panels and connects their signals, nothing else. It knows the station by two
 // values only: StationUpdate comes in, NumberedRequest goes out. Gui thread.
@@ -28,7 +27,7 @@ class AxisReadout;
 class ClosePrompt;
 class DiagnosticsSaver;
 class Gamepad;
-class GuidePage;
+class GuideRoom;
 class HeaderBar;
 class HandBackPrompt;
 class HelpPage;
@@ -107,8 +106,6 @@ private:
     void showHelp();
     void showBelowReadout(QWidget& page);
     void saveDiagnostics();
-    void openGuide();
-    void closeGuide();
     void toggleGuide();
     void goTo();
     void hold();
@@ -129,11 +126,9 @@ private:
     QWidget* m_strip;         // the charts, in a wide window
     AxisReadout* m_readout;
     SensorReadout* m_sensor;
-    QStackedWidget* m_side;  // the panels, or the guide in their place
     PanelTabs* m_panels;
     PlacesBar* m_places;
-    GuideProgress m_guideProgress;
-    GuidePage* m_guide = nullptr;  // made when it is first opened
+    GuideRoom* m_side;
     ValueLabel* m_lastCommand;
     LeadPrompt* m_leadBar;
     HandBackPrompt* m_handBackBar;
