@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace boresight {
 namespace {
@@ -28,6 +29,18 @@ bool sharesItsId(const std::vector<survey::FoundController>& boards, const surve
 double wantedRatio(const profile::AxisSettings& axis)
 {
     return axis.geometry.gearIn == pointing::GearIn::Drive ? 1.0 / axis.geometry.gearRatio : 1.0;
+}
+
+// The gains count output turns and output torque, so the same stiffness at the motor needs the square of the change
+// of the gear, the limit of the integral the change itself. Source: the firmware's motor_position and bldc_servo.
+std::vector<survey::BoardSetting> gainsForGear(double change)
+{
+    const double square = change * change;
+    return {{"servo.pid_position.kp", square},
+            {"servo.pid_position.ki", square},
+            {"servo.pid_position.kd", square},
+            {"servo.pid_position.ilimit", std::abs(change)},
+            {"servo.inertia_feedforward", square, true}};
 }
 
 QString numberText(double value)
@@ -131,9 +144,10 @@ void BoardDesk::begin(const request::SetGear& wanted, SteadyTime now)
     }
     const double ratio = wantedRatio(axis);
     m_done = Text::tr(
-                 "The gear ratio of the %1 drive is %2 now. It was read back and stored. Press Fix next: bounds and "
-                 "speeds count turns of the axis. Then check the gains.")
+                 "The gear ratio of the %1 drive is %2 now. It was read back and stored, with the gains that follow "
+                 "from it. Press Fix next to write limits and speeds. Then check the tuning.")
                  .arg(survey::axisText(wanted.axis), numberText(ratio));
+    m_geared = wanted.axis;
     m_log.add(
         Severity::Warning, kBoardSource,
         Text::tr("writing the gear ratio %1 into the %2 drive").arg(numberText(ratio), survey::axisText(wanted.axis)));
@@ -142,6 +156,7 @@ void BoardDesk::begin(const request::SetGear& wanted, SteadyTime now)
                     .newId = axis.id,
                     .key = kRatioKey,
                     .value = ratio,
+                    .scaled = gainsForGear(m_survey.facts(wanted.axis)->rotorToOutputRatio / ratio),
                     .what = Text::tr("the gear ratio")},
                    now);
 }
@@ -159,6 +174,7 @@ std::vector<CanFrame> BoardDesk::frames(SteadyTime now, bool& ended)
 void BoardDesk::finish()
 {
     const Result<>& outcome = *m_change.outcome();
+    m_ended = std::exchange(m_geared, std::nullopt);
     m_log.add(outcome ? Severity::Advisory : Severity::Warning, kBoardSource, outcome ? m_done : outcome.error().text);
 }
 
@@ -187,10 +203,9 @@ std::optional<GearCorrection> BoardDesk::gear(Axis axis) const
         .found = numberText(found),
         .wanted = numberText(wanted),
         .effect =
-            Text::tr("Bounds, speeds and gains of the drive count turns of the axis. Fix writes bounds and speeds "
-                     "afterwards. The gains keep their numbers: for the same stiffness at the motor kp, ki and kd "
-                     "must be %1 times as large. Set them before the axis moves a load. Boresight asks for the "
-                     "cable wrap again.")
+            Text::tr("Limits, speeds and gains of the drive count turns of the axis. Boresight makes kp, ki and kd "
+                     "%1 times as large, so that the motor is as stiff as before. Press Fix afterwards to write "
+                     "limits and speeds. Boresight asks for the cable wrap again.")
                 .arg(numberText(std::pow(found / wanted, 2)))};
 }
 

@@ -30,6 +30,8 @@ public:
     void begin(const request::SetGear& wanted, SteadyTime now);
 
     [[nodiscard]] bool isRunning() const { return m_change.isRunning(); }
+    // The axis, once, after a gear was written: the drive counts from a new zero, with other gains.
+    [[nodiscard]] std::optional<Axis> takeGeared() { return std::exchange(m_ended, std::nullopt); }
     // The frames of this tick. True in `ended` when the work is over with it.
     [[nodiscard]] std::vector<CanFrame> frames(SteadyTime now, bool& ended);
     void take(const CanFrame& frame);
@@ -49,7 +51,9 @@ private:
     AxisSet m_axes;
     EventLog& m_log;
     survey::BoardChange m_change;
-    QString m_done;  // what to say when it has worked
+    QString m_done;                // what to say when it has worked
+    std::optional<Axis> m_geared;  // its gear is being written
+    std::optional<Axis> m_ended;   // and that has ended
 };
 
 }  // namespace boresight

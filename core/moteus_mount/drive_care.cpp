@@ -141,6 +141,10 @@ std::vector<CanFrame> DriveCare::changeBoard(SteadyTime now)
 {
     bool ended = false;
     auto frames = m_boards.frames(now, ended);
+    if (const auto axis = m_boards.takeGeared()) {
+        m_mount.countsAnew(*axis);
+        m_gains[index(*axis)].startOver();
+    }
     if (ended) {
         m_survey.begin(now);
     }
@@ -183,7 +187,8 @@ void DriveCare::watchSilence(SteadyTime now)
 void DriveCare::tellMount()
 {
     m_survey.setKnownBoards(knownBoards(m_mount.memory()));
-    m_mount.setFitness(m_boards.isRunning() ? mayTouch() : m_survey.fitToMove());
+    const bool writes = m_boards.isRunning() || std::ranges::any_of(m_gains, &survey::AxisGains::isWriting);
+    m_mount.setFitness(writes ? mayTouch() : m_survey.fitToMove());
     for (const Axis axis : m_mount.axes()) {
         if (m_survey.rebootsSeen(axis) != std::exchange(m_rebootsTold[index(axis)], m_survey.rebootsSeen(axis))) {
             m_mount.driveRestarted(axis);
@@ -250,13 +255,20 @@ Result<> DriveCare::mayRead() const
 
 Result<> DriveCare::mayFix() const
 {
-    return mayRead().and_then([this] { return m_survey.mayFix(); }).and_then([this]() -> Result<> {
-        // Fix stores everything that is in force.
-        return std::ranges::any_of(m_gains, &survey::AxisGains::isOnTrial)
-                   ? failure(ErrorCode::Refused, Text::tr("New gains are on trial, and Fix would store them too. Store "
-                                                          "them or put them back first."))
-                   : Result<>{};
-    });
+    return mayRead().and_then([this] { return m_survey.mayFix(); }).and_then([this] { return mayStoreAll(); });
+}
+
+Result<> DriveCare::mayStoreAll() const
+{
+    return std::ranges::any_of(m_gains, &survey::AxisGains::isOnTrial)
+               ? failure(ErrorCode::Refused, Text::tr("New gains are on trial, and this would store them, too. Store "
+                                                      "them or put them back first."))
+               : Result<>{};
+}
+
+Result<> DriveCare::mayChangeBoard() const
+{
+    return mayTouch().and_then([this] { return mayStoreAll(); });
 }
 
 Result<> DriveCare::mayTune(Axis axis) const
@@ -265,6 +277,14 @@ Result<> DriveCare::mayTune(Axis axis) const
         return m_survey.state() == SurveyState::Done && m_survey.facts(axis)
                    ? Result<>{}
                    : failure(ErrorCode::Refused, Text::tr("The drive check has not read this drive yet."));
+    });
+}
+
+Result<> DriveCare::mayUse(Axis axis) const
+{
+    return mayTune(axis).and_then([&]() -> Result<> {
+        return m_gains[index(axis)].isRead() ? Result<>{}
+                                             : failure(ErrorCode::Refused, Text::tr("Read the gains first."));
     });
 }
 
@@ -277,7 +297,7 @@ Result<> DriveCare::mayWrite(Axis axis, Gain gain, double value) const
 
 Result<> DriveCare::mayPutBack(Axis axis) const
 {
-    return mayTune(axis).and_then([&]() -> Result<> {
+    return mayUse(axis).and_then([&]() -> Result<> {
         const std::vector<Gain> gains = m_gains[index(axis)].toPutBack();
         if (gains.empty()) {
             return failure(ErrorCode::Refused, Text::tr("The gains are as they were found."));
@@ -288,7 +308,7 @@ Result<> DriveCare::mayPutBack(Axis axis) const
 
 Result<> DriveCare::mayStore(Axis axis) const
 {
-    return mayTune(axis).and_then([&]() -> Result<> {
+    return mayUse(axis).and_then([&]() -> Result<> {
         return m_gains[index(axis)].isOnTrial()
                    ? Result<>{}
                    : failure(ErrorCode::Refused, Text::tr("No gains are on trial: the drive has stored what it uses."));
@@ -306,10 +326,10 @@ Result<> DriveCare::admits(const Request& request) const
                    [this](const request::PutGainsBack& wanted) { return mayPutBack(wanted.axis); },
                    [this](const request::StoreGains& wanted) { return mayStore(wanted.axis); },
                    [&](const request::AssignBoard& wanted) {
-                       return mayTouch().and_then([&] { return m_boards.admits(wanted); });
+                       return mayChangeBoard().and_then([&] { return m_boards.admits(wanted); });
                    },
                    [&](const request::SetGear& wanted) {
-                       return mayTouch().and_then([&] { return m_boards.admits(wanted); });
+                       return mayChangeBoard().and_then([&] { return m_boards.admits(wanted); });
                    },
                    [](const auto&) -> Result<> { return {}; }},
         request);
@@ -361,6 +381,10 @@ void DriveCare::judge(Permissions& may) const
     add(Action::FixDrives, mayFix());
     add(Action::ReleaseBus, mayTouch());
     m_boards.judge(may);
+    for (const Axis axis : m_mount.axes()) {
+        add(assignBoardAction(axis), mayChangeBoard());
+        add(setGearAction(axis), mayChangeBoard());
+    }
     judgeGains(may);
 }
 
@@ -370,10 +394,7 @@ void DriveCare::judgeGains(Permissions& may) const
         const auto add = [&](Action action, const Result<>& answer) {
             may.refuse(actionOf(action, axis), answer ? QString() : answer.error().text);
         };
-        const Result<> read = mayTune(axis).and_then([&]() -> Result<> {
-            return m_gains[index(axis)].isRead() ? Result<>{}
-                                                 : failure(ErrorCode::Refused, Text::tr("Read the gains first."));
-        });
+        const Result<> read = mayUse(axis);
         add(Action::ReadAzimuthGains, mayTune(axis));
         add(Action::SetAzimuthGains, read);
         add(Action::SetAzimuthFilter, read);

@@ -45,6 +45,9 @@ private:
     [[nodiscard]] Result<> mayTouch() const;  // nothing is being written
     [[nodiscard]] Result<> mayRead() const;
     [[nodiscard]] Result<> mayFix() const;
+    [[nodiscard]] Result<> mayStoreAll() const;  // no gains are on trial: the drives store all they have in force
+    [[nodiscard]] Result<> mayChangeBoard() const;
+    [[nodiscard]] Result<> mayUse(Axis axis) const;   // its gains are known
     [[nodiscard]] Result<> mayTune(Axis axis) const;  // the console of its drive is free
     [[nodiscard]] Result<> mayWrite(Axis axis, Gain gain, double value) const;
     [[nodiscard]] Result<> mayPutBack(Axis axis) const;

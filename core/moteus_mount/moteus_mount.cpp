@@ -85,7 +85,7 @@ void MoteusMount::driveRestarted(Axis axis)
 void MoteusMount::countsAnew(Axis axis)
 {
     m_log.add(Severity::Warning, name(axis),
-              Text::tr("counts anew with the other encoder filter, so its cable wrap is judged again"));
+              Text::tr("counts from a new zero, so Boresight checks its cable wrap again"));
     m_turnWatch.forget(axis);
     m_restarted = true;
 }

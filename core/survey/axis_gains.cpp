@@ -110,7 +110,7 @@ void AxisGains::writeAll(std::vector<Change> changes, const QString& what)
 
 void AxisGains::store()
 {
-    begin(Doing::Storing, {"conf write"}, Text::tr("Storing the gains of %1.").arg(axisText(m_axis)));
+    begin(Doing::Storing, {"tel stop", "conf write"}, Text::tr("Storing the gains of %1.").arg(axisText(m_axis)));
 }
 
 void AxisGains::begin(Doing doing, std::vector<std::string> commands, const QString& text)
@@ -128,6 +128,13 @@ void AxisGains::forget()
     m_read = false;
     m_doubtful = false;
     m_values = {};
+    m_stored = {};  // what it has without power is what is read next
+}
+
+void AxisGains::startOver()
+{
+    forget();
+    m_first = {};
 }
 
 void AxisGains::interrupt(const QString& why)
@@ -135,9 +142,16 @@ void AxisGains::interrupt(const QString& why)
     if (!m_run) {
         return;
     }
-    m_run.reset();
+    m_countsAnew = m_countsAnew || writesFilter();  // it may have arrived
     m_doubtful = m_doubtful || m_doing == Doing::Writing;
+    m_run.reset();
     end(why, true);
+}
+
+bool AxisGains::writesFilter() const
+{
+    return m_doing == Doing::Writing &&
+           std::ranges::find(m_changes, Gain::EncoderFilter, &Change::gain) != m_changes.end();
 }
 
 std::optional<CanFrame> AxisGains::frame(SteadyTime now)
@@ -202,12 +216,12 @@ void AxisGains::finishReading()
 void AxisGains::finishWriting()
 {
     const GainValues before = m_values;
+    m_countsAnew = m_countsAnew || writesFilter();
     takeValues(1 + m_changes.size());
     QString wrong;
     for (const Change& one : m_changes) {
         const auto& now = m_values[indexOf(one.gain)];
         const QString key = toQString(gainKey(one.gain));
-        m_countsAnew = m_countsAnew || one.gain == Gain::EncoderFilter;
         if (!now || !isSame(one.value, *now)) {
             wrong = Text::tr("%1 was set to %2 and reads back %3.")
                         .arg(key, gainText(one.value), now ? gainText(*now) : Text::tr("nothing"));
@@ -222,7 +236,7 @@ void AxisGains::finishWriting()
 
 void AxisGains::finishStoring()
 {
-    if (const ConsoleRun::Answer& answer = m_run->answers().front(); !answer) {
+    if (const ConsoleRun::Answer& answer = m_run->answers().back(); !answer) {
         end(Text::tr("The %1 drive did not store its gains: %2.").arg(axisText(m_axis), answer.error().text), true);
         return;
     }

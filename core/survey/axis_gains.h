@@ -31,6 +31,8 @@ public:
     void store();
     // The drive was without power, so what was only in force is gone; or it is another one.
     void forget();
+    // All of its gains were changed: those that are read next are the first ones.
+    void startOver();
     // Ends what runs.
     void interrupt(const QString& why);
 
@@ -38,6 +40,8 @@ public:
     void take(const moteus::Reply& reply);
 
     [[nodiscard]] bool isBusy() const { return m_run.has_value(); }
+    // Writing or storing: no motion begins meanwhile.
+    [[nodiscard]] bool isWriting() const { return m_run && m_doing != Doing::Reading; }
     [[nodiscard]] bool isRead() const { return m_read && !m_doubtful; }
     // Something is in force that the drive has not stored, or may be.
     [[nodiscard]] bool isOnTrial() const;
@@ -67,6 +71,7 @@ private:
     void finishReading();
     void finishWriting();
     void finishStoring();
+    [[nodiscard]] bool writesFilter() const;
     void takeValues(std::size_t first);
     void end(const QString& text, bool failed);
 

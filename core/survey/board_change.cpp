@@ -29,6 +29,14 @@ Result<> refused(const QString& why)
     return failure(ErrorCode::Refused, why);
 }
 
+// The console answers with one line; none if the firmware has no such setting.
+Reading readingOf(const ConsoleRun::Answer& answer)
+{
+    const bool has = answer && !answer->empty();
+    return {.state = has ? Reading::State::Read : Reading::State::Unknown,
+            .text = has ? answer->front() : std::string()};
+}
+
 QString notStored(const QString& why)
 {
     return Text::tr("%1 Nothing was stored. Switch the board off and on, then it has its old settings again.").arg(why);
@@ -41,6 +49,7 @@ BoardChange::BoardChange() : m_scan(moteus::kDiagnosticHostId, {moteus::versionQ
 void BoardChange::begin(const BoardOrder& order, SteadyTime now)
 {
     m_order = order;
+    m_settings = {{order.key, order.value}};
     m_outcome.reset();
     look(Step::Looking, now);
 }
@@ -93,14 +102,31 @@ void BoardChange::finishLook()
         if (const Result<> may = mayChange(); !may) {
             return end(may);
         }
-        const std::string set = "conf set " + m_order.key + ' ' + changeText(m_order.value);
-        // The first command is one whose answer is sure to come: what follows reaches the console.
-        return run(Step::Setting, m_order.id, {"tel stop", set});
+        return m_order.scaled.empty() ? set() : read(Step::Reading, m_order.id, m_order.scaled);
     }
     if (const Result<> changed = isChanged(); !changed) {
         return end(changed);
     }
-    run(Step::ReadingBack, m_order.newId, {"tel stop", "conf get " + m_order.key});
+    read(Step::ReadingBack, m_order.newId, m_settings);
+}
+
+// The first command of each run is one whose answer is sure to come: what follows reaches the console.
+void BoardChange::read(Step step, int id, const std::vector<BoardSetting>& settings)
+{
+    std::vector<std::string> commands{"tel stop"};
+    for (const BoardSetting& one : settings) {
+        commands.push_back("conf get " + one.key);
+    }
+    run(step, id, std::move(commands));
+}
+
+void BoardChange::set()
+{
+    std::vector<std::string> commands{"tel stop"};
+    for (const BoardSetting& one : m_settings) {
+        commands.push_back("conf set " + one.key + ' ' + changeText(one.value));
+    }
+    run(Step::Setting, m_order.id, std::move(commands));
 }
 
 Result<> BoardChange::mayChange() const
@@ -151,31 +177,75 @@ const FoundController* BoardChange::boardAt(int id) const
 
 void BoardChange::finishRun(SteadyTime now)
 {
-    const auto& answers = m_run->answers();
-    if (m_step == Step::Setting) {
-        if (answers.empty()) {
-            return end(refused(Text::tr("%1 Nothing was changed.").arg(m_run->trouble())));
-        }
-        if (answers.size() > 1 && !answers[1]) {
-            return end(refused(Text::tr("%1. Nothing was changed.").arg(answers[1].error().text)));
-        }
-        return look(Step::LookingAgain, now);  // silence after a new id is as it should be
+    switch (m_step) {
+        case Step::Reading:
+            return finishReading();
+        case Step::Setting:
+            return finishSetting(now);
+        case Step::ReadingBack:
+            return finishReadingBack();
+        default:
+            break;
     }
-    if (!m_run->trouble().isEmpty() || !answers.back()) {
-        const QString why = m_run->trouble().isEmpty() ? answers.back().error().text : m_run->trouble();
+    const QString why = troubleOfRun();
+    end(why.isEmpty() ? Result<>{}
+                      : refused(Text::tr("%1. The new settings are in force. It is unknown whether they are stored. "
+                                         "Switch the board off and on, then look again.")
+                                    .arg(why)));
+}
+
+QString BoardChange::troubleOfRun() const
+{
+    const auto& answers = m_run->answers();
+    const auto bad = std::ranges::find_if(answers, [](const ConsoleRun::Answer& answer) { return !answer; });
+    return !m_run->trouble().isEmpty() ? m_run->trouble() : bad != answers.end() ? bad->error().text : QString();
+}
+
+void BoardChange::finishReading()
+{
+    if (!m_run->trouble().isEmpty()) {
+        return end(refused(Text::tr("%1. Nothing was changed.").arg(m_run->trouble())));
+    }
+    for (std::size_t i = 0; i < m_order.scaled.size(); ++i) {
+        const BoardSetting& scaled = m_order.scaled[i];
+        const auto present = readingOf(m_run->answers()[1 + i]).value();
+        if (present && std::isfinite(*present)) {
+            m_settings.push_back({scaled.key, *present * scaled.value});
+        } else if (!scaled.optional) {
+            return end(
+                refused(Text::tr("%1 cannot be read. Nothing was changed.").arg(QString::fromStdString(scaled.key))));
+        }
+    }
+    set();
+}
+
+void BoardChange::finishSetting(SteadyTime now)
+{
+    const auto& answers = m_run->answers();
+    if (answers.empty()) {
+        return end(refused(Text::tr("%1. Nothing was changed.").arg(m_run->trouble())));
+    }
+    if (answers.size() > 1 && !answers[1]) {
+        return end(refused(Text::tr("%1. Nothing was changed.").arg(answers[1].error().text)));
+    }
+    look(Step::LookingAgain, now);  // silence after a new id is as it should be
+}
+
+void BoardChange::finishReadingBack()
+{
+    if (const QString why = troubleOfRun(); !why.isEmpty()) {
         return end(refused(notStored(Text::tr("%1.").arg(why))));
     }
-    if (m_step == Step::ReadingBack) {
-        const Reading reading{.state = Reading::State::Read,
-                              .text = answers.back()->empty() ? std::string() : answers.back()->front()};
-        if (!tookEffect(m_order.value, reading)) {
-            return end(refused(notStored(
-                Text::tr("The board was set to %1 and reads back %2.")
-                    .arg(QString::fromStdString(changeText(m_order.value)), QString::fromStdString(reading.text)))));
+    for (std::size_t i = 0; i < m_settings.size(); ++i) {
+        const Reading reading = readingOf(m_run->answers()[1 + i]);
+        if (!tookEffect(m_settings[i].value, reading)) {
+            return end(refused(notStored(Text::tr("%1 was set to %2 and reads back %3.")
+                                             .arg(QString::fromStdString(m_settings[i].key),
+                                                  QString::fromStdString(changeText(m_settings[i].value)),
+                                                  QString::fromStdString(reading.text)))));
         }
-        return run(Step::Storing, m_order.newId, {"conf write"});
     }
-    end({});
+    run(Step::Storing, m_order.newId, {"tel stop", "conf write"});
 }
 
 void BoardChange::end(Result<> outcome)
@@ -190,6 +260,8 @@ QString BoardChange::progress() const
     switch (m_step) {
         case Step::Looking:
             return Text::tr("Looking which boards are connected.");
+        case Step::Reading:
+            return Text::tr("Reading the settings that follow from %1.").arg(m_order.what);
         case Step::Setting:
             return Text::tr("Setting %1.").arg(m_order.what);
         case Step::LookingAgain:

@@ -11,13 +11,20 @@
 #include <string>
 #include <vector>
 
-// One setting of one board that only a person may decide: its id, or its gear ratio. Looks who is there, sets, looks
-// again, reads back, and stores only if the same board answers and the value is the one that was set. Pure: frames out,
-// frames in, time passed in. The drives are off: its owner sees to that.
+// A setting of one board that only a person may decide, its id or its gear ratio, with those that follow from it. Looks
+// who is there, reads and sets, looks again, reads back, and stores only if the same board answers and each value is
+// the one that was set. Pure: frames out, frames in, time passed in. The drives are off: its owner sees to that.
 //
 // A new id is in force at once. The board no longer answers under the old one, not even "OK" to the order itself. So
 // silence is the expected answer, and what follows goes to the new id.
 namespace boresight::survey {
+
+struct BoardSetting
+{
+    std::string key;
+    double value = 0.0;
+    bool optional = false;  // an older firmware does not have it
+};
 
 struct BoardOrder
 {
@@ -26,8 +33,9 @@ struct BoardOrder
     int newId = 0;                      // under which it answers afterwards
     std::string key;
     double value = 0.0;
-    bool alone = false;  // no other board may be connected
-    QString what;        // "the id of board …": for texts
+    std::vector<BoardSetting> scaled{};  // each becomes its present value times this one
+    bool alone = false;                  // no other board may be connected
+    QString what;                        // "the id of board …": for texts
 };
 
 class BoardChange
@@ -43,13 +51,13 @@ public:
     [[nodiscard]] QString progress() const;  // empty while it does not run
     // Of the last one that ended; empty: none was begun since the start.
     [[nodiscard]] const std::optional<Result<>>& outcome() const { return m_outcome; }
-    [[nodiscard]] const BoardOrder& order() const { return m_order; }
 
 private:
     enum class Step
     {
         Idle,
         Looking,       // who is there
+        Reading,       // what will be scaled
         Setting,       // under the old id
         LookingAgain,  // the same board, under the new id, and nobody else
         ReadingBack,
@@ -60,12 +68,19 @@ private:
     void run(Step step, int id, std::vector<std::string> commands);
     void finishLook();
     void finishRun(SteadyTime now);
+    void finishReading();
+    void finishSetting(SteadyTime now);
+    void finishReadingBack();
+    void set();
+    void read(Step step, int id, const std::vector<BoardSetting>& settings);
+    [[nodiscard]] QString troubleOfRun() const;
     [[nodiscard]] Result<> mayChange() const;
     [[nodiscard]] Result<> isChanged() const;
     [[nodiscard]] const FoundController* boardAt(int id) const;
     void end(Result<> outcome);
 
     BoardOrder m_order;
+    std::vector<BoardSetting> m_settings;  // to be set, the one of the order first
     BusScan m_scan;
     std::optional<ConsoleRun> m_run;
     Step m_step = Step::Idle;

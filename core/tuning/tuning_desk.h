@@ -28,7 +28,6 @@ public:
     // Once per tick, before StationControl's.
     void tick();
 
-    [[nodiscard]] bool runs() const { return m_run.has_value(); }
     // Its part of the station's, permissions included.
     void fill(StationStatus& status, bool calibrates) const;
 

@@ -299,7 +299,7 @@ TEST(StationEnergy, AGapIsToldAndNotGuessed)
     rig.azimuth.mute = false;
     rig.run(Seconds(0.02));
     const MotionEnergy after = rig.control.status().power.running.value();
-    EXPECT_NEAR(after.joules - before, 2.0, 2.1) << "the tick before, and nothing of the gap";
+    EXPECT_LE(after.joules - before, 4.1) << "a tick on each side, and nothing of the gap";
     EXPECT_NEAR(after.unknown.count(), 0.14, 0.05);
 }
 

@@ -87,6 +87,7 @@ TEST(BoardDesk, TheGearOfAFactoryBoardIsWrittenAndRead)
     EXPECT_FALSE(rig.drives().boardWork.failed) << rig.drives().boardWork.text.toStdString();
     ASSERT_TRUE(rig.reaches(SurveyState::Done));
     EXPECT_FALSE(rig.drives().elevation.gear) << "it is right now";
+    EXPECT_TRUE(rig.logSays("counts from a new zero"));
     EXPECT_NE(rig.obstacle(Action::SetElevationGear), "");
     EXPECT_EQ(rig.pair.drive(Axis::Azimuth).driveConfig().motorPosition.rotorToOutputRatio, 1.0);
 }

@@ -93,11 +93,31 @@ TEST(DriveCare, GainsOfTheFilterMakeTheWrapUnknown)
     }
     EXPECT_TRUE(unknown);
     EXPECT_DOUBLE_EQ(rig.pair.drive(Axis::Azimuth).driveConfig().motorPosition.pllFilter, 200.0);
-    EXPECT_TRUE(rig.logSays("counts anew with the other encoder filter"));
+    EXPECT_TRUE(rig.logSays("counts from a new zero"));
+}
+
+// Story: drives were off when the encoder filter was sent, and a go-to of the next tick switched them on under it:
+// fault
+// 41. A drive that writes its flash follows nobody either.
+// REQ-AXES-962: No motion begins while settings of a drive are written or stored.
+TEST(DriveCare, GainsThatAreWrittenKeepTheMountWhereItStands)
+{
+    GainsAtRest rig;
+    ASSERT_TRUE(rig.read());
+    ASSERT_EQ(rig.set(Gain::EncoderFilter, 0.5), "");
+    EXPECT_THAT(rig.ask(kGo), HasSubstr("gains are being read or written"));
+    ASSERT_TRUE(rig.settles());
+    ASSERT_TRUE(rig.endsItsSurvey());
+    ASSERT_TRUE(rig.read());
+    ASSERT_EQ(rig.ask(request::StoreGains{}), "");
+    EXPECT_THAT(rig.ask(kGo), HasSubstr("gains are being read or written"));
+    ASSERT_TRUE(rig.settles());
+    rig.run(Seconds(0.1));
+    EXPECT_EQ(rig.obstacle(Action::StoreAzimuthGains), "No gains are on trial: the drive has stored what it uses.");
 }
 
 // Story: Fix stores all that is in force, so gains that were only being tried would have stayed for ever.
-// REQ-AXES-961: Fix is refused while gains are on trial.
+// REQ-AXES-961: Fix, a new id and a new gear are refused while gains are on trial.
 TEST(DriveCare, GainsOnTrialAreNotStoredByFix)
 {
     GainsAtRest rig(dampingElevation());
@@ -106,6 +126,8 @@ TEST(DriveCare, GainsOnTrialAreNotStoredByFix)
     ASSERT_EQ(rig.set(Gain::Damping, 1.2), "");
     ASSERT_TRUE(rig.settles());
     EXPECT_THAT(rig.refusal(request::FixDrives{}), HasSubstr("New gains are on trial"));
+    EXPECT_THAT(rig.refusal(request::SetGear{}), HasSubstr("New gains are on trial"));
+    EXPECT_THAT(rig.obstacle(Action::AssignElevationBoard), HasSubstr("New gains are on trial"));
     ASSERT_EQ(rig.ask(request::PutGainsBack{}), "");
     ASSERT_TRUE(rig.settles());
     EXPECT_EQ(rig.refusal(request::FixDrives{}), "");

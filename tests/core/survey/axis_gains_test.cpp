@@ -150,8 +150,13 @@ TEST(AxisGains, WhatWasInterruptedIsNotBelieved)
     EXPECT_TRUE(rig.gains.status().failed);
     EXPECT_FALSE(rig.gains.isRead());
     EXPECT_TRUE(rig.gains.isOnTrial());
+    EXPECT_FALSE(rig.gains.takeCountsAnew());
     rig.silent = false;
     ASSERT_TRUE(rig.reads());
+    rig.gains.write(Gain::EncoderFilter, *rig.line(Gain::EncoderFilter).value * 0.5);
+    rig.silent = true;
+    ASSERT_TRUE(rig.finishes());
+    EXPECT_TRUE(rig.gains.takeCountsAnew()) << "it may have arrived";
 }
 
 // REQ-TUNING-10

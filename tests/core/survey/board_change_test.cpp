@@ -198,6 +198,41 @@ TEST_F(BoardChangeTest, AGearRatioIsStored)
     EXPECT_EQ(pair.drive(Axis::Azimuth).driveConfig().motorPosition.rotorToOutputRatio, 1.0);
 }
 
+// REQ-SURVEY-957: With the gear the gains follow that count output turns. They are read, set, read back and stored with
+// it. What an older firmware does not have is left out.
+TEST_F(BoardChangeTest, GainsFollowTheGear)
+{
+    const double before = pair.drive(Axis::Elevation).driveConfig().servo.gains.kp;
+    const BoardOrder ratio{.board = uuidOf(Axis::Elevation),
+                           .id = 1,
+                           .newId = 1,
+                           .key = "motor_position.rotor_to_output_ratio",
+                           .value = 0.01,
+                           .scaled = {{"servo.pid_position.kp", 10000.0}, {"servo.not_there", 2.0, true}},
+                           .what = QStringLiteral("the gear ratio")};
+    EXPECT_EQ(change(ratio), "");
+    losePower(Axis::Elevation);
+    EXPECT_NEAR(pair.drive(Axis::Elevation).driveConfig().servo.gains.kp, 10000.0 * before, 1.0);
+
+    BoardOrder unreadable = ratio;
+    unreadable.scaled.back().optional = false;
+    unreadable.value = 0.02;
+    EXPECT_EQ(change(unreadable), "servo.not_there cannot be read. Nothing was changed.");
+    EXPECT_NEAR(pair.drive(Axis::Elevation).driveConfig().motorPosition.rotorToOutputRatio, 0.01, 1e-8);
+}
+
+// Story: the answer to `conf write` was lost, and the operator was told that nothing was stored.
+// REQ-SURVEY-952
+TEST_F(BoardChangeTest, WhatWasPerhapsStoredIsCalledUnknown)
+{
+    const auto fallSilent = [&] {
+        if (work.progress().startsWith(QStringLiteral("Storing"))) {
+            (void)pair.faults().add({.kind = sim::FaultKind::LostReply, .axis = Axis::Elevation, .value = 1.0});
+        }
+    };
+    EXPECT_THAT(change(newId, fallSilent), HasSubstr("It is unknown whether they are stored"));
+}
+
 // REQ-SIM-950: Two different answers under one id destroy each other, or arrive one after the other, as often as the
 // settings say. Destroyed ones count as errors of the bus.
 // REQ-SURVEY-954: Two boards with one id are noticed in both cases.
