@@ -45,10 +45,11 @@ QString whoEndedIt(const StationControl& control)
     }
 }
 
-// "Found first" is known only of gains that were read.
+// Nobody has changed what was not read since the drive came.
 bool areAsFound(const DriveGains& gains)
 {
-    return std::ranges::all_of(gains.lines, [](const GainLine& line) { return line.value == line.first; });
+    return std::ranges::all_of(gains.lines,
+                               [](const GainLine& line) { return !line.value || line.value == line.first; });
 }
 
 }  // namespace
