@@ -110,6 +110,25 @@ std::vector<TuningLeg> legsOf(TuningRun run, Angle begin, double way, const trac
     return backlashLegs(begin);
 }
 
+Angle farthestOf(const std::vector<TuningLeg>& legs, Angle begin)
+{
+    constexpr Seconds kPace{0.02};
+    Angle farthest;
+    Angle from;
+    for (const TuningLeg& leg : legs) {
+        if (leg.place) {
+            from = *leg.place - begin;
+            farthest = std::max(farthest, abs(from));
+            continue;
+        }
+        for (Seconds time{0.0}; time < leg.time; time += kPace) {
+            from += leg.rate(time, from) * std::min(kPace, leg.time - time);
+            farthest = std::max(farthest, abs(from));
+        }
+    }
+    return farthest;
+}
+
 // Setting off and coming to rest: what the bounded jerk adds is in the second.
 Seconds durationOf(const std::vector<TuningLeg>& legs, const tracking::MotionLimits& limits)
 {

@@ -38,6 +38,8 @@ inline constexpr std::array kSweepHertz{0.3, 0.6, 1.2, 2.4};
 // `way`: 1 upwards, -1 downwards, for a run that needs room on one side.
 [[nodiscard]] std::vector<TuningLeg> legsOf(TuningRun run, Angle begin, double way,
                                             const tracking::MotionLimits& limits);
+// The largest way of the set-point from the beginning.
+[[nodiscard]] Angle farthestOf(const std::vector<TuningLeg>& legs, Angle begin);
 // As long as the limits make it.
 [[nodiscard]] Seconds durationOf(const std::vector<TuningLeg>& legs, const tracking::MotionLimits& limits);
 

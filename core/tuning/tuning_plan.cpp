@@ -56,7 +56,7 @@ TuningWay planTuning(TuningRun run, Axis axis, const AxisPosition& here, const p
     found.way = free.max - begin >= begin - free.min ? 1.0 : -1.0;
     found.plan.obstacle = obstacleOf(room, axis, free.max - begin, begin - free.min);
     found.legs = legsOf(run, begin, found.way, limits);
-    found.plan.to = begin + found.way * (room.bothSides ? 0.25_deg : kStepSize);
+    found.plan.to = begin + found.way * farthestOf(found.legs, begin);
     found.plan.duration = durationOf(found.legs, limits);
     found.plan.text = textOf(found.plan, room.bothSides, axis);
     return found;

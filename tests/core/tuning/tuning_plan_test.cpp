@@ -21,9 +21,10 @@ pointing::PermittedRegion region()
     return pointing::PermittedRegion(limits, limits.azimuth, limits.elevation);
 }
 
-TuningWay planned(TuningRun run, Axis axis, Angle azimuth, Angle elevation)
+TuningWay planned(TuningRun run, Axis axis, Angle azimuth, Angle elevation,
+                  const tracking::MotionLimits& limits = kLimits)
 {
-    return planTuning(run, axis, {.azimuth = azimuth, .elevation = elevation}, region(), kLimits);
+    return planTuning(run, axis, {.azimuth = azimuth, .elevation = elevation}, region(), limits);
 }
 
 // REQ-TUNING-11: A run asks for its room before it moves, goes to the side with more of it, and is refused with the
@@ -48,6 +49,24 @@ TEST(TuningPlan, IsRefusedWithoutTheRoom)
     EXPECT_TRUE(planned(TuningRun::Step, Axis::Elevation, 0_deg, 0.3_deg).plan.obstacle.isEmpty());
     EXPECT_THAT(planned(TuningRun::Step, Axis::Azimuth, 0_deg, -5_deg).plan.obstacle.toStdString(),
                 HasSubstr("forbidden"));
+}
+
+// REQ-TUNING-22: What a run says of its way is the way of its set-points, smaller where the limits of motion make it
+// so. Story: the question of the backlash spoke of 0.25°, and the axis moved by 0.20°.
+TEST(TuningPlan, SaysTheWayOfItsSetPoints)
+{
+    const auto says = [](TuningRun run, const tracking::MotionLimits& limits) {
+        return planned(run, Axis::Azimuth, 100_deg, 30_deg, limits).plan.text.toStdString();
+    };
+    EXPECT_THAT(says(TuningRun::Step, kLimits), HasSubstr("by 2.00° from 100.0°"));
+    EXPECT_THAT(says(TuningRun::Ramp, kLimits), HasSubstr("by 2.00° from 100.0°"));
+    EXPECT_THAT(says(TuningRun::Sweep, kLimits), HasSubstr("to and fro by 0.25° about 100.0°"));
+    EXPECT_THAT(says(TuningRun::Backlash, kLimits), HasSubstr("to and fro by 0.20° about 100.0°"));
+    tracking::MotionLimits slow = kLimits;
+    slow.speed = 0.3_deg_s;
+    EXPECT_THAT(says(TuningRun::Ramp, slow), HasSubstr("by 0.60° from"));
+    EXPECT_THAT(says(TuningRun::Sweep, slow), HasSubstr("to and fro by 0.08° about"));
+    EXPECT_NEAR(planned(TuningRun::Ramp, Axis::Elevation, 0_deg, 89_deg, slow).plan.to.degrees(), 88.4, 1e-6);
 }
 
 // REQ-TUNING-12: The set-points of a run stay within its room and within the limits of motion.
