@@ -3,6 +3,7 @@
 
 #include <QString>
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,18 @@ enum class Gain
     EncoderFilter,
     Count
 };
+
+// The drive keeps single precision and prints six digits.
+[[nodiscard]] inline bool isSameGain(double one, double other)
+{
+    return std::abs(other - one) <= 1e-6 + 1e-5 * std::abs(one);
+}
+
+// Neither was read: the same.
+[[nodiscard]] inline bool isSameGain(const std::optional<double>& one, const std::optional<double>& other)
+{
+    return one && other ? isSameGain(*one, *other) : one == other;
+}
 
 struct GainLine
 {

@@ -57,15 +57,22 @@ struct TuningResult
     std::vector<response::Sample> samples{};  // of the whole run
 };
 
+// How a run ended.
+struct TuningOutcome
+{
+    Axis axis = Axis::Azimuth;
+    TuningRun run = TuningRun::Step;
+    QString text;
+    bool failed = false;
+};
+
 struct TuningStatus
 {
     std::optional<TuningRun> running;
     Axis axis = Axis::Azimuth;  // of the run
     double done = 0.0;          // 0…1
     Seconds left{0.0};
-    QString text;     // what is done now
-    QString outcome;  // how the last run ended; empty before the first
-    bool failed = false;
+    std::optional<TuningOutcome> outcome;                             // of the last run; empty before the first
     std::array<std::array<TuningPlan, kTuningRuns.size()>, 2> plans;  // by axis and run
     // Of each axis and run the newest with the gains as found and the newest with others: before and after.
     std::vector<TuningResult> results;

@@ -49,7 +49,7 @@ QString whoEndedIt(const StationControl& control)
 bool areAsFound(const DriveGains& gains)
 {
     return std::ranges::all_of(gains.lines,
-                               [](const GainLine& line) { return !line.value || line.value == line.first; });
+                               [](const GainLine& line) { return !line.value || isSameGain(line.value, line.first); });
 }
 
 }  // namespace
@@ -203,10 +203,9 @@ void TuningDesk::keep(TuningResult result)
 void TuningDesk::end(const QString& outcome, bool failed)
 {
     const QString title = titleOf(m_run->run(), m_run->axis());
+    m_status.outcome = {.axis = m_run->axis(), .run = m_run->run(), .text = outcome, .failed = failed};
     m_run.reset();
     hold();
-    m_status.outcome = outcome;
-    m_status.failed = failed;
     m_log.add(failed ? Severity::Warning : Severity::Advisory, kTuningLog,
               QStringLiteral("%1: %2").arg(title, outcome));
     renew();
@@ -227,7 +226,6 @@ void TuningDesk::renew()
         m_status.axis = m_run->axis();
         m_status.done = m_run->part(m_renewed);
         m_status.left = m_run->left(m_renewed);
-        m_status.text = titleOf(m_run->run(), m_run->axis());
     } else {
         for (const Axis axis : kAxes) {
             for (std::size_t i = 0; i < kTuningRuns.size(); ++i) {

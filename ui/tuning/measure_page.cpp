@@ -136,9 +136,10 @@ QString MeasurePage::obstacle(TuningRun run) const
 
 void MeasurePage::showStatus(const StationStatus& status)
 {
+    const bool wasRunning = m_status.tuning->running.has_value();
     m_status = status;
-    if (const auto running = status.tuning->running) {
-        m_run = *running;
+    if (const auto running = status.tuning->running; running && !wasRunning) {
+        m_run = *running;  // then the figures of another may be looked at meanwhile
         m_choices[static_cast<std::size_t>(m_run)]->setChecked(true);
     }
     const BeforeAndAfter results = resultsOf(*status.tuning, m_axis, m_run);
@@ -164,12 +165,12 @@ void MeasurePage::showRun()
                           Tone::Advisory, Symbol::Advisory);
         return;
     }
-    if (tuning.failed) {
-        m_state->setValue(tuning.outcome, Tone::Warning, Symbol::Warning);
+    const auto& outcome = tuning.outcome;
+    if (outcome && outcome->failed && outcome->axis == m_axis && outcome->run == m_run) {
+        m_state->setValue(outcome->text, Tone::Warning, Symbol::Warning);
         return;
     }
-    const BeforeAndAfter results = resultsOf(tuning, m_axis, m_run);
-    if (const TuningResult* const shown = results.after != nullptr ? results.after : results.before) {
+    if (const TuningResult* const shown = resultInForce(m_status, m_axis, m_run)) {
         m_state->setValue(shown->verdict.join(QLatin1Char(' ')), shown->good ? Tone::Normal : Tone::Warning,
                           shown->good ? Symbol::None : Symbol::Warning);
         return;

@@ -12,6 +12,8 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include <tuple>
+
 namespace boresight::ui {
 
 TuningPanel::TuningPanel(RequestDesk& desk, QWidget* parent)
@@ -27,11 +29,11 @@ TuningPanel::TuningPanel(RequestDesk& desk, QWidget* parent)
     build();
     connect(m_azimuth, &QToolButton::clicked, this, [this] { setAxis(Axis::Azimuth); });
     connect(m_elevation, &QToolButton::clicked, this, [this] { setAxis(Axis::Elevation); });
-    connect(m_measureChoice, &QToolButton::clicked, this, [this] { showPage(false); });
-    connect(m_gainsChoice, &QToolButton::clicked, this, [this] { showPage(true); });
-    connect(m_measure, &MeasurePage::gainsWanted, this, [this] { showPage(true); });
+    connect(m_measureChoice, &QToolButton::clicked, this, [this] { showPage(Page::Measure); });
+    connect(m_gainsChoice, &QToolButton::clicked, this, [this] { showPage(Page::Gains); });
+    connect(m_measure, &MeasurePage::gainsWanted, this, [this] { showPage(Page::Gains); });
     m_azimuth->setChecked(true);
-    showPage(false);
+    showPage(Page::Measure);
 }
 
 void TuningPanel::build()
@@ -62,10 +64,23 @@ void TuningPanel::setAxis(Axis axis)
     m_gains->setAxis(axis);
 }
 
-void TuningPanel::showPage(bool gains)
+void TuningPanel::showPage(Page page)
 {
-    m_pages->setCurrentIndex(gains ? 1 : 0);
+    const bool gains = page == Page::Gains;
+    m_pages->setCurrentWidget(gains ? static_cast<QWidget*>(m_gains) : m_measure);
     (gains ? m_gainsChoice : m_measureChoice)->setChecked(true);
+}
+
+void TuningPanel::leaveMissingAxis()
+{
+    for (const auto& [gone, other, axis] :
+         {std::tuple(m_azimuth, m_elevation, Axis::Elevation), std::tuple(m_elevation, m_azimuth, Axis::Azimuth)}) {
+        if (gone->isChecked() && !gone->isEnabled() && other->isEnabled()) {
+            other->setChecked(true);
+            setAxis(axis);
+            return;
+        }
+    }
 }
 
 void TuningPanel::showStatus(const StationStatus& status)
@@ -73,10 +88,7 @@ void TuningPanel::showStatus(const StationStatus& status)
     // A mount may have one axis, or one with such a drive.
     m_azimuth->setEnabled(driveOf(status, Axis::Azimuth).present);
     m_elevation->setEnabled(driveOf(status, Axis::Elevation).present);
-    if (!m_azimuth->isEnabled() && m_azimuth->isChecked() && m_elevation->isEnabled()) {
-        m_elevation->setChecked(true);
-        setAxis(Axis::Elevation);
-    }
+    leaveMissingAxis();
     m_measure->showStatus(status);
     m_gains->showStatus(status);
 }

@@ -23,11 +23,18 @@ public:
     explicit TuningPanel(RequestDesk& desk, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
-    void showPage(bool gains);
 
 private:
+    enum class Page
+    {
+        Measure,
+        Gains
+    };
+
     void build();
     void setAxis(Axis axis);
+    void showPage(Page page);
+    void leaveMissingAxis();
 
     ChoiceButton* m_azimuth;
     ChoiceButton* m_elevation;

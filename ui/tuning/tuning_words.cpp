@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
 
 namespace boresight::ui {
@@ -76,14 +77,12 @@ std::vector<Figure> backlashFigures(const response::BacklashFigures& found)
             {TuningWords::tr("Reversals"), QStringLiteral("%1/%2").arg(found.reversals).arg(found.tried)}};
 }
 
-// Of the runs of the first tuning, in what was measured last.
-const TuningResult* latestOf(const TuningStatus& tuning, Axis axis, TuningRun run)
+bool isInForce(const TuningResult& result, const DriveGains& gains)
 {
-    const BeforeAndAfter both = resultsOf(tuning, axis, run);
-    if (both.before == nullptr || both.after == nullptr) {
-        return both.before != nullptr ? both.before : both.after;
-    }
-    return both.after->when >= both.before->when ? both.after : both.before;
+    return std::ranges::equal(
+        result.gains, gains.lines,
+        [](const std::optional<double>& one, const std::optional<double>& now) { return isSameGain(one, now); }, {},
+        &GainLine::value);
 }
 
 }  // namespace
@@ -150,33 +149,43 @@ BeforeAndAfter resultsOf(const TuningStatus& tuning, Axis axis, TuningRun run)
     return both;
 }
 
-FirstTuning firstTuning(const StationStatus& status, Axis axis)
+const TuningResult* resultInForce(const StationStatus& status, Axis axis, TuningRun run)
 {
     const DriveGains& gains = driveOf(status, axis).gains;
-    if (!gains.read) {
+    const TuningResult* newest = nullptr;
+    for (const TuningResult& one : status.tuning->results) {
+        const bool counts = one.axis == axis && one.run == run && (!gains.read || isInForce(one, gains));
+        if (counts && (newest == nullptr || one.when >= newest->when)) {
+            newest = &one;
+        }
+    }
+    return newest;
+}
+
+FirstTuning firstTuning(const StationStatus& status, Axis axis)
+{
+    if (!driveOf(status, axis).gains.read) {
         return {.text = TuningWords::tr("First tuning, 1 of 5: read the gains of the drive."), .reads = true};
     }
     int step = 2;
-    bool good = true;
     QStringList wrong;
     for (const TuningRun run : {TuningRun::Step, TuningRun::Ramp, TuningRun::Sweep}) {
-        const TuningResult* const result = latestOf(*status.tuning, axis, run);
+        const TuningResult* const result = resultInForce(status, axis, run);
         if (result == nullptr) {
             return {
                 .text = TuningWords::tr("First tuning, %1 of 5: measure the run \"%2\".").arg(step).arg(runName(run)),
                 .run = run};
         }
-        good = good && result->good;
         if (!result->good) {
             wrong << runName(run);
         }
         ++step;
     }
-    return {.text = good ? TuningWords::tr("First tuning, 5 of 5: the %1 is well tuned. Nothing needs to be changed.")
-                               .arg(name(axis))
-                         : TuningWords::tr("First tuning, 5 of 5: change a gain as \"%1\" advises, and measure again.")
-                               .arg(wrong.join(QStringLiteral("\", \""))),
-            .good = good};
+    return {.text = wrong.isEmpty()
+                        ? TuningWords::tr("First tuning, 5 of 5: the %1 is well tuned. Nothing needs to be changed.")
+                              .arg(name(axis))
+                        : TuningWords::tr("First tuning, 5 of 5: change a gain as \"%1\" advises, and measure again.")
+                              .arg(wrong.join(QStringLiteral("\", \"")))};
 }
 
 }  // namespace boresight::ui

@@ -33,13 +33,16 @@ struct BeforeAndAfter
 };
 [[nodiscard]] BeforeAndAfter resultsOf(const TuningStatus& tuning, Axis axis, TuningRun run);
 
+// What counts for the axis as it is: the newest with the gains in force, or while they are not read the newest of all.
+// Empty: to be measured.
+[[nodiscard]] const TuningResult* resultInForce(const StationStatus& status, Axis axis, TuningRun run);
+
 // The first tuning of an axis: read the gains, step, ramp, swings, verdict. Where it is follows from what is there.
 struct FirstTuning
 {
     QString text;
     bool reads = false;            // next: read the gains
     std::optional<TuningRun> run;  // next: this one. Neither: it is done
-    bool good = false;             // then: nothing needs to be tuned
 };
 [[nodiscard]] FirstTuning firstTuning(const StationStatus& status, Axis axis);
 

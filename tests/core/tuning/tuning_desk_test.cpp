@@ -32,6 +32,9 @@ struct TuningRig : SimulatedStation
         return *m_tuning;
     }
 
+    // Of the last run.
+    [[nodiscard]] TuningOutcome outcome() { return tuning().outcome.value_or(TuningOutcome{}); }
+
     std::string start(TuningRun kind, Axis axis = Axis::Azimuth) { return ask(request::StartTuning{axis, kind}); }
 
     bool ends()
@@ -43,8 +46,8 @@ struct TuningRig : SimulatedStation
     {
         EXPECT_EQ(start(kind, axis), "");
         EXPECT_TRUE(ends());
-        EXPECT_FALSE(tuning().failed) << tuning().outcome.toStdString();
-        return !tuning().failed;
+        EXPECT_FALSE(outcome().failed) << outcome().text.toStdString();
+        return !outcome().failed;
     }
 
     [[nodiscard]] const TuningResult& result(TuningRun kind, bool asFound = true)
@@ -102,7 +105,7 @@ TEST(TuningDesk, AStepIsMeasured)
     EXPECT_GT(rig.farthest, 1.9);
     EXPECT_LT(rig.farthest, 2.2);
     EXPECT_NEAR(rig.truth(Axis::Azimuth), 30.0, 0.05);
-    EXPECT_TRUE(rig.result(TuningRun::Step).good) << rig.tuning().outcome.toStdString();
+    EXPECT_TRUE(rig.result(TuningRun::Step).good) << rig.outcome().text.toStdString();
 }
 
 // REQ-TUNING-14: A ramp run measures the tracking error at a constant rate, a sweep gain and phase at each frequency.
@@ -157,8 +160,8 @@ TEST(TuningDesk, EverythingElseEndsARun)
             ASSERT_EQ(rig.ask(other), "");
             rig.run(Seconds(0.1));
             EXPECT_FALSE(rig.tuning().running) << words;
-            EXPECT_TRUE(rig.tuning().failed);
-            EXPECT_THAT(rig.tuning().outcome.toStdString(), HasSubstr(words));
+            EXPECT_TRUE(rig.outcome().failed);
+            EXPECT_THAT(rig.outcome().text.toStdString(), HasSubstr(words));
             EXPECT_TRUE(rig.tuning().results.empty());
             rig.run(Seconds(3.0));
             if (!std::holds_alternative<request::PointAxes>(other)) {
@@ -171,6 +174,21 @@ TEST(TuningDesk, EverythingElseEndsARun)
     }
 }
 
+// REQ-TUNING-21: How a run ended is told with its axis and its kind.
+// Story: after one run was ended, each kind of run of both axes showed that STOP had ended it.
+TEST(TuningDesk, TheOutcomeNamesItsAxisAndRun)
+{
+    TuningRig rig;
+    EXPECT_FALSE(rig.tuning().outcome);
+    ASSERT_EQ(rig.start(TuningRun::Ramp, Axis::Elevation), "");
+    rig.run(Seconds(2.0));
+    ASSERT_EQ(rig.ask(request::Stop{}), "");
+    rig.run(Seconds(0.1));
+    EXPECT_TRUE(rig.outcome().failed);
+    EXPECT_EQ(rig.outcome().axis, Axis::Elevation);
+    EXPECT_EQ(rig.outcome().run, TuningRun::Ramp);
+}
+
 // REQ-TUNING-16
 TEST(TuningDesk, AFaultEndsARun)
 {
@@ -180,7 +198,7 @@ TEST(TuningDesk, AFaultEndsARun)
     rig.link->pair().drive(Axis::Azimuth).raiseFault(38);
     rig.run(Seconds(0.5));
     EXPECT_FALSE(rig.tuning().running);
-    EXPECT_THAT(rig.tuning().outcome.toStdString(), HasSubstr("A fault ended it"));
+    EXPECT_THAT(rig.outcome().text.toStdString(), HasSubstr("A fault ended it"));
     EXPECT_EQ(rig.status().state, StationState::Fault);
     EXPECT_THAT(rig.start(TuningRun::Step), testing::Not(""));
 }
@@ -223,8 +241,8 @@ TEST(TuningDesk, BacklashThatTheMotorDoesNotFeelIsNotInvented)
     TuningRig rig;  // all friction in front of the gap
     ASSERT_EQ(rig.start(TuningRun::Backlash), "");
     ASSERT_TRUE(rig.ends());
-    EXPECT_TRUE(rig.tuning().failed);
-    EXPECT_THAT(rig.tuning().outcome.toStdString(), HasSubstr("Cannot be measured"));
+    EXPECT_TRUE(rig.outcome().failed);
+    EXPECT_THAT(rig.outcome().text.toStdString(), HasSubstr("Cannot be measured"));
 }
 
 }  // namespace
