@@ -39,7 +39,7 @@ QVariant GainsModel::data(const QModelIndex& index, int role) const
         return {};
     }
     const GainLine& line = m_lines[static_cast<std::size_t>(index.row())];
-    const bool changed = line.value && line.first && *line.value != *line.first;
+    const bool changed = line.value && line.first && !isSameGain(*line.value, *line.first);
     switch (role) {
         case Qt::DisplayRole:
             switch (index.column()) {

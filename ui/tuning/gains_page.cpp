@@ -15,7 +15,42 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
+
 namespace boresight::ui {
+
+namespace {
+
+constexpr int kGainDigits = 6;  // as many as the drive prints
+constexpr int kGainSteps = 50;  // from the least to the most, about
+constexpr int kMostDecimals = 12;
+
+int exponentOf(double value)
+{
+    return static_cast<int>(std::floor(std::log10(value)));
+}
+
+// So that the most has the digits of the drive, and the least three of them.
+int decimalsOf(const GainLine& line)
+{
+    const int forMost = line.most > 0.0 ? kGainDigits - 1 - exponentOf(line.most) : 0;
+    const int forLeast = line.least > 0.0 ? 2 - exponentOf(line.least) : 0;
+    return std::clamp(std::max(forMost, forLeast), 0, kMostDecimals);
+}
+
+// 1, 2 or 5 times a power of ten.
+double stepOf(const GainLine& line)
+{
+    const double largest = (line.most - line.least) / kGainSteps;
+    if (!(largest > 0.0)) {
+        return std::pow(10.0, -decimalsOf(line));
+    }
+    const double power = std::pow(10.0, exponentOf(largest));
+    return largest >= 5.0 * power ? 5.0 * power : largest >= 2.0 * power ? 2.0 * power : power;
+}
+
+}  // namespace
 
 GainsPage::GainsPage(RequestDesk& desk, QWidget* parent)
     : AskingPanel(desk, parent),
@@ -36,8 +71,9 @@ GainsPage::GainsPage(RequestDesk& desk, QWidget* parent)
     build();
     connect(m_read, &QPushButton::clicked, this, [this] { m_read->ask(request::ReadGains{m_axis}); });
     connect(m_write, &QPushButton::clicked, this, &GainsPage::write);
-    connect(m_putBack, &QPushButton::clicked, this, [this] { m_putBack->ask(request::PutGainsBack{m_axis}); });
+    connect(m_putBack, &QPushButton::clicked, this, &GainsPage::putBack);
     connect(m_store, &QPushButton::clicked, this, &GainsPage::store);
+    connect(m_value, &QDoubleSpinBox::valueChanged, this, &GainsPage::showButtons);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this, &GainsPage::showSelected);
     showSelected();
 }
@@ -53,7 +89,6 @@ void GainsPage::build()
     m_reason->setLines(2);
     m_notice->setCollapsing(true);
     m_value->setFont(fonts::text());
-    m_value->setDecimals(3);
     m_value->setMinimumHeight(kTouchSize);
     m_value->setAccessibleName(tr("New value of the selected gain"));
     auto* const row = new QHBoxLayout;
@@ -87,23 +122,27 @@ const DriveGains& GainsPage::gains() const
     return driveOf(m_status, m_axis).gains;
 }
 
-std::optional<Gain> GainsPage::selected() const
+// Empty: none, or one that was not read.
+const GainLine* GainsPage::selected() const
 {
     const QModelIndex current = m_table->currentIndex();
-    return current.isValid() ? std::optional(static_cast<Gain>(current.row())) : std::nullopt;
+    const auto& lines = gains().lines;
+    if (!current.isValid() || static_cast<std::size_t>(current.row()) >= lines.size()) {
+        return nullptr;
+    }
+    const GainLine& line = lines[static_cast<std::size_t>(current.row())];
+    return line.value ? &line : nullptr;
 }
 
 void GainsPage::setAxis(Axis axis)
 {
     m_axis = axis;
     showStatus(StationStatus(m_status));
-    showSelected();
 }
 
 void GainsPage::showStatus(const StationStatus& status)
 {
     m_status = status;
-    const bool wasRead = m_write->isEnabled();
     m_model->show(gains());
     const bool trial = gains().onTrial && !gains().busy;
     const QString text = gains().text.isEmpty() ? tr("The gains of this drive were not read yet.") : gains().text;
@@ -114,62 +153,108 @@ void GainsPage::showStatus(const StationStatus& status)
                       gains().failed ? Symbol::Warning
                       : trial        ? Symbol::Advisory
                                      : Symbol::None);
-    showButtons();
-    if (wasRead != m_write->isEnabled()) {
-        showSelected();
-    }
+    showSelected();
     showWhetherPossible(status);
 }
 
 void GainsPage::showButtons()
 {
     const auto reason = [this](Action action) { return m_status.permissions.reason(actionOf(action, m_axis)); };
-    const auto gain = selected();
-    const Action set = gain == Gain::EncoderFilter ? Action::SetAzimuthFilter : Action::SetAzimuthGains;
+    const GainLine* const line = selected();
     m_read->setBlocked(reason(Action::ReadAzimuthGains));
-    m_write->setBlocked(gain ? reason(set) : tr("Select a gain in the table first."));
+    if (line == nullptr) {
+        m_write->setBlocked(tr("Select a gain in the table first."));
+    } else {
+        const QString refused = reason(line->needsOff ? Action::SetAzimuthFilter : Action::SetAzimuthGains);
+        m_write->setBlocked(!refused.isEmpty() || isEdited() ? refused
+                                                             : tr("This value is in force. Enter another one first."));
+    }
     m_putBack->setBlocked(reason(Action::PutAzimuthGainsBack));
     m_store->setBlocked(reason(Action::StoreAzimuthGains));
 }
 
 void GainsPage::showSelected()
 {
-    const auto gain = selected();
-    const auto& lines = m_model->lines();
-    const auto row = static_cast<std::size_t>(gain.value_or(Gain::Count));
-    if (row >= lines.size() || !lines[row].value) {
-        m_value->setEnabled(false);
+    const GainLine* const line = selected();
+    m_value->setEnabled(line != nullptr);
+    if (line == nullptr) {
+        m_loaded.reset();
         m_reason->setValue(tr("Select a gain to change it."), Tone::Secondary);
     } else {
-        const GainLine& line = lines[row];
-        m_value->setEnabled(true);
-        m_value->setRange(line.least, line.most);
-        m_value->setSingleStep(*line.value / 10.0);
-        m_value->setValue(*line.value);
+        load(*line);
         m_reason->setValue(QStringLiteral("%1, %2: %3…%4. %5")
-                               .arg(line.key, line.unit, gainText(line.least), gainText(line.most), line.bounds));
+                               .arg(line->key, line->unit, gainText(line->least), gainText(line->most), line->bounds));
     }
     showButtons();
 }
 
+// What the operator has typed stays until there is another value to begin from.
+void GainsPage::load(const GainLine& line)
+{
+    const int row = m_table->currentIndex().row();
+    const bool isOther =
+        !m_loaded || m_loaded->axis != m_axis || m_loaded->row != row || m_loaded->line.value != line.value;
+    if (!isOther && m_loaded->line == line) {
+        return;
+    }
+    const bool offers = isOther || !isEdited();
+    m_loaded = Loaded{.axis = m_axis, .row = row, .line = line, .offered = isOther ? 0.0 : m_loaded->offered};
+    m_value->setDecimals(decimalsOf(line));
+    m_value->setRange(line.least, line.most);
+    m_value->setSingleStep(stepOf(line));
+    if (offers) {
+        m_value->setValue(*line.value);
+        m_loaded->offered = m_value->value();
+    }
+}
+
+bool GainsPage::isEdited() const
+{
+    if (!m_loaded) {
+        return false;
+    }
+    const GainLine& line = m_loaded->line;
+    const bool isWithin = *line.value >= line.least && *line.value <= line.most;  // else the box offers the bound
+    return !isWithin || m_value->value() != m_loaded->offered;
+}
+
 void GainsPage::write()
 {
-    const auto gain = selected();
-    if (!gain) {
+    const GainLine* const line = selected();
+    if (line == nullptr) {
         return;
     }
-    const request::SetGain wanted{.axis = m_axis, .gain = *gain, .value = m_value->value()};
-    if (*gain != Gain::EncoderFilter) {
+    const request::SetGain wanted{.axis = m_axis,
+                                  .gain = static_cast<Gain>(m_table->currentIndex().row()),
+                                  .value = std::clamp(m_value->value(), line->least, line->most)};
+    if (line->needsOff) {
+        askAboutFilter(tr("Write"), wanted, Action::SetAzimuthFilter);
+    } else {
         m_write->ask(wanted);
-        return;
     }
+}
+
+void GainsPage::putBack()
+{
+    const request::PutGainsBack wanted{m_axis};
+    if (std::ranges::any_of(gains().lines, [](const GainLine& line) {
+            return line.needsOff && line.value && line.first && !isSameGain(*line.first, *line.value);
+        })) {
+        askAboutFilter(tr("Put back"), wanted, Action::PutAzimuthGainsBack);
+    } else {
+        m_putBack->ask(wanted);
+    }
+}
+
+void GainsPage::askAboutFilter(const QString& act, const Request& request, Action action)
+{
     askFirst({.title = tr("Write the encoder filter?"),
               .text = tr("The drive then counts its position anew. The cable wrap of the %1 is unknown until you "
                          "confirm where the axis stands. Nothing moves.")
                           .arg(name(m_axis)),
-              .act = tr("Write"),
-              .request = wanted,
-              .action = actionOf(Action::SetAzimuthFilter, m_axis)},
+              .act = act,
+              .request = request,
+              .action = actionOf(action, m_axis)},
              m_status);
 }
 
@@ -178,7 +263,7 @@ void GainsPage::store()
     QString text;
     for (std::size_t i = 0; i < gains().lines.size(); ++i) {
         const GainLine& line = gains().lines[i];
-        if (line.value && line.stored && *line.value != *line.stored) {
+        if (line.value && line.stored && !isSameGain(*line.stored, *line.value)) {
             text += QStringLiteral("%1: %2 → %3\n").arg(line.key, gainText(*line.stored), gainText(*line.value));
         }
     }

@@ -26,13 +26,27 @@ private:
     QTableView* makeTable();
     void showSelected();
     void showButtons();
+    void load(const GainLine& line);
     void write();
+    void putBack();
     void store();
-    [[nodiscard]] std::optional<Gain> selected() const;
+    void askAboutFilter(const QString& act, const Request& request, Action action);
+    [[nodiscard]] const GainLine* selected() const;
+    [[nodiscard]] bool isEdited() const;
     [[nodiscard]] const DriveGains& gains() const;
+
+    // What the box was filled from, and what it showed then.
+    struct Loaded
+    {
+        Axis axis;
+        int row;
+        GainLine line;
+        double offered;
+    };
 
     StationStatus m_status;
     Axis m_axis = Axis::Azimuth;
+    std::optional<Loaded> m_loaded;
     GainsModel* m_model;
     QTableView* m_table;
     ValueLabel* m_state;
