@@ -7,17 +7,35 @@ namespace boresight::ui {
 
 FiguresModel::FiguresModel(QObject* parent) : TableModel({tr("Figure"), tr("Before"), tr("After")}, parent) {}
 
+std::vector<FiguresModel::Row> FiguresModel::rowsOf(const BeforeAndAfter& results)
+{
+    std::vector<Row> rows;
+    const auto add = [&rows](const TuningResult* result, QString Row::*column) {
+        if (result == nullptr) {
+            return;
+        }
+        for (const Figure& one : figuresOf(*result)) {
+            auto row = std::ranges::find(rows, one.name, &Row::name);
+            if (row == rows.end()) {
+                row = rows.insert(row, Row{.name = one.name});
+            }
+            (*row).*column = one.value;
+        }
+    };
+    add(results.before, &Row::before);
+    add(results.after, &Row::after);
+    return rows;
+}
+
 void FiguresModel::show(const BeforeAndAfter& results)
 {
-    const auto before = results.before != nullptr ? figuresOf(*results.before) : std::vector<Figure>{};
-    const auto after = results.after != nullptr ? figuresOf(*results.after) : std::vector<Figure>{};
-    std::vector<Row> rows;
-    for (std::size_t i = 0; i < std::max(before.size(), after.size()); ++i) {
-        rows.push_back({.name = i < before.size() ? before[i].name : after[i].name,
-                        .before = i < before.size() ? before[i].value : QString(),
-                        .after = i < after.size() ? after[i].value : QString()});
-    }
+    std::vector<Row> rows = rowsOf(results);
     if (rows == m_rows) {
+        return;
+    }
+    if (std::ranges::equal(rows, m_rows, {}, &Row::name, &Row::name)) {
+        m_rows = std::move(rows);
+        changeCells();
         return;
     }
     beginResetModel();

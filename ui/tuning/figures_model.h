@@ -34,11 +34,14 @@ private:
     struct Row
     {
         QString name;
-        QString before;
-        QString after;
+        QString before{};
+        QString after{};
 
         bool operator==(const Row&) const = default;
     };
+
+    // Of both results, by the name of the figure.
+    [[nodiscard]] static std::vector<Row> rowsOf(const BeforeAndAfter& results);
 
     std::vector<Row> m_rows;
 };

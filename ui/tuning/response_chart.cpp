@@ -41,16 +41,28 @@ double roundUp(double value)
     return 10.0 * power;
 }
 
-QPolygonF pointsOf(const std::vector<response::Sample>& samples, ResponseChart::Quantity quantity)
+std::optional<double> valueOf(const response::Sample& sample, ResponseChart::Quantity quantity)
 {
-    QPolygonF points;
-    points.reserve(static_cast<qsizetype>(samples.size()));
+    return quantity == ResponseChart::Quantity::Error ? std::optional((sample.actual - sample.wanted).degrees())
+                                                      : sample.torque;
+}
+
+// A new piece after each gap.
+std::vector<QPolygonF> piecesOf(const std::vector<response::Sample>& samples, ResponseChart::Quantity quantity)
+{
+    std::vector<QPolygonF> pieces;
+    bool goesOn = false;
     for (const response::Sample& one : samples) {
-        const double value =
-            quantity == ResponseChart::Quantity::Error ? (one.actual - one.wanted).degrees() : one.torque.value_or(0.0);
-        points << QPointF(one.time.count(), value);
+        const auto value = valueOf(one, quantity);
+        if (value) {
+            if (!goesOn) {
+                pieces.emplace_back();
+            }
+            pieces.back() << QPointF(one.time.count(), *value);
+        }
+        goesOn = value.has_value();
     }
-    return points;
+    return pieces;
 }
 
 }  // namespace
@@ -144,12 +156,11 @@ void ResponseChart::showCurves()
     double longest = 1.0;
     for (const auto& [samples, curve] :
          {std::pair(&m_before, m_beforeCurve.get()), std::pair(&m_after, m_afterCurve.get())}) {
-        const QPolygonF points = pointsOf(*samples, m_quantity);
-        for (const QPointF& one : points) {
-            largest = std::max(largest, std::abs(one.y()));
-            longest = std::max(longest, one.x());
+        for (const response::Sample& one : *samples) {
+            largest = std::max(largest, std::abs(valueOf(one, m_quantity).value_or(0.0)));
+            longest = std::max(longest, one.time.count());
         }
-        curve->setPoints(points);
+        curve->setPieces(piecesOf(*samples, m_quantity));
     }
     m_highest = roundUp(largest > 0.0 ? largest : 1.0);
     m_plot->setAxisScale(QwtAxis::YLeft, -m_highest, m_highest, m_highest);

@@ -9,15 +9,17 @@ namespace boresight::ui {
 void ResponseItem::draw(QPainter* painter, const QwtScaleMap& timeMap, const QwtScaleMap& valueMap,
                         const QRectF& /*canvas*/) const
 {
-    QPolygonF line;
-    line.reserve(m_points.size());
-    for (const QPointF& one : m_points) {
-        line << QPointF(timeMap.transform(one.x()), valueMap.transform(one.y()));
-    }
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setPen(m_pen);
-    painter->drawPolyline(line);
+    for (const QPolygonF& piece : m_pieces) {
+        QPolygonF line;
+        line.reserve(piece.size());
+        for (const QPointF& one : piece) {
+            line << QPointF(timeMap.transform(one.x()), valueMap.transform(one.y()));
+        }
+        painter->drawPolyline(line);
+    }
     painter->restore();
 }
 

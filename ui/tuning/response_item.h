@@ -5,14 +5,17 @@
 #include <QPolygonF>
 #include <qwt_plot_item.h>
 
-// One curve of the response chart, as a Qwt item; x in seconds, y in the unit of the chart. Included by
-// response_chart.cpp only.
+#include <utility>
+#include <vector>
+
+// One curve of the response chart, as a Qwt item; x in seconds, y in the unit of the chart. It has gaps where nothing
+// was reported. Included by response_chart.cpp only.
 namespace boresight::ui {
 
 class ResponseItem final : public QwtPlotItem
 {
 public:
-    void setPoints(const QPolygonF& points) { m_points = points; }
+    void setPieces(std::vector<QPolygonF> pieces) { m_pieces = std::move(pieces); }
     void setPen(const QPen& pen) { m_pen = pen; }
     [[nodiscard]] const QPen& pen() const { return m_pen; }
 
@@ -20,7 +23,7 @@ public:
               const QRectF& canvas) const override;
 
 private:
-    QPolygonF m_points;
+    std::vector<QPolygonF> m_pieces;
     QPen m_pen;
 };
 
