@@ -88,8 +88,8 @@ std::string aligned(const std::vector<Row>& rows)
     return text;
 }
 
-const QString kOneIdEach =
-    QStringLiteral("Open the guide of Boresight (F3), step Connect. It gives one board after the other its id.");
+const QString kOneIdEach = QStringLiteral(
+    "Open the guide of Boresight (F3), step Connect. It sets the ids of the boards one after the other.");
 
 void addOwnProblems(const FoundController& controller, QStringList& found)
 {

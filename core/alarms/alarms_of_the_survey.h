@@ -32,7 +32,7 @@ inline constexpr std::array kSurveyAlarms{
                .help = AlarmHelp::OpenDrives,
                .kin = AlarmKin::BusDisturbed,
                .examples = {"two boards have the id 1, so their answers collide",
-                            "Open the guide (F3), step Connect. It gives one board after the other its id."}},
+                            "Open the guide (F3), step Connect. It sets the ids of the boards one after the other."}},
     AlarmEntry{.id = "drives.foreign-board",
                .source = "drives",
                .severity = Severity::Warning,

@@ -35,8 +35,9 @@ void StreamLog::write(const QString& source, Stream& stream)
 {
     if (stream.count > 0) {
         const auto seconds = std::chrono::round<std::chrono::seconds>(stream.last - stream.since).count();
-        m_log.add(Severity::Advisory, source,
-                  Text::tr("%1 more accepted in %2 s, the last %3").arg(stream.count).arg(seconds).arg(stream.command));
+        m_log.add(
+            Severity::Advisory, source,
+            Text::tr("%1 more accepted in %2 s. The last: %3").arg(stream.count).arg(seconds).arg(stream.command));
     }
     stream.since = stream.last;
     stream.count = 0;

@@ -314,7 +314,7 @@ Result<> Gates::mayTune(Axis axis) const
         .and_then([this] { return drivesAnswer(); })
         .and_then([this]() -> Result<> {
             return m_of.current.moves() && m_of.current.isFor(tuningSource())
-                       ? failure(ErrorCode::Refused, Text::tr("A tuning run is going on. End it first."))
+                       ? failure(ErrorCode::Refused, Text::tr("A tuning run moves the mount. End it first."))
                        : Result<>{};
         })
         .and_then([this] { return drivesRest(); })

@@ -88,7 +88,8 @@ struct DrivesStatus
     QString proofText;                // what it does now, or how it ended
     std::vector<Stranger> strangers;  // boards that the profile does not know
     std::vector<BoardOnBus> boards;   // all of them, by their ids
-    BoardWork boardWork;
+    BoardWork boardWork;              // an id that is given to a board, until the boards change
+    BoardWork gearWork;
     DriveStatus azimuth;
     DriveStatus elevation;
 };

@@ -62,7 +62,7 @@ Result<> BoardDesk::mayAssign(Axis axis) const
         return failure(ErrorCode::Busy, m_change.progress());
     }
     if (!hasDrive(axis)) {
-        return failure(ErrorCode::NotAvailable, Text::tr("The mount has no such drive for this axis."));
+        return failure(ErrorCode::NotAvailable, Text::tr("This axis has no moteus drive."));
     }
     const auto& boards = m_survey.boards();
     if (boards.empty()) {
@@ -71,8 +71,8 @@ Result<> BoardDesk::mayAssign(Axis axis) const
     if (const auto shared = std::ranges::find_if(boards, [&](const auto& one) { return sharesItsId(boards, one); });
         shared != boards.end()) {
         return refuse(
-            Text::tr("Two boards have the id %1. Switch the power off, disconnect one of them, and switch the "
-                     "power on again.")
+            Text::tr(
+                "Two boards have the id %1. Switch the power off. Disconnect one board. Switch the power on again.")
                 .arg(shared->id));
     }
     if (boards.size() > 1) {
@@ -92,11 +92,12 @@ Result<> BoardDesk::maySetGear(Axis axis) const
         return failure(ErrorCode::Busy, m_change.progress());
     }
     if (m_survey.state() == SurveyState::Running || m_survey.state() == SurveyState::Fixing) {
-        return failure(ErrorCode::Busy, Text::tr("The drives are being read. Wait some seconds."));
+        return failure(ErrorCode::Busy, Text::tr("Boresight is reading the drives. Wait a moment."));
     }
-    return gear(axis) ? Result<>{}
-                      : failure(ErrorCode::NotAvailable,
-                                Text::tr("The gear in the drive is the one of the profile, or it was not read."));
+    return gear(axis) && survey::onlyBoard(m_survey.boards(), m_profile->axis(axis).id) != nullptr
+               ? Result<>{}
+               : failure(ErrorCode::NotAvailable,
+                         Text::tr("The gear ratio in the drive is right, or it was not read."));
 }
 
 Result<> BoardDesk::admits(const request::AssignBoard& wanted) const
@@ -105,7 +106,7 @@ Result<> BoardDesk::admits(const request::AssignBoard& wanted) const
         return uuidOf(m_survey.boards().front()) == wanted.board
                    ? Result<>{}
                    : failure(ErrorCode::Refused,
-                             Text::tr("Another board is connected than the one you confirmed. Look again."));
+                             Text::tr("The connected board is not the board that you confirmed. Check it again."));
     });
 }
 
@@ -118,13 +119,14 @@ void BoardDesk::begin(const request::AssignBoard& wanted, SteadyTime now)
 {
     const survey::FoundController& board = m_survey.boards().front();
     const int id = m_profile->axis(wanted.axis).id;
+    m_isGear = false;
     m_done = Text::tr(
-                 "The board %1 has the id %2 now. It was read back and stored. Switch the power off, connect the "
-                 "other board again, and switch the power on.")
+                 "The board %1 has the id %2 now. Boresight read it back and stored it. Switch the power off. Connect "
+                 "the other board. Switch the power on.")
                  .arg(uuidOf(board))
                  .arg(id);
     m_log.add(Severity::Warning, kBoardSource,
-              Text::tr("giving the board %1 the id %2, it had %3").arg(uuidOf(board)).arg(id).arg(board.id));
+              Text::tr("setting the id of board %1 to %2, before %3").arg(uuidOf(board)).arg(id).arg(board.id));
     m_change.begin({.board = board.known.uuid(),
                     .id = board.id,
                     .newId = id,
@@ -144,10 +146,11 @@ void BoardDesk::begin(const request::SetGear& wanted, SteadyTime now)
     }
     const double ratio = wantedRatio(axis);
     m_done = Text::tr(
-                 "The gear ratio of the %1 drive is %2 now. It was read back and stored, with the gains that follow "
-                 "from it. Press Fix next to write limits and speeds. Then check the tuning.")
+                 "The gear ratio of the %1 drive is %2 now. Boresight read it back and stored it, with the gains that "
+                 "depend on it. Press Fix next to write limits and speeds. Then check the tuning.")
                  .arg(survey::axisText(wanted.axis), numberText(ratio));
     m_geared = wanted.axis;
+    m_isGear = true;
     m_log.add(
         Severity::Warning, kBoardSource,
         Text::tr("writing the gear ratio %1 into the %2 drive").arg(numberText(ratio), survey::axisText(wanted.axis)));
@@ -202,11 +205,10 @@ std::optional<GearCorrection> BoardDesk::gear(Axis axis) const
     return GearCorrection{
         .found = numberText(found),
         .wanted = numberText(wanted),
-        .effect =
-            Text::tr("Limits, speeds and gains of the drive count turns of the axis. Boresight makes kp, ki and kd "
-                     "%1 times as large, so that the motor is as stiff as before. Press Fix afterwards to write "
-                     "limits and speeds. Boresight asks for the cable wrap again.")
-                .arg(numberText(std::pow(found / wanted, 2)))};
+        .effect = Text::tr("Limits, speeds and gains of the drive count turns of the axis. Boresight multiplies kp, ki "
+                           "and kd by %1, so the motor stays as stiff as before. Press Fix afterwards to write limits "
+                           "and speeds. Boresight asks for the cable wrap again.")
+                      .arg(numberText(std::pow(found / wanted, 2)))};
 }
 
 void BoardDesk::fill(DrivesStatus& drives) const
@@ -217,10 +219,12 @@ void BoardDesk::fill(DrivesStatus& drives) const
         drives.boards.push_back({.id = board.id, .uuid = uuidOf(board), .shared = shared});
     }
     const auto& outcome = m_change.outcome();
-    const QString ended = !outcome ? QString() : *outcome ? m_done : outcome->error().text;
-    drives.boardWork = {.running = isRunning(),
-                        .failed = !isRunning() && outcome && !*outcome,
-                        .text = isRunning() ? m_change.progress() : ended};
+    // Which board to connect next is no news any more when all of them were read.
+    const bool over = !m_isGear && m_survey.state() == SurveyState::Done;
+    const QString ended = !outcome || over ? QString() : *outcome ? m_done : outcome->error().text;
+    (m_isGear ? drives.gearWork : drives.boardWork) = {.running = isRunning(),
+                                                       .failed = !isRunning() && !ended.isEmpty() && !*outcome,
+                                                       .text = isRunning() ? m_change.progress() : ended};
     drives.azimuth.gear = gear(Axis::Azimuth);
     drives.elevation.gear = gear(Axis::Elevation);
 }

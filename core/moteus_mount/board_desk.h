@@ -32,6 +32,8 @@ public:
     [[nodiscard]] bool isRunning() const { return m_change.isRunning(); }
     // The axis, once, after a gear was written: the drive counts from a new zero, with other gains.
     [[nodiscard]] std::optional<Axis> takeGeared() { return std::exchange(m_ended, std::nullopt); }
+    // The operator goes on: what came of the last work is no longer told.
+    void forgetOutcome() { m_change.forgetOutcome(); }
     // The frames of this tick. True in `ended` when the work is over with it.
     [[nodiscard]] std::vector<CanFrame> frames(SteadyTime now, bool& ended);
     void take(const CanFrame& frame);
@@ -52,6 +54,7 @@ private:
     EventLog& m_log;
     survey::BoardChange m_change;
     QString m_done;                // what to say when it has worked
+    bool m_isGear = false;         // the last work was on a gear
     std::optional<Axis> m_geared;  // its gear is being written
     std::optional<Axis> m_ended;   // and that has ended
 };

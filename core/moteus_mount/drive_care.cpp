@@ -112,7 +112,7 @@ void DriveCare::tendGains(SteadyTime now, std::vector<CanFrame>& frames)
         survey::AxisGains& gains = m_gains[index(axis)];
         const auto& facts = m_survey.facts(axis);
         if (m_boards.isRunning() || m_survey.state() != SurveyState::Done || !facts) {
-            gains.interrupt(Text::tr("The drive check came in between. Read the gains again."));
+            gains.interrupt(Text::tr("The drive check interrupted this. Read the gains again."));
             continue;
         }
         if (!gains.isOf(facts->uuid)) {
@@ -233,13 +233,13 @@ void DriveCare::tellChanges()
 Result<> DriveCare::mayTouch() const
 {
     if (m_boards.isRunning()) {
-        return failure(ErrorCode::Busy, Text::tr("A board is being changed. Wait some seconds."));
+        return failure(ErrorCode::Busy, Text::tr("Boresight is changing a board. Wait a moment."));
     }
     if (m_survey.state() == SurveyState::Fixing) {
         return failure(ErrorCode::Refused, Text::tr("the drives' settings are being written: wait until that is done"));
     }
     if (std::ranges::any_of(m_gains, &survey::AxisGains::isBusy)) {
-        return failure(ErrorCode::Busy, Text::tr("The gains are being read or written. Wait until that is done."));
+        return failure(ErrorCode::Busy, Text::tr("Boresight is reading or writing the gains. Wait until that ends."));
     }
     return {};
 }
@@ -261,8 +261,9 @@ Result<> DriveCare::mayFix() const
 Result<> DriveCare::mayStoreAll() const
 {
     return std::ranges::any_of(m_gains, &survey::AxisGains::isOnTrial)
-               ? failure(ErrorCode::Refused, Text::tr("New gains are on trial, and this would store them, too. Store "
-                                                      "them or put them back first."))
+               ? failure(
+                     ErrorCode::Refused,
+                     Text::tr("New gains are on trial. This would store them, too. Store them or put them back first."))
                : Result<>{};
 }
 
@@ -300,7 +301,7 @@ Result<> DriveCare::mayPutBack(Axis axis) const
     return mayUse(axis).and_then([&]() -> Result<> {
         const std::vector<Gain> gains = m_gains[index(axis)].toPutBack();
         if (gains.empty()) {
-            return failure(ErrorCode::Refused, Text::tr("The gains are as they were found."));
+            return failure(ErrorCode::Refused, Text::tr("No gain differs from its first value."));
         }
         return std::ranges::find(gains, Gain::EncoderFilter) == gains.end() ? Result<>{} : m_mount.mayBeWritten();
     });
@@ -311,7 +312,7 @@ Result<> DriveCare::mayStore(Axis axis) const
     return mayUse(axis).and_then([&]() -> Result<> {
         return m_gains[index(axis)].isOnTrial()
                    ? Result<>{}
-                   : failure(ErrorCode::Refused, Text::tr("No gains are on trial: the drive has stored what it uses."));
+                   : failure(ErrorCode::Refused, Text::tr("No gains are on trial. The drive has stored what it uses."));
     });
 }
 
@@ -338,10 +339,14 @@ Result<> DriveCare::admits(const Request& request) const
 Result<> DriveCare::carryOut(const Request& request, SteadyTime now)
 {
     Result<> done = std::visit(Overloaded{[&](const request::ReadDrives&) -> Result<> {
+                                              m_boards.forgetOutcome();
                                               m_survey.begin(now);
                                               return {};
                                           },
-                                          [&](const request::FixDrives&) { return m_survey.fix(now); },
+                                          [&](const request::FixDrives&) {
+                                              m_boards.forgetOutcome();
+                                              return m_survey.fix(now);
+                                          },
                                           [this](const request::ReadGains& wanted) -> Result<> {
                                               m_gains[index(wanted.axis)].read(m_survey.facts(wanted.axis)->uuid);
                                               return {};

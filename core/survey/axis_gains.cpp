@@ -67,7 +67,7 @@ Result<> AxisGains::mayWrite(Gain gain, double value) const
     if (!(value >= line.least && value <= line.most)) {
         return failure(
             ErrorCode::OutOfRange,
-            Text::tr("%1 may be %2 to %3. %4").arg(line.key, gainText(line.least), gainText(line.most), line.bounds));
+            Text::tr("%1 must be %2 to %3. %4").arg(line.key, gainText(line.least), gainText(line.most), line.bounds));
     }
     return {};
 }
@@ -124,7 +124,9 @@ void AxisGains::begin(Doing doing, std::vector<std::string> commands, const QStr
 
 void AxisGains::forget()
 {
-    interrupt(Text::tr("The %1 drive was lost meanwhile. Read its gains again.").arg(axisText(m_axis)));
+    m_text.clear();
+    m_failed = false;
+    interrupt(Text::tr("The %1 drive stopped replying. Read its gains again.").arg(axisText(m_axis)));
     m_read = false;
     m_doubtful = false;
     m_values = {};

@@ -39,7 +39,7 @@ Reading readingOf(const ConsoleRun::Answer& answer)
 
 QString notStored(const QString& why)
 {
-    return Text::tr("%1 Nothing was stored. Switch the board off and on, then it has its old settings again.").arg(why);
+    return Text::tr("%1 Nothing was stored. Switch the board off and on to restore its old settings.").arg(why);
 }
 
 }  // namespace
@@ -142,16 +142,15 @@ Result<> BoardChange::mayChange() const
     }
     const FoundController* const board = boardAt(m_order.id);
     if (board == nullptr) {
-        return refused(Text::tr("No board answers under the id %1. Nothing was changed.").arg(m_order.id));
+        return refused(Text::tr("No board with the id %1 answers. Nothing was changed.").arg(m_order.id));
     }
     if (board->known.uuid() != m_order.board) {
-        return refused(Text::tr("Another board is connected than the one you confirmed: %1. Nothing was changed.")
+        return refused(Text::tr("The connected board %1 is not the board that you confirmed. Nothing was changed.")
                            .arg(boardText(board->known.uuid())));
     }
     if (m_order.alone && there.size() > 1) {
         return refused(
-            Text::tr("Another board is connected too. Leave only the one that shall be changed. Nothing was "
-                     "changed."));
+            Text::tr("More than one board is connected. Leave only the board to change. Nothing was changed."));
     }
     return {};
 }
@@ -160,11 +159,11 @@ Result<> BoardChange::isChanged() const
 {
     const FoundController* const board = boardAt(m_order.newId);
     if (board == nullptr || board->known.uuid() != m_order.board) {
-        return refused(notStored(Text::tr("The board does not answer under the id %1.").arg(m_order.newId)));
+        return refused(notStored(Text::tr("The board does not answer with the id %1.").arg(m_order.newId)));
     }
     const auto& there = m_scan.controllers();
     if (std::ranges::count(there, m_order.newId, &FoundController::id) > 1 || (m_order.alone && there.size() > 1)) {
-        return refused(notStored(Text::tr("Another board was connected meanwhile.")));
+        return refused(notStored(Text::tr("Another board appeared on the bus.")));
     }
     return {};
 }
@@ -189,8 +188,8 @@ void BoardChange::finishRun(SteadyTime now)
     }
     const QString why = troubleOfRun();
     end(why.isEmpty() ? Result<>{}
-                      : refused(Text::tr("%1. The new settings are in force. It is unknown whether they are stored. "
-                                         "Switch the board off and on, then look again.")
+                      : refused(Text::tr("%1. The new settings are in force. It is unknown whether the board stored "
+                                         "them. Switch it off and on, then check again.")
                                     .arg(why)));
 }
 
@@ -259,13 +258,13 @@ QString BoardChange::progress() const
 {
     switch (m_step) {
         case Step::Looking:
-            return Text::tr("Looking which boards are connected.");
+            return Text::tr("Listing the connected boards.");
         case Step::Reading:
-            return Text::tr("Reading the settings that follow from %1.").arg(m_order.what);
+            return Text::tr("Reading the settings that depend on %1.").arg(m_order.what);
         case Step::Setting:
             return Text::tr("Setting %1.").arg(m_order.what);
         case Step::LookingAgain:
-            return Text::tr("Looking whether the same board answers.");
+            return Text::tr("Checking that the same board answers.");
         case Step::ReadingBack:
             return Text::tr("Reading back %1.").arg(m_order.what);
         case Step::Storing:

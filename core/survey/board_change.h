@@ -51,6 +51,7 @@ public:
     [[nodiscard]] QString progress() const;  // empty while it does not run
     // Of the last one that ended; empty: none was begun since the start.
     [[nodiscard]] const std::optional<Result<>>& outcome() const { return m_outcome; }
+    void forgetOutcome() { m_outcome.reset(); }
 
 private:
     enum class Step

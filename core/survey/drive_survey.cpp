@@ -79,7 +79,6 @@ void DriveSurvey::forget()
     m_retrying = false;
     m_fixed = false;
     m_strangers.clear();
-    m_boards.clear();
     m_findings.clear();
     for (Side& side : m_sides) {
         side.drive.forget();

@@ -33,7 +33,7 @@ Bounds around(double stored)
 {
     return {.least = stored / kFactor,
             .most = stored * kFactor,
-            .why = Text::tr("A quarter to four times the stored value. A larger change is more likely a slip.")};
+            .why = Text::tr("A quarter to four times the stored value. A larger change is probably a typing error.")};
 }
 
 // The inertia for which these two are critically damped.
@@ -48,8 +48,8 @@ Bounds filterBounds(double stored, double stiffness, double damping)
     const double least = std::clamp(kFiltersAbove * bandwidth, kLowestFilter, kHighestFilter);
     return {.least = stored > 0.0 ? std::min(least, stored) : least,
             .most = std::max(kHighestFilter, stored),
-            .why = Text::tr("Ten times the bandwidth of the position control or more: below it the measured speed "
-                            "comes too late for the damping.")};
+            .why = Text::tr("At least ten times the bandwidth of the position control. Below it the measured speed is "
+                            "too late for the damping.")};
 }
 
 Bounds boundsOf(Gain gain, const GainValues& stored)
@@ -62,14 +62,15 @@ Bounds boundsOf(Gain gain, const GainValues& stored)
             return around(own);
         case Gain::Integral:
             return {.most = std::max(kFactor * own, kFastestIntegral * stiffness),
-                    .why = Text::tr("Ten times kp, or four times the stored value. A faster integral makes the axis "
-                                    "swing by itself.")};
+                    .why = Text::tr("At most ten times kp, or four times the stored value. A faster integral makes the "
+                                    "axis oscillate.")};
         case Gain::IntegralLimit:
             return {.most = std::max(kFactor * own, kIntegralError * stiffness),
-                    .why = Text::tr("The torque that kp gives at an error of 0.1°, or four times the stored value.")};
+                    .why = Text::tr("At most the torque of kp at an error of 0.1°, or four times the stored value.")};
         case Gain::InertiaFeedforward:
-            return {.most = std::max(kFactor * own, kFactor * inertiaFor(stiffness, of(stored, Gain::Damping))),
-                    .why = Text::tr("Four times the inertia that kp and kd suit, or four times the stored value.")};
+            return {
+                .most = std::max(kFactor * own, kFactor * inertiaFor(stiffness, of(stored, Gain::Damping))),
+                .why = Text::tr("At most four times the inertia that fits kp and kd, or four times the stored value.")};
         case Gain::EncoderFilter:
         case Gain::Count:
             break;

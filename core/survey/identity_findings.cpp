@@ -62,9 +62,8 @@ void IdentityJudge::judgeShared()
              .about = QString::number(id),
              .weight = isOurs(id) ? FindingWeight::Blocking : FindingWeight::Warning,
              .what = Text::tr("two boards have the id %1, so their answers collide").arg(id),
-             .remedy =
-                 Text::tr("Open the guide (F3), step Connect. It gives one board after the other its id. If there "
-                          "is only one board, check plugs and termination.")});
+             .remedy = Text::tr("Open the guide (F3), step Connect. It sets the ids of the boards one after the other. "
+                                "If there is only one board, check the plugs and the termination.")});
     }
 }
 
@@ -99,9 +98,8 @@ void IdentityJudge::judgeSwapped()
              .what = Text::tr("the ids are swapped, and the board with the id %1 (%2) was the board of %3")
                          .arg(idOf(axis))
                          .arg(axisText(axis), axisText(other)),
-             .remedy =
-                 Text::tr("Exchange the ids in the profile. If the boards were exchanged, end Boresight, move the "
-                          "mount's .memory.json files out of the state folder, and start again.")});
+             .remedy = Text::tr("Exchange the ids in the profile. If you exchanged the boards, end Boresight. Move the "
+                                ".memory.json files of the mount out of the state folder. Start Boresight again.")});
         return;
     }
 }

@@ -268,8 +268,8 @@ void addGear(List& list, const profile::AxisSettings& axis)
          // The drive writes six decimals.
          .isRight = [ratio](double found) { return std::abs(found - ratio) <= 1e-6 + 1e-4 * ratio; },
          .otherwise = Verdict::Dangerous,
-         .reason = Text::tr("the gear as the profile has it (gear_ratio, gear_in): with another one every angle is "
-                            "wrong. Set gear writes it: the gains change with the square of it")});
+         .reason = Text::tr("The gear ratio of the profile (gear_ratio, gear_in). With another ratio every angle is "
+                            "wrong. Press Set gear to write it. The gains change with its square.")});
     list.push_back({.key = "motor_position.output.sign",
                     .wanted = Text::tr("1 or -1"),
                     .isRight = [](double found) { return found == 1.0 || found == -1.0; },

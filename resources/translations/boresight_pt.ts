@@ -327,10 +327,6 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>Nenhum local foi definido.</translation>
     </message>
     <message>
-        <source>The bus is released. Take it back on the panel Drives.</source>
-        <translation>O barramento está libertado. Retome-o no painel Acionamentos.</translation>
-    </message>
-    <message>
         <source>The mount does not answer.</source>
         <translation>A montagem não responde.</translation>
     </message>
@@ -345,10 +341,6 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <message>
         <source>The drives are being read.</source>
         <translation>Os acionamentos estão a ser lidos.</translation>
-    </message>
-    <message>
-        <source>No program has connected.</source>
-        <translation>Nenhum programa se ligou.</translation>
     </message>
     <message>
         <source>Nobody has confirmed north.</source>
@@ -391,19 +383,27 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>por fazer</translation>
     </message>
     <message>
-        <source>I have looked: the ends of the travel are right as they are</source>
+        <source>The bus is released. Press Take bus back on the page Drives.</source>
+        <translation>O barramento está libertado. Prima Retomar barramento na página Acionamentos.</translation>
+    </message>
+    <message>
+        <source>No program is connected.</source>
+        <translation>Nenhum programa está ligado.</translation>
+    </message>
+    <message>
+        <source>I have checked: the ends of the travel are right</source>
         <translation>Verifiquei: os fins do curso estão certos como estão</translation>
     </message>
     <message>
-        <source>I have looked: elevation 0° is level</source>
+        <source>I have checked: elevation 0° is level</source>
         <translation>Verifiquei: elevação 0° é horizontal</translation>
     </message>
     <message>
-        <source>I have looked: north is right as it is</source>
+        <source>I have checked: north is right</source>
         <translation>Verifiquei: o norte está certo como está</translation>
     </message>
     <message>
-        <source>The program that follows the satellites is set up</source>
+        <source>The program that tracks the satellites is set up</source>
         <translation>O programa que segue os satélites está configurado</translation>
     </message>
 </context>
@@ -6826,24 +6826,12 @@ até %1</translation>
         <translation>O socket local não abriu: %1. Os comandos da linha de comandos que precisam dele não chegam a esta estação.</translation>
     </message>
     <message>
-        <source>%1 more accepted in %2 s, the last %3</source>
-        <translation>mais %1 aceites em %2 s, o último %3</translation>
-    </message>
-    <message>
         <source>A tuning run is going on. End it first.</source>
         <translation>Está a decorrer uma medição de afinação. Termine-a primeiro.</translation>
     </message>
     <message>
-        <source>The mount has no such drive for this axis.</source>
-        <translation>A montagem não tem um acionamento destes para este eixo.</translation>
-    </message>
-    <message>
         <source>No board answers. Connect the board of the %1.</source>
         <translation>Nenhuma placa responde. Ligue a placa do %1.</translation>
-    </message>
-    <message>
-        <source>Two boards have the id %1. Switch the power off, disconnect one of them, and switch the power on again.</source>
-        <translation>Duas placas têm o id %1. Desligue a alimentação, desligue uma delas e volte a ligar a alimentação.</translation>
     </message>
     <message>
         <source>More than one board is connected. Leave only the board of the %1 connected.</source>
@@ -6854,32 +6842,8 @@ até %1</translation>
         <translation>Esta placa já tem o id %1 do %2.</translation>
     </message>
     <message>
-        <source>The drives are being read. Wait some seconds.</source>
-        <translation>Os acionamentos estão a ser lidos. Espere alguns segundos.</translation>
-    </message>
-    <message>
-        <source>The gear in the drive is the one of the profile, or it was not read.</source>
-        <translation>A redução no acionamento é a do perfil, ou não foi lida.</translation>
-    </message>
-    <message>
-        <source>Another board is connected than the one you confirmed. Look again.</source>
-        <translation>Está ligada outra placa que não a que confirmou. Verifique de novo.</translation>
-    </message>
-    <message>
-        <source>The board %1 has the id %2 now. It was read back and stored. Switch the power off, connect the other board again, and switch the power on.</source>
-        <translation>A placa %1 tem agora o id %2. Foi relido e guardado. Desligue a alimentação, volte a ligar a outra placa e ligue a alimentação.</translation>
-    </message>
-    <message>
-        <source>giving the board %1 the id %2, it had %3</source>
-        <translation>a dar à placa %1 o id %2, tinha %3</translation>
-    </message>
-    <message>
         <source>the id %1</source>
         <translation>o id %1</translation>
-    </message>
-    <message>
-        <source>The gear ratio of the %1 drive is %2 now. It was read back and stored. Press Fix next: bounds and speeds count turns of the axis. Then check the gains.</source>
-        <translation>A redução do acionamento de %1 é agora %2. Foi relida e guardada. Prima Corrigir a seguir: limites e velocidades contam voltas do eixo. Depois verifique os ganhos.</translation>
     </message>
     <message>
         <source>writing the gear ratio %1 into the %2 drive</source>
@@ -6890,44 +6854,12 @@ até %1</translation>
         <translation>a redução</translation>
     </message>
     <message>
-        <source>Bounds, speeds and gains of the drive count turns of the axis. Fix writes bounds and speeds afterwards. The gains keep their numbers: for the same stiffness at the motor kp, ki and kd must be %1 times as large. Set them before the axis moves a load. Boresight asks for the cable wrap again.</source>
-        <translation>Limites, velocidades e ganhos do acionamento contam voltas do eixo. Corrigir escreve depois os limites e as velocidades. Os ganhos mantêm os números: para a mesma rigidez no motor, kp, ki e kd têm de ser %1 vezes maiores. Ajuste-os antes de o eixo mover uma carga. O Boresight volta a perguntar a volta do cabo.</translation>
-    </message>
-    <message>
-        <source>The drive check came in between. Read the gains again.</source>
-        <translation>A verificação dos acionamentos interrompeu. Leia os ganhos de novo.</translation>
-    </message>
-    <message>
-        <source>A board is being changed. Wait some seconds.</source>
-        <translation>Uma placa está a ser alterada. Espere alguns segundos.</translation>
-    </message>
-    <message>
-        <source>The gains are being read or written. Wait until that is done.</source>
-        <translation>Os ganhos estão a ser lidos ou escritos. Espere até terminar.</translation>
-    </message>
-    <message>
-        <source>New gains are on trial, and Fix would store them too. Store them or put them back first.</source>
-        <translation>Há ganhos novos à experiência, e Corrigir também os guardaria. Guarde-os ou reponha-os primeiro.</translation>
-    </message>
-    <message>
         <source>The drive check has not read this drive yet.</source>
         <translation>A verificação ainda não leu este acionamento.</translation>
     </message>
     <message>
-        <source>The gains are as they were found.</source>
-        <translation>Os ganhos estão como foram encontrados.</translation>
-    </message>
-    <message>
-        <source>No gains are on trial: the drive has stored what it uses.</source>
-        <translation>Não há ganhos à experiência: o acionamento guardou os que usa.</translation>
-    </message>
-    <message>
         <source>Read the gains first.</source>
         <translation>Leia primeiro os ganhos.</translation>
-    </message>
-    <message>
-        <source>counts anew with the other encoder filter, so its cable wrap is judged again</source>
-        <translation>conta de novo com o outro filtro do codificador, por isso a volta do cabo é verificada de novo</translation>
     </message>
     <message>
         <source>The %1 is switched off already.</source>
@@ -6986,10 +6918,6 @@ até %1</translation>
         <translation>O firmware deste acionamento não tem %1.</translation>
     </message>
     <message>
-        <source>%1 may be %2 to %3. %4</source>
-        <translation>%1 pode ser de %2 a %3. %4</translation>
-    </message>
-    <message>
         <source>Writing %1 of %2.</source>
         <translation>A escrever %1 de %2.</translation>
     </message>
@@ -7000,10 +6928,6 @@ até %1</translation>
     <message>
         <source>Storing the gains of %1.</source>
         <translation>A guardar os ganhos de %1.</translation>
-    </message>
-    <message>
-        <source>The %1 drive was lost meanwhile. Read its gains again.</source>
-        <translation>O acionamento de %1 perdeu-se entretanto. Leia os ganhos de novo.</translation>
     </message>
     <message>
         <source>The %1 drive did not answer: %2. Read its gains again.</source>
@@ -7042,36 +6966,8 @@ até %1</translation>
         <translation>Guardado. O acionamento mantém-nos sem alimentação.</translation>
     </message>
     <message>
-        <source>%1 Nothing was stored. Switch the board off and on, then it has its old settings again.</source>
-        <translation>%1 Nada foi guardado. Desligue e ligue a placa, e ela volta a ter as definições antigas.</translation>
-    </message>
-    <message>
         <source>Two boards with the id %1 are still connected. Disconnect one of them. Nothing was changed.</source>
         <translation>Ainda estão ligadas duas placas com o id %1. Desligue uma delas. Nada foi alterado.</translation>
-    </message>
-    <message>
-        <source>No board answers under the id %1. Nothing was changed.</source>
-        <translation>Nenhuma placa responde com o id %1. Nada foi alterado.</translation>
-    </message>
-    <message>
-        <source>Another board is connected than the one you confirmed: %1. Nothing was changed.</source>
-        <translation>Está ligada outra placa que não a que confirmou: %1. Nada foi alterado.</translation>
-    </message>
-    <message>
-        <source>Another board is connected too. Leave only the one that shall be changed. Nothing was changed.</source>
-        <translation>Também está ligada outra placa. Deixe só a que deve ser alterada. Nada foi alterado.</translation>
-    </message>
-    <message>
-        <source>The board does not answer under the id %1.</source>
-        <translation>A placa não responde com o id %1.</translation>
-    </message>
-    <message>
-        <source>Another board was connected meanwhile.</source>
-        <translation>Outra placa foi ligada entretanto.</translation>
-    </message>
-    <message>
-        <source>%1 Nothing was changed.</source>
-        <translation>%1 Nada foi alterado.</translation>
     </message>
     <message>
         <source>%1. Nothing was changed.</source>
@@ -7082,20 +6978,8 @@ até %1</translation>
         <translation>%1.</translation>
     </message>
     <message>
-        <source>The board was set to %1 and reads back %2.</source>
-        <translation>A placa foi posta em %1 e lê-se %2.</translation>
-    </message>
-    <message>
-        <source>Looking which boards are connected.</source>
-        <translation>A ver que placas estão ligadas.</translation>
-    </message>
-    <message>
         <source>Setting %1.</source>
         <translation>A definir %1.</translation>
-    </message>
-    <message>
-        <source>Looking whether the same board answers.</source>
-        <translation>A ver se responde a mesma placa.</translation>
     </message>
     <message>
         <source>Reading back %1.</source>
@@ -7104,26 +6988,6 @@ até %1</translation>
     <message>
         <source>Storing %1.</source>
         <translation>A guardar %1.</translation>
-    </message>
-    <message>
-        <source>A quarter to four times the stored value. A larger change is more likely a slip.</source>
-        <translation>De um quarto a quatro vezes o valor guardado. Uma alteração maior é provavelmente um engano.</translation>
-    </message>
-    <message>
-        <source>Ten times the bandwidth of the position control or more: below it the measured speed comes too late for the damping.</source>
-        <translation>Dez vezes a largura de banda do controlo de posição ou mais: abaixo disso a velocidade medida chega tarde demais para o amortecimento.</translation>
-    </message>
-    <message>
-        <source>Ten times kp, or four times the stored value. A faster integral makes the axis swing by itself.</source>
-        <translation>Dez vezes kp, ou quatro vezes o valor guardado. Um integral mais rápido faz o eixo oscilar sozinho.</translation>
-    </message>
-    <message>
-        <source>The torque that kp gives at an error of 0.1°, or four times the stored value.</source>
-        <translation>O torque que kp dá com um erro de 0,1°, ou quatro vezes o valor guardado.</translation>
-    </message>
-    <message>
-        <source>Four times the inertia that kp and kd suit, or four times the stored value.</source>
-        <translation>Quatro vezes a inércia adequada a kp e kd, ou quatro vezes o valor guardado.</translation>
     </message>
     <message>
         <source>Nm/turn</source>
@@ -7136,18 +7000,6 @@ até %1</translation>
     <message>
         <source>Nm/(turn/s)</source>
         <translation>Nm/(volta/s)</translation>
-    </message>
-    <message>
-        <source>Open the guide (F3), step Connect. It gives one board after the other its id. If there is only one board, check plugs and termination.</source>
-        <translation>Abra o guia (F3), passo Ligar. Ele dá o id a uma placa após a outra. Se só há uma placa, verifique fichas e terminação.</translation>
-    </message>
-    <message>
-        <source>Exchange the ids in the profile. If the boards were exchanged, end Boresight, move the mount&apos;s .memory.json files out of the state folder, and start again.</source>
-        <translation>Troque os ids no perfil. Se as placas foram trocadas, termine o Boresight, tire os ficheiros .memory.json da montagem da pasta de estado e inicie de novo.</translation>
-    </message>
-    <message>
-        <source>the gear as the profile has it (gear_ratio, gear_in): with another one every angle is wrong. Set gear writes it: the gains change with the square of it</source>
-        <translation>a redução como está no perfil (gear_ratio, gear_in): com outra, todos os ângulos estão errados. Definir redução escreve-a: os ganhos mudam com o quadrado dela</translation>
     </message>
     <message>
         <source>step of the azimuth</source>
@@ -7308,6 +7160,162 @@ até %1</translation>
     <message>
         <source>The axis does not get on. Something is blocking it, or a limit holds it</source>
         <translation>O eixo não avança. Algo o bloqueia, ou um limite segura-o</translation>
+    </message>
+    <message>
+        <source>%1 more accepted in %2 s. The last: %3</source>
+        <translation>mais %1 aceites em %2 s, o último %3</translation>
+    </message>
+    <message>
+        <source>A tuning run moves the mount. End it first.</source>
+        <translation>Está a decorrer uma medição de afinação. Termine-a primeiro.</translation>
+    </message>
+    <message>
+        <source>This axis has no moteus drive.</source>
+        <translation>A montagem não tem um acionamento destes para este eixo.</translation>
+    </message>
+    <message>
+        <source>Two boards have the id %1. Switch the power off. Disconnect one board. Switch the power on again.</source>
+        <translation>Duas placas têm o id %1. Desligue a alimentação, desligue uma delas e volte a ligar a alimentação.</translation>
+    </message>
+    <message>
+        <source>Boresight is reading the drives. Wait a moment.</source>
+        <translation>Os acionamentos estão a ser lidos. Espere alguns segundos.</translation>
+    </message>
+    <message>
+        <source>The gear ratio in the drive is right, or it was not read.</source>
+        <translation>A redução no acionamento é a do perfil, ou não foi lida.</translation>
+    </message>
+    <message>
+        <source>The connected board is not the board that you confirmed. Check it again.</source>
+        <translation>A placa ligada não é a que confirmou. Verifique de novo.</translation>
+    </message>
+    <message>
+        <source>The board %1 has the id %2 now. Boresight read it back and stored it. Switch the power off. Connect the other board. Switch the power on.</source>
+        <translation>A placa %1 tem agora o id %2. Foi relido e guardado. Desligue a alimentação, volte a ligar a outra placa e ligue a alimentação.</translation>
+    </message>
+    <message>
+        <source>setting the id of board %1 to %2, before %3</source>
+        <translation>a dar à placa %1 o id %2, tinha %3</translation>
+    </message>
+    <message>
+        <source>The gear ratio of the %1 drive is %2 now. Boresight read it back and stored it, with the gains that depend on it. Press Fix next to write limits and speeds. Then check the tuning.</source>
+        <translation>A redução do acionamento de %1 é agora %2. O Boresight releu-a e guardou-a, com os ganhos que dependem dela. Prima Corrigir a seguir para escrever limites e velocidades. Depois verifique a afinação.</translation>
+    </message>
+    <message>
+        <source>Limits, speeds and gains of the drive count turns of the axis. Boresight multiplies kp, ki and kd by %1, so the motor stays as stiff as before. Press Fix afterwards to write limits and speeds. Boresight asks for the cable wrap again.</source>
+        <translation>Limites, velocidades e ganhos do acionamento contam voltas do eixo. O Boresight multiplica kp, ki e kd por %1, para o motor ficar tão rígido como antes. Prima Corrigir depois para escrever limites e velocidades. O Boresight volta a perguntar a volta do cabo.</translation>
+    </message>
+    <message>
+        <source>The drive check interrupted this. Read the gains again.</source>
+        <translation>A verificação dos acionamentos interrompeu. Leia os ganhos de novo.</translation>
+    </message>
+    <message>
+        <source>Boresight is changing a board. Wait a moment.</source>
+        <translation>Uma placa está a ser alterada. Espere alguns segundos.</translation>
+    </message>
+    <message>
+        <source>Boresight is reading or writing the gains. Wait until that ends.</source>
+        <translation>Os ganhos estão a ser lidos ou escritos. Espere até terminar.</translation>
+    </message>
+    <message>
+        <source>New gains are on trial. This would store them, too. Store them or put them back first.</source>
+        <translation>Há ganhos novos à experiência. Isto também os guardaria. Guarde-os ou reponha-os primeiro.</translation>
+    </message>
+    <message>
+        <source>No gain differs from its first value.</source>
+        <translation>Os ganhos estão como foram encontrados.</translation>
+    </message>
+    <message>
+        <source>No gains are on trial. The drive has stored what it uses.</source>
+        <translation>Não há ganhos à experiência: o acionamento guardou os que usa.</translation>
+    </message>
+    <message>
+        <source>counts from a new zero, so Boresight checks its cable wrap again</source>
+        <translation>conta a partir de um novo zero, por isso o Boresight verifica de novo a volta do cabo</translation>
+    </message>
+    <message>
+        <source>%1 must be %2 to %3. %4</source>
+        <translation>%1 pode ser de %2 a %3. %4</translation>
+    </message>
+    <message>
+        <source>The %1 drive stopped replying. Read its gains again.</source>
+        <translation>O acionamento de %1 perdeu-se entretanto. Leia os ganhos de novo.</translation>
+    </message>
+    <message>
+        <source>%1 Nothing was stored. Switch the board off and on to restore its old settings.</source>
+        <translation>%1 Nada foi guardado. Desligue e ligue a placa, e ela volta a ter as definições antigas.</translation>
+    </message>
+    <message>
+        <source>No board with the id %1 answers. Nothing was changed.</source>
+        <translation>Nenhuma placa responde com o id %1. Nada foi alterado.</translation>
+    </message>
+    <message>
+        <source>The connected board %1 is not the board that you confirmed. Nothing was changed.</source>
+        <translation>A placa ligada %1 não é a que confirmou. Nada foi alterado.</translation>
+    </message>
+    <message>
+        <source>More than one board is connected. Leave only the board to change. Nothing was changed.</source>
+        <translation>Há mais de uma placa ligada. Deixe só a placa a alterar. Nada foi alterado.</translation>
+    </message>
+    <message>
+        <source>The board does not answer with the id %1.</source>
+        <translation>A placa não responde com o id %1.</translation>
+    </message>
+    <message>
+        <source>Another board appeared on the bus.</source>
+        <translation>Outra placa foi ligada entretanto.</translation>
+    </message>
+    <message>
+        <source>%1. The new settings are in force. It is unknown whether the board stored them. Switch it off and on, then check again.</source>
+        <translation>%1. As novas definições estão em vigor. Não se sabe se a placa as guardou. Desligue-a e ligue-a, depois verifique de novo.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read. Nothing was changed.</source>
+        <translation>%1 não se pode ler. Nada foi alterado.</translation>
+    </message>
+    <message>
+        <source>Listing the connected boards.</source>
+        <translation>A ver que placas estão ligadas.</translation>
+    </message>
+    <message>
+        <source>Reading the settings that depend on %1.</source>
+        <translation>A ler as definições que dependem de %1.</translation>
+    </message>
+    <message>
+        <source>Checking that the same board answers.</source>
+        <translation>A ver se responde a mesma placa.</translation>
+    </message>
+    <message>
+        <source>A quarter to four times the stored value. A larger change is probably a typing error.</source>
+        <translation>De um quarto a quatro vezes o valor guardado. Uma alteração maior é provavelmente um engano.</translation>
+    </message>
+    <message>
+        <source>At least ten times the bandwidth of the position control. Below it the measured speed is too late for the damping.</source>
+        <translation>Dez vezes a largura de banda do controlo de posição ou mais: abaixo disso a velocidade medida chega tarde demais para o amortecimento.</translation>
+    </message>
+    <message>
+        <source>At most ten times kp, or four times the stored value. A faster integral makes the axis oscillate.</source>
+        <translation>Dez vezes kp, ou quatro vezes o valor guardado. Um integral mais rápido faz o eixo oscilar sozinho.</translation>
+    </message>
+    <message>
+        <source>At most the torque of kp at an error of 0.1°, or four times the stored value.</source>
+        <translation>O torque que kp dá com um erro de 0,1°, ou quatro vezes o valor guardado.</translation>
+    </message>
+    <message>
+        <source>At most four times the inertia that fits kp and kd, or four times the stored value.</source>
+        <translation>Quatro vezes a inércia adequada a kp e kd, ou quatro vezes o valor guardado.</translation>
+    </message>
+    <message>
+        <source>Open the guide (F3), step Connect. It sets the ids of the boards one after the other. If there is only one board, check the plugs and the termination.</source>
+        <translation>Abra o guia (F3), passo Ligar. Ele dá o id a uma placa após a outra. Se só há uma placa, verifique fichas e terminação.</translation>
+    </message>
+    <message>
+        <source>Exchange the ids in the profile. If you exchanged the boards, end Boresight. Move the .memory.json files of the mount out of the state folder. Start Boresight again.</source>
+        <translation>Troque os ids no perfil. Se as placas foram trocadas, termine o Boresight, tire os ficheiros .memory.json da montagem da pasta de estado e inicie de novo.</translation>
+    </message>
+    <message>
+        <source>The gear ratio of the profile (gear_ratio, gear_in). With another ratio every angle is wrong. Press Set gear to write it. The gains change with its square.</source>
+        <translation>a redução como está no perfil (gear_ratio, gear_in): com outra, todos os ângulos estão errados. Definir redução escreve-a: os ganhos mudam com o quadrado dela</translation>
     </message>
 </context>
 <context>
@@ -8027,10 +8035,6 @@ velocidade %1</translation>
         <translation>%1. Uma placa está desligada</translation>
     </message>
     <message>
-        <source>%1. Both boards have one id</source>
-        <translation>%1. As duas placas têm o mesmo id</translation>
-    </message>
-    <message>
         <source>id 1</source>
         <translation>id 1</translation>
     </message>
@@ -8049,6 +8053,10 @@ velocidade %1</translation>
     <message>
         <source>other</source>
         <translation>outra</translation>
+    </message>
+    <message>
+        <source>%1. Both boards share one id</source>
+        <translation>%1. As duas placas têm o mesmo id</translation>
     </message>
 </context>
 <context>
@@ -8963,46 +8971,46 @@ O acionamento mantém-nos sem alimentação. Tudo o mais que está em vigor nele
         <translation>Recusado</translation>
     </message>
     <message>
-        <source>It turns azimuth …</source>
-        <translation>Roda o azimute …</translation>
+        <source>Give this board the id %1?</source>
+        <translation>Dar a esta placa o id %1?</translation>
     </message>
     <message>
-        <source>Give the only connected board the id of the azimuth; asks first</source>
+        <source>Write</source>
+        <translation>Escrever</translation>
+    </message>
+    <message>
+        <source>Assign to azimuth …</source>
+        <translation>Atribuir ao azimute …</translation>
+    </message>
+    <message>
+        <source>Give the only connected board the id of the azimuth. Asks first</source>
         <translation>Dar à única placa ligada o id do azimute; pergunta antes</translation>
     </message>
     <message>
-        <source>It turns elevation …</source>
-        <translation>Roda a elevação …</translation>
+        <source>Assign to elevation …</source>
+        <translation>Atribuir à elevação …</translation>
     </message>
     <message>
-        <source>Give the only connected board the id of the elevation; asks first</source>
+        <source>Give the only connected board the id of the elevation. Asks first</source>
         <translation>Dar à única placa ligada o id da elevação; pergunta antes</translation>
     </message>
     <message>
-        <source>Two boards have one id, as they come from the factory. Their answers collide. Switch the power off, disconnect one board, and switch the power on. Leave the board connected that shall get another id. The page goes on when it answers.</source>
+        <source>Two boards have the same id, as from the factory. Their replies collide. Switch the power off. Disconnect one board. Leave the board connected that needs another id. Switch the power on. This page continues when that board answers.</source>
         <translation>Duas placas têm o mesmo id, como vêm de fábrica. As respostas colidem. Desligue a alimentação, desligue uma placa e ligue a alimentação. Deixe ligada a placa que deve receber outro id. A página continua quando ela responder.</translation>
     </message>
     <message>
-        <source>One board answers: %1. If the other one is connected too, check its power and plugs. If both had one id, say which axis this board turns. Boresight then gives it the id of that axis.</source>
+        <source>One board replies: %1. Is the other board connected, too? Then check its power and plugs. Did both have the same id? Then choose the axis that this board turns. It gets the id of that axis.</source>
         <translation>Uma placa responde: %1. Se a outra também está ligada, verifique a alimentação e as fichas. Se ambas tinham o mesmo id, diga que eixo esta placa roda. O Boresight dá-lhe então o id desse eixo.</translation>
-    </message>
-    <message>
-        <source>Give this board the id %1?</source>
-        <translation>Dar a esta placa o id %1?</translation>
     </message>
     <message>
         <source>Board: %1.
 It becomes the board of the %2, with the id %3.
 
-Boresight sets the id, looks whether the same board answers under it, reads it back, and stores it in the board. If one of these fails, nothing is stored. Nothing moves.</source>
+Boresight sets the id and checks that the same board replies. Then it reads the id back and stores it. If a check fails, it stores nothing. Nothing moves.</source>
         <translation>Placa: %1.
 Passa a ser a placa do %2, com o id %3.
 
 O Boresight define o id, vê se a mesma placa responde com ele, relê-o e guarda-o na placa. Se algo falhar, nada é guardado. Nada se move.</translation>
-    </message>
-    <message>
-        <source>Write</source>
-        <translation>Escrever</translation>
     </message>
 </context>
 <context>
@@ -9343,15 +9351,15 @@ trocar os motores</translation>
         <translation>Sol, Lua (Ctrl+9)</translation>
     </message>
     <message>
-        <source>Point the antenna at a landmark whose bearing is known, and type the bearing. Or ask the Sun or the Moon. This mount has no sensor. Without any press Next: north can wait, everything else works.</source>
+        <source>Point the antenna at a landmark with a known bearing, and type the bearing. Or use the Sun or the Moon. This mount has no sensor. To find north later, press Next. Everything else works without it.</source>
         <translation>Aponte a antena para um marco de azimute conhecido e escreva esse azimute. Ou use o Sol ou a Lua. Esta montagem não tem sensor. Sem nada disto prima Seguinte: o norte pode esperar, tudo o resto funciona.</translation>
     </message>
     <message>
-        <source>Point the antenna at a landmark whose bearing is known, and type the bearing. Or ask the sensor, the Sun or the Moon. Without any press Next: north can wait, everything else works.</source>
+        <source>Point the antenna at a landmark with a known bearing, and type the bearing. Or use the sensor, the Sun or the Moon. To find north later, press Next. Everything else works without it.</source>
         <translation>Aponte a antena para um marco de azimute conhecido e escreva esse azimute. Ou use o sensor, o Sol ou a Lua. Sem nada disto prima Seguinte: o norte pode esperar, tudo o resto funciona.</translation>
     </message>
     <message>
-        <source>Press Confirm to keep it. To replace it, type where the antenna really points.</source>
+        <source>Press Confirm to keep it. To replace it, type the true azimuth of the antenna.</source>
         <translation>Prima Confirmar para o manter. Para o substituir, escreva para onde a antena aponta realmente.</translation>
     </message>
 </context>
@@ -9457,16 +9465,8 @@ trocar os motores</translation>
         <translation>elevação %1</translation>
     </message>
     <message>
-        <source>After the pass: Park (Ctrl+P) goes to %1. STOP: the button, Pause or F12, at any time. The mast needs a hard-wired emergency stop besides.</source>
-        <translation>Depois da passagem: Estacionar (Ctrl+P) vai para %1. STOP: o botão, Pause ou F12, a qualquer momento. O mastro precisa também de uma paragem de emergência por fios.</translation>
-    </message>
-    <message>
         <source>What is done</source>
         <translation>O que está feito</translation>
-    </message>
-    <message>
-        <source>Why the mount can not be pointed now</source>
-        <translation>Porque não se pode apontar a montagem agora</translation>
     </message>
     <message>
         <source>Line for Gpredict</source>
@@ -9493,15 +9493,23 @@ trocar os motores</translation>
         <translation>Copiar as definições do Gpredict para a área de transferência</translation>
     </message>
     <message>
-        <source>%1 This is the simulated mount. A real one begins again.</source>
-        <translation>%1 Esta é a montagem simulada. Uma real começa de novo.</translation>
-    </message>
-    <message>
         <source>Not yet: %1</source>
         <translation>Ainda não: %1</translation>
     </message>
     <message>
-        <source>In Gpredict open Antenna Control, choose the satellite, press Track, then Engage. The state becomes TRACK.</source>
+        <source>After the pass, Park (Ctrl+P) moves the mount to %1. To stop it at any time, press STOP, Pause or F12. The mast also needs a hard-wired emergency stop.</source>
+        <translation>Depois da passagem: Estacionar (Ctrl+P) vai para %1. STOP: o botão, Pause ou F12, a qualquer momento. O mastro precisa também de uma paragem de emergência por fios.</translation>
+    </message>
+    <message>
+        <source>Why the mount cannot point now</source>
+        <translation>Porque não se pode apontar a montagem agora</translation>
+    </message>
+    <message>
+        <source>%1 This is the simulated mount. A real mount starts at step 1.</source>
+        <translation>%1 Esta é a montagem simulada. Uma real começa de novo.</translation>
+    </message>
+    <message>
+        <source>Open Antenna Control in Gpredict. Choose the satellite. Press Track, then Engage. The state becomes TRACK.</source>
         <translation>No Gpredict abra Antenna Control, escolha o satélite, prima Track e depois Engage. O estado passa a RASTREIO.</translation>
     </message>
 </context>
@@ -11284,7 +11292,7 @@ Mantenha pessoas e cordas longe da antena. STOP e qualquer outro comando termina
         <translation>Afinação</translation>
     </message>
     <message>
-        <source>How well the axes are controlled, and the gains</source>
+        <source>Measure the axes and tune the gains of the drives</source>
         <translation>Quão bem os eixos são controlados, e os ganhos</translation>
     </message>
 </context>
@@ -12123,40 +12131,16 @@ Fica para si, porque só quem construiu a montagem o pode saber:
         <translation>Definir redução …</translation>
     </message>
     <message>
-        <source>Write the gear ratio of the profile; asks first</source>
-        <translation>Escrever a redução do perfil; pergunta antes</translation>
-    </message>
-    <message>
         <source>Azimuth off …</source>
         <translation>Desligar azimute …</translation>
-    </message>
-    <message>
-        <source>Release the azimuth alone; the elevation goes on holding; asks first</source>
-        <translation>Soltar só o azimute; a elevação continua segura; pergunta antes</translation>
     </message>
     <message>
         <source>Elevation off …</source>
         <translation>Desligar elevação …</translation>
     </message>
     <message>
-        <source>Release the elevation alone; the azimuth goes on holding; asks first</source>
-        <translation>Soltar só a elevação; o azimute continua seguro; pergunta antes</translation>
-    </message>
-    <message>
         <source>Write the gear ratio into the %1 drive?</source>
         <translation>Escrever a redução no acionamento de %1?</translation>
-    </message>
-    <message>
-        <source>The drive has %1. The profile says %2 (turns of the axis for one turn of the motor). If the profile is wrong, cancel and correct the gear there (tab Mount, Profile).
-
-%3
-
-Boresight sets the ratio, reads it back, and stores it in the drive. Nothing moves.</source>
-        <translation>O acionamento tem %1. O perfil diz %2 (voltas do eixo por volta do motor). Se o perfil está errado, cancele e corrija a redução lá (separador Montagem, Perfil).
-
-%3
-
-O Boresight define a redução, relê-a e guarda-a no acionamento. Nada se move.</translation>
     </message>
     <message>
         <source>Switch the azimuth drive off?</source>
@@ -12167,12 +12151,38 @@ O Boresight define a redução, relê-a e guarda-a no acionamento. Nada se move.
         <translation>Desligar o acionamento de elevação?</translation>
     </message>
     <message>
-        <source>The azimuth is let go at once. Wind may turn it. The elevation goes on holding.</source>
-        <translation>O azimute fica solto de imediato. O vento pode rodá-lo. A elevação continua segura.</translation>
+        <source>Write the gear ratio of the profile. Asks first</source>
+        <translation>Escrever a redução do perfil; pergunta antes</translation>
     </message>
     <message>
-        <source>The elevation is let go at once. If it is unbalanced, it falls. Keep people away from the antenna, or support it first. The azimuth goes on holding.</source>
-        <translation>A elevação fica solta de imediato. Se estiver desequilibrada, cai. Mantenha as pessoas longe da antena, ou apoie-a primeiro. O azimute continua seguro.</translation>
+        <source>Switch off the azimuth alone. The elevation stays as it is. Asks first</source>
+        <translation>Desligar só o azimute. A elevação fica como está. Pergunta antes</translation>
+    </message>
+    <message>
+        <source>Switch off the elevation alone. The azimuth stays as it is. Asks first</source>
+        <translation>Desligar só a elevação. O azimute fica como está. Pergunta antes</translation>
+    </message>
+    <message>
+        <source>Ratio in the drive: %1. Ratio of the profile: %2. The ratio is turns of the axis for one turn of the motor.
+
+If the profile is wrong, press Cancel and correct it on the page Profile.
+
+%3
+
+Boresight writes the ratio, reads it back and stores it in the drive. Nothing moves.</source>
+        <translation>O acionamento tem %1. O perfil diz %2 (voltas do eixo por volta do motor). Se o perfil está errado, cancele e corrija a redução lá (separador Montagem, Perfil).
+
+%3
+
+O Boresight define a redução, relê-a e guarda-a no acionamento. Nada se move.</translation>
+    </message>
+    <message>
+        <source>Nothing holds the azimuth from then on. Wind may turn it. The elevation stays as it is.</source>
+        <translation>Nada segura o azimute a partir daí. O vento pode rodá-lo. A elevação fica como está.</translation>
+    </message>
+    <message>
+        <source>Nothing holds the elevation from then on. If it is unbalanced, it falls. Keep people away from the antenna, or support it first. The azimuth stays as it is.</source>
+        <translation>Nada segura a elevação a partir daí. Se estiver desequilibrada, cai. Mantenha as pessoas longe da antena, ou apoie-a primeiro. O azimute fica como está.</translation>
     </message>
 </context>
 <context>
@@ -12365,7 +12375,7 @@ O Boresight define a redução, relê-a e guarda-a no acionamento. Nada se move.
         <translation>Potência e energia elétricas</translation>
     </message>
     <message>
-        <source>Electrical power of all drives together. Energy and highest power of the motion that runs, else of the last one. Power that is fed back into the supply counts negative.</source>
+        <source>Electrical power of all drives. Energy and peak power of the present motion, or of the last one. Power returned to the supply is negative.</source>
         <translation>Potência elétrica de todos os acionamentos. Energia e potência máxima do movimento em curso, ou do último. A potência devolvida à alimentação conta como negativa.</translation>
     </message>
 </context>
@@ -13044,10 +13054,6 @@ O Boresight define a redução, relê-a e guarda-a no acionamento. Nada se move.
         <translation>Um nível de bolha está sobre a antena. A bolha está no meio: elevação 0°</translation>
     </message>
     <message>
-        <source>The axis turns between two ends. The cable goes with it</source>
-        <translation>O eixo roda entre dois fins. O cabo vai com ele</translation>
-    </message>
-    <message>
         <source>Seen from above: the antenna points at a landmark. Its bearing counts clockwise from north</source>
         <translation>Visto de cima: a antena aponta para um marco. O azimute conta a partir do norte no sentido dos ponteiros</translation>
     </message>
@@ -13058,6 +13064,10 @@ O Boresight define a redução, relê-a e guarda-a no acionamento. Nada se move.
     <message>
         <source>N</source>
         <translation>N</translation>
+    </message>
+    <message>
+        <source>The axis turns between two ends. The cable turns with it</source>
+        <translation>O eixo roda entre dois fins. O cabo vai com ele</translation>
     </message>
 </context>
 <context>

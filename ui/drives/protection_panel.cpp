@@ -35,15 +35,15 @@ ProtectionPanel::ProtectionPanel(RequestDesk& desk, QWidget* parent)
       m_read(new CommandButton(tr("Read again"), tr("Look who is on the bus and read all settings anew"), desk,
                                *m_notice, this)),
       m_fix(new CommandButton(tr("Fix …"), tr("Write the settings that differ; asks first"), desk, *m_notice, this)),
-      m_gear(new CommandButton(tr("Set gear …"), tr("Write the gear ratio of the profile; asks first"), desk, *m_notice,
+      m_gear(new CommandButton(tr("Set gear …"), tr("Write the gear ratio of the profile. Asks first"), desk, *m_notice,
                                this)),
       m_switchOff(
           new CommandButton(tr("Switch drives off …"), tr("Release the axes; asks first"), desk, *m_notice, this)),
       m_switchAxisOff{new CommandButton(tr("Azimuth off …"),
-                                        tr("Release the azimuth alone; the elevation goes on holding; asks first"),
+                                        tr("Switch off the azimuth alone. The elevation stays as it is. Asks first"),
                                         desk, *m_notice, this),
                       new CommandButton(tr("Elevation off …"),
-                                        tr("Release the elevation alone; the azimuth goes on holding; asks first"),
+                                        tr("Switch off the elevation alone. The azimuth stays as it is. Asks first"),
                                         desk, *m_notice, this)}
 {
     build();
@@ -123,7 +123,7 @@ void ProtectionPanel::showStatus(const StationStatus& status)
 // What stops the mount goes before how far the reading is; both fit nowhere else when the table is long.
 void ProtectionPanel::showSurvey(const DrivesStatus& drives)
 {
-    const BoardWork& work = drives.boardWork;
+    const BoardWork& work = drives.gearWork;
     if (work.running || (work.failed && axisOfWrongGear(drives))) {
         m_survey->setValue(work.text, work.failed ? Tone::Warning : Tone::Advisory,
                            work.failed ? Symbol::Warning : Symbol::Advisory);
@@ -177,9 +177,10 @@ void ProtectionPanel::setGear()
     }
     const GearCorrection& gear = *driveOf(m_status, *axis).gear;
     askFirst({.title = tr("Write the gear ratio into the %1 drive?").arg(name(*axis)),
-              .text = tr("The drive has %1. The profile says %2 (turns of the axis for one turn of the motor). If the "
-                         "profile is wrong, cancel and correct the gear there (tab Mount, Profile).\n\n%3\n\nBoresight "
-                         "sets the ratio, reads it back, and stores it in the drive. Nothing moves.")
+              .text = tr("Ratio in the drive: %1. Ratio of the profile: %2. The ratio is turns of the axis for one "
+                         "turn of the motor.\n\nIf the profile is wrong, press Cancel and correct it on the page "
+                         "Profile.\n\n%3\n\nBoresight writes the ratio, reads it back and stores it in the drive. "
+                         "Nothing moves.")
                           .arg(gear.found, gear.wanted, gear.effect),
               .act = tr("Write"),
               .request = request::SetGear{.axis = *axis},
@@ -201,14 +202,15 @@ void ProtectionPanel::switchOff()
 void ProtectionPanel::switchOff(Axis axis)
 {
     const bool azimuth = axis == Axis::Azimuth;
-    askFirst({.title = azimuth ? tr("Switch the azimuth drive off?") : tr("Switch the elevation drive off?"),
-              .text = azimuth ? tr("The azimuth is let go at once. Wind may turn it. The elevation goes on holding.")
-                              : tr("The elevation is let go at once. If it is unbalanced, it falls. Keep people away "
-                                   "from the antenna, or support it first. The azimuth goes on holding."),
-              .act = tr("Switch off"),
-              .request = request::SwitchOff{axis},
-              .action = switchOffAction(axis)},
-             m_status);
+    askFirst(
+        {.title = azimuth ? tr("Switch the azimuth drive off?") : tr("Switch the elevation drive off?"),
+         .text = azimuth ? tr("Nothing holds the azimuth from then on. Wind may turn it. The elevation stays as it is.")
+                         : tr("Nothing holds the elevation from then on. If it is unbalanced, it falls. Keep people "
+                              "away from the antenna, or support it first. The azimuth stays as it is."),
+         .act = tr("Switch off"),
+         .request = request::SwitchOff{axis},
+         .action = switchOffAction(axis)},
+        m_status);
 }
 
 }  // namespace boresight::ui

@@ -95,8 +95,8 @@ void ReadingsTable::build()
     m_notice->setCollapsing(true);
     m_energy->setStretching(true);
     m_energy->setToolTip(
-        tr("Electrical power of all drives together. Energy and highest power of the motion that runs, "
-           "else of the last one. Power that is fed back into the supply counts negative."));
+        tr("Electrical power of all drives. Energy and peak power of the present motion, or of the last one. Power "
+           "returned to the supply is negative."));
     column->addWidget(m_table, 1);
     column->addWidget(m_energy);
     column->addLayout(buttons);

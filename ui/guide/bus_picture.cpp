@@ -51,7 +51,7 @@ void BusPicture::describe()
 {
     const QString cable = tr("Adapter and boards on one cable, with 120 Ω at both ends");
     const QString text = m_boards == Boards::One             ? tr("%1. One board is disconnected").arg(cable)
-                         : m_boards == Boards::BothWithOneId ? tr("%1. Both boards have one id").arg(cable)
+                         : m_boards == Boards::BothWithOneId ? tr("%1. Both boards share one id").arg(cable)
                                                              : cable;
     setAccessibleDescription(text);
     setToolTip(text);

@@ -38,11 +38,11 @@ GuideBoards::GuideBoards(RequestDesk& desk, QWidget* parent)
       m_picture(new BusPicture(&controls())),
       m_sentence(new ValueLabel(tr("What to do with the boards"), fonts::label(), {}, &controls())),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, &controls())),
-      m_buttons{new CommandButton(tr("It turns azimuth …"),
-                                  tr("Give the only connected board the id of the azimuth; asks first"), desk,
+      m_buttons{new CommandButton(tr("Assign to azimuth …"),
+                                  tr("Give the only connected board the id of the azimuth. Asks first"), desk,
                                   *m_notice, &controls()),
-                new CommandButton(tr("It turns elevation …"),
-                                  tr("Give the only connected board the id of the elevation; asks first"), desk,
+                new CommandButton(tr("Assign to elevation …"),
+                                  tr("Give the only connected board the id of the elevation. Asks first"), desk,
                                   *m_notice, &controls())}
 {
     build();
@@ -104,9 +104,9 @@ void GuideBoards::showSentence(const DrivesStatus& drives)
     if (work.running) {
         m_sentence->setValue(work.text, Tone::Advisory, Symbol::Advisory);
     } else if (anyShared(drives)) {
-        m_sentence->setValue(tr("Two boards have one id, as they come from the factory. Their answers collide. Switch "
-                                "the power off, disconnect one board, and switch the power on. Leave the board "
-                                "connected that shall get another id. The page goes on when it answers."),
+        m_sentence->setValue(tr("Two boards have the same id, as from the factory. Their replies collide. Switch the "
+                                "power off. Disconnect one board. Leave the board connected that needs another id. "
+                                "Switch the power on. This page continues when that board answers."),
                              Tone::Warning, Symbol::Warning);
     } else if (work.failed) {
         m_sentence->setValue(work.text, Tone::Warning, Symbol::Warning);
@@ -114,9 +114,8 @@ void GuideBoards::showSentence(const DrivesStatus& drives)
         m_sentence->setValue(work.text);
     } else if (drives.boards.size() == 1) {
         m_sentence->setValue(
-            tr("One board answers: %1. If the other one is connected too, check its power and plugs. If "
-               "both had one id, say which axis this board turns. Boresight then gives it the id of "
-               "that axis.")
+            tr("One board replies: %1. Is the other board connected, too? Then check its power and plugs. Did both "
+               "have the same id? Then choose the axis that this board turns. It gets the id of that axis.")
                 .arg(boardName(drives.boards.front())));
     } else {
         m_sentence->setValue({});
@@ -130,17 +129,16 @@ void GuideBoards::assign(Axis axis)
         return;  // the button says so
     }
     const int id = m_status.profile->axis(axis).id;
-    askFirst(
-        {.title = tr("Give this board the id %1?").arg(id),
-         .text = tr("Board: %1.\nIt becomes the board of the %2, with the id %3.\n\nBoresight sets the id, looks "
-                    "whether the same board answers under it, reads it back, and stores it in the board. If one of "
-                    "these fails, nothing is stored. Nothing moves.")
-                     .arg(boardName(boards.front()), name(axis))
-                     .arg(id),
-         .act = tr("Write"),
-         .request = request::AssignBoard{.board = boards.front().uuid, .axis = axis},
-         .action = assignBoardAction(axis)},
-        m_status);
+    askFirst({.title = tr("Give this board the id %1?").arg(id),
+              .text = tr("Board: %1.\nIt becomes the board of the %2, with the id %3.\n\nBoresight sets the id and "
+                         "checks that the same board replies. Then it reads the id back and stores it. If a check "
+                         "fails, it stores nothing. Nothing moves.")
+                          .arg(boardName(boards.front()), name(axis))
+                          .arg(id),
+              .act = tr("Write"),
+              .request = request::AssignBoard{.board = boards.front().uuid, .axis = axis},
+              .action = assignBoardAction(axis)},
+             m_status);
 }
 
 }  // namespace boresight::ui

@@ -56,18 +56,16 @@ QString panelText(const StationStatus& status)
 
 QString explanation(const QString& known, bool sensor)
 {
-    return known.isEmpty() && !sensor
-               ? GuideNorth::tr(
-                     "Point the antenna at a landmark whose bearing is known, and type the bearing. Or ask the Sun or "
-                     "the "
-                     "Moon. This mount has no sensor. Without any press Next: north can wait, everything else works.")
+    return known.isEmpty() && !sensor ? GuideNorth::tr(
+                                            "Point the antenna at a landmark with a known bearing, and type the "
+                                            "bearing. Or use the Sun or the Moon. This mount has no sensor. To find "
+                                            "north later, press Next. Everything else works without it.")
            : known.isEmpty()
                ? GuideNorth::tr(
-                     "Point the antenna at a landmark whose bearing is known, and type the bearing. Or ask "
-                     "the sensor, the Sun or the Moon. Without any press Next: north can wait, everything "
-                     "else works.")
+                     "Point the antenna at a landmark with a known bearing, and type the bearing. Or use the sensor, "
+                     "the Sun or the Moon. To find north later, press Next. Everything else works without it.")
                : known + QLatin1Char(' ') +
-                     GuideNorth::tr("Press Confirm to keep it. To replace it, type where the antenna really points.");
+                     GuideNorth::tr("Press Confirm to keep it. To replace it, type the true azimuth of the antenna.");
 }
 
 }  // namespace

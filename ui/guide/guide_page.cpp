@@ -14,6 +14,7 @@
 #include "ui/guide/step_button.h"
 #include "ui/kit/axes.h"
 #include "ui/kit/command_button.h"
+#include "ui/kit/page_room.h"
 #include "ui/kit/push_button.h"
 #include "ui/kit/value_label.h"
 
@@ -144,6 +145,7 @@ void GuidePage::build()
     m_title->setStretching(true);
     m_hint->setStretching(true);
     m_hint->setLines(2);
+    keepHeightOfShownPage(*m_pages);
     column->addLayout(steps);
     column->addWidget(m_title);
     column->addWidget(m_hint);  // in the place of the title
@@ -265,10 +267,6 @@ void GuidePage::showPage()
     m_title->hide();  // until the page has its room: a page that comes is laid out at once, and would widen the window
     m_hint->hide();
     const int index = static_cast<int>(at - kGuideSteps.begin());
-    for (int page = 0; page < m_pages->count(); ++page) {  // only the one that is shown asks for room
-        m_pages->widget(page)->setSizePolicy(QSizePolicy::Preferred,
-                                             page == index ? QSizePolicy::Preferred : QSizePolicy::Ignored);
-    }
     m_pages->setCurrentIndex(index);
     m_buttons.at(step)->setChecked(true);
     m_back->setEnabled(at != kGuideSteps.begin());

@@ -69,7 +69,7 @@ QString whyNotConnected(const StationStatus& status)
         return {};
     }
     if (drivesOf(status).released) {
-        return GuideWords::tr("The bus is released. Take it back on the panel Drives.");
+        return GuideWords::tr("The bus is released. Press Take bus back on the page Drives.");
     }
     const QString obstacle = drivesOf(status).armingObstacle;
     return obstacle.isEmpty() ? GuideWords::tr("The mount does not answer.") : obstacle;
@@ -120,7 +120,7 @@ QString whyNotSeen(GuideStep step, const StationStatus& status)
         case GuideStep::Site:
             return status.profile->site.known ? QString() : GuideWords::tr("No site has been set.");
         case GuideStep::Client:
-            return status.clients.empty() ? GuideWords::tr("No program has connected.") : QString();
+            return status.clients.empty() ? GuideWords::tr("No program is connected.") : QString();
         case GuideStep::North:
             return std::ranges::any_of(status.calibration->history, &CalibrationHistoryEntry::inForce)
                        ? QString()
@@ -192,13 +192,13 @@ QString confirmation(GuideStep step)
 {
     switch (step) {
         case GuideStep::Travel:
-            return GuideWords::tr("I have looked: the ends of the travel are right as they are");
+            return GuideWords::tr("I have checked: the ends of the travel are right");
         case GuideStep::Level:
-            return GuideWords::tr("I have looked: elevation 0° is level");
+            return GuideWords::tr("I have checked: elevation 0° is level");
         case GuideStep::North:
-            return GuideWords::tr("I have looked: north is right as it is");
+            return GuideWords::tr("I have checked: north is right");
         case GuideStep::Client:
-            return GuideWords::tr("The program that follows the satellites is set up");
+            return GuideWords::tr("The program that tracks the satellites is set up");
         default:
             return {};
     }

@@ -71,8 +71,8 @@ QString parkText(const StationStatus& status)
 QString endOfPass(const StationStatus& status)
 {
     return GuideReady::tr(
-               "After the pass: Park (Ctrl+P) goes to %1. "
-               "STOP: the button, Pause or F12, at any time. The mast needs a hard-wired emergency stop besides.")
+               "After the pass, Park (Ctrl+P) moves the mount to %1. To stop it at any time, press STOP, Pause or F12. "
+               "The mast also needs a hard-wired emergency stop.")
         .arg(parkText(status));
 }
 
@@ -81,7 +81,7 @@ QString endOfPass(const StationStatus& status)
 GuideReady::GuideReady(QWidget* parent)
     : QWidget(parent),
       m_summary(new ValueLabel(tr("What is done"), fonts::label(), {}, this)),
-      m_inTheWay(new ValueLabel(tr("Why the mount can not be pointed now"), fonts::label(), {}, this)),
+      m_inTheWay(new ValueLabel(tr("Why the mount cannot point now"), fonts::label(), {}, this)),
       m_client(new ValueLabel(tr("Line for Gpredict"), fonts::label(), {}, this)),
       m_pass(new ValueLabel(tr("What to do for the first pass"), fonts::label(), {}, this)),
       m_end(new ValueLabel(tr("After the pass"), fonts::label(), {}, this)),
@@ -149,7 +149,7 @@ void GuideReady::showSteps(const StationStatus& status, const GuideProgress& pro
         }
     }
     const QString summary = summaryOf(count);
-    const QString simulated = tr("%1 This is the simulated mount. A real one begins again.").arg(summary);
+    const QString simulated = tr("%1 This is the simulated mount. A real mount starts at step 1.").arg(summary);
     m_summary->setValue(status.simulated ? simulated : summary, count.needYou > 0 ? Tone::Warning : Tone::Normal,
                         count.needYou > 0 ? Symbol::Warning : Symbol::None);
 }
@@ -164,7 +164,7 @@ void GuideReady::showFirstPass(const StationStatus& status)
     m_client->setValue(gpredictInBrief(status), status.listening.isEmpty() ? Tone::Warning : Tone::Normal,
                        status.listening.isEmpty() ? Symbol::Warning : Symbol::None);
     m_pass->setValue(tr(
-        "In Gpredict open Antenna Control, choose the satellite, press Track, then Engage. The state becomes TRACK."));
+        "Open Antenna Control in Gpredict. Choose the satellite. Press Track, then Engage. The state becomes TRACK."));
     m_end->setValue(endOfPass(status));
 }
 

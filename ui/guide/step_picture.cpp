@@ -18,7 +18,7 @@ QString sceneText(StepPicture::Scene scene)
         case StepPicture::Scene::Level:
             return StepPicture::tr("A spirit level lies on the antenna. Its bubble is in the middle: elevation 0°");
         case StepPicture::Scene::Travel:
-            return StepPicture::tr("The axis turns between two ends. The cable goes with it");
+            return StepPicture::tr("The axis turns between two ends. The cable turns with it");
         case StepPicture::Scene::North:
             break;
     }

@@ -21,7 +21,7 @@ class GuideRoom : public QStackedWidget
     Q_OBJECT
 
 public:
-    // All but the progress outlive it.
+    // None of them is used while it is being destroyed.
     GuideRoom(PanelTabs& panels, const LastStatus& last, ProfileDraft& draft, RequestDesk& desk, HostDesk& host,
               GuideProgress progress, QWidget* parent = nullptr);
 

@@ -6,6 +6,9 @@
 #include "core/messages/no_data.h"
 #include "ui/kit/format.h"
 
+#include <memory>
+#include <utility>
+
 namespace boresight::ui {
 
 namespace {
@@ -33,6 +36,22 @@ void complain(StationStatus& status, const AlarmEntry& entry, const QStringList&
                       .since = status.utc,
                       .acknowledged = true};
     status.alarms.insert(status.alarms.begin(), alarm);
+}
+
+// Nobody knows whether it is still being done.
+void hideWork(StationStatus& status)
+{
+    status.power.total.reset();
+    status.power.running.reset();
+    if (status.drives) {
+        status.drives->boardWork = {};
+        status.drives->gearWork = {};
+    }
+    if (status.tuning->running) {
+        auto ended = std::make_shared<TuningStatus>(*status.tuning);
+        ended->running.reset();
+        status.tuning = std::move(ended);
+    }
 }
 
 }  // namespace
@@ -84,6 +103,7 @@ StationStatus LastStatus::now() const
         refuseOldPlaces(status.permissions);
     }
     if (silent >= kNoDataAfter) {
+        hideWork(status);
         complain(status, alarmEntry("window.station-silent"), {ageText(silent)});
     }
     if (m_stopSince && m_clock.now() - *m_stopSince >= kStopUnanswered) {

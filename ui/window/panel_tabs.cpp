@@ -91,7 +91,7 @@ QTabWidget* PanelTabs::makeMountTabs()
     addPanel(*tabs, *m_drives, tr("Drives"), tr("Drives, bus and crash-stop proof (Ctrl+6)"), Qt::Key_6);
     tabs->setTabToolTip(tabs->addTab(m_readings, tr("Readings")), tr("What the drives report now"));
     addPanel(*tabs, *m_protection, tr("Protection"), tr("The drives' own protections (Ctrl+7)"), Qt::Key_7);
-    tabs->setTabToolTip(tabs->addTab(m_tuning, tr("Tuning")), tr("How well the axes are controlled, and the gains"));
+    tabs->setTabToolTip(tabs->addTab(m_tuning, tr("Tuning")), tr("Measure the axes and tune the gains of the drives"));
     addPanel(*tabs, *m_profile, tr("Profile"), tr("All settings, and the mounts that are kept (Ctrl+8)"), Qt::Key_8);
     keepHeightOfShownPage(*tabs);
     return tabs;

@@ -24,9 +24,9 @@ TEST(StreamLog, PositionsOfAClientAreSummedUp)
     }
     EXPECT_TRUE(stream.begins(QStringLiteral("rotctld 2"), QStringLiteral("P 5.00 5.00"))) << "each has its own";
     ASSERT_EQ(log.since(0, 10).size(), 1u);
-    EXPECT_EQ(log.since(0, 10).back().text, QStringLiteral("60 more accepted in 60 s, the last P 60.00 10.00"));
+    EXPECT_EQ(log.since(0, 10).back().text, QStringLiteral("60 more accepted in 60 s. The last: P 60.00 10.00"));
     stream.gone(client);
-    EXPECT_EQ(log.since(0, 10).back().text, QStringLiteral("30 more accepted in 30 s, the last P 90.00 10.00"));
+    EXPECT_EQ(log.since(0, 10).back().text, QStringLiteral("30 more accepted in 30 s. The last: P 90.00 10.00"));
     stream.gone(QStringLiteral("rotctld 2"));
     EXPECT_EQ(log.since(0, 10).size(), 2u) << "its only one has its own line";
 }

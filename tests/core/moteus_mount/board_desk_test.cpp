@@ -40,7 +40,7 @@ TEST(BoardDesk, TwoBoardsFromTheFactoryGetTheirIds)
     EXPECT_EQ(rig.refusal(assign), "");
     ASSERT_EQ(rig.ask(assign), "");
     EXPECT_TRUE(rig.drives().boardWork.running);
-    EXPECT_THAT(rig.refusal(request::FixDrives{}), HasSubstr("A board is being changed"));
+    EXPECT_THAT(rig.refusal(request::FixDrives{}), HasSubstr("Boresight is changing a board"));
     EXPECT_THAT(rig.ask(kGo), Not(""));
     rig.run(Seconds(6.0));
     EXPECT_FALSE(rig.drives().boardWork.running);
@@ -62,7 +62,7 @@ TEST(BoardDesk, AnotherBoardThanTheConfirmedOneIsRefused)
     connectAlone(rig, Axis::Elevation);
     const request::AssignBoard assign{.board = rig.drives().boards.front().uuid, .axis = Axis::Elevation};
     connectAlone(rig, Axis::Azimuth);
-    EXPECT_THAT(rig.refusal(assign), HasSubstr("Another board is connected"));
+    EXPECT_THAT(rig.refusal(assign), HasSubstr("is not the board that you confirmed"));
 }
 
 // REQ-SURVEY-956: A gear ratio that differs from the profile is written on the request of the operator, with what else
@@ -80,11 +80,16 @@ TEST(BoardDesk, TheGearOfAFactoryBoardIsWrittenAndRead)
     ASSERT_TRUE(gear);
     EXPECT_EQ(gear->found, QStringLiteral("1"));
     EXPECT_EQ(gear->wanted, QStringLiteral("0.01"));
-    EXPECT_THAT(gear->effect.toStdString(), HasSubstr("10000 times"));
+    EXPECT_THAT(gear->effect.toStdString(), HasSubstr("multiplies kp, ki and kd by 10000"));
     EXPECT_EQ(rig.obstacle(Action::SetElevationGear), "");
     ASSERT_EQ(rig.ask(request::SetGear{.axis = Axis::Elevation}), "");
     rig.run(Seconds(6.0));
-    EXPECT_FALSE(rig.drives().boardWork.failed) << rig.drives().boardWork.text.toStdString();
+    EXPECT_FALSE(rig.drives().gearWork.failed) << rig.drives().gearWork.text.toStdString();
+    EXPECT_THAT(rig.drives().gearWork.text.toStdString(), HasSubstr("is 0.01 now"));
+    EXPECT_EQ(rig.drives().boardWork.text, QString()) << "it is another subject";
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    ASSERT_EQ(rig.ask(request::ReadDrives{}), "");
+    EXPECT_EQ(rig.drives().gearWork.text, QString()) << "it was read";
     ASSERT_TRUE(rig.reaches(SurveyState::Done));
     EXPECT_FALSE(rig.drives().elevation.gear) << "it is right now";
     EXPECT_TRUE(rig.logSays("counts from a new zero"));

@@ -51,7 +51,7 @@ TEST(DriveCare, GainsAreChangedUnderADriveThatHolds)
     EXPECT_THAT(rig.obstacle(Action::SetAzimuthGains), HasSubstr("The mount moves"));
     rig.run(Seconds(20.0));
     ASSERT_EQ(rig.set(Gain::Stiffness, 0.8), "");
-    EXPECT_THAT(rig.obstacle(Action::ReadDrives), HasSubstr("gains are being read or written"));
+    EXPECT_THAT(rig.obstacle(Action::ReadDrives), HasSubstr("is reading or writing the gains"));
     ASSERT_TRUE(rig.settles());
     rig.run(Seconds(1.0));
     EXPECT_EQ(rig.control.status().state, StationState::Hold);
@@ -69,7 +69,7 @@ TEST(DriveCare, GainsAreStoredWhileTheDrivesAreOff)
     GainsAtRest rig;
     ASSERT_TRUE(rig.read());
     EXPECT_THAT(rig.refusal(request::StoreGains{}), HasSubstr("No gains are on trial"));
-    EXPECT_THAT(rig.refusal(request::PutGainsBack{}), HasSubstr("as they were found"));
+    EXPECT_THAT(rig.refusal(request::PutGainsBack{}), HasSubstr("No gain differs from its first value"));
     ASSERT_EQ(rig.set(Gain::InertiaFeedforward, 1.1), "");
     ASSERT_TRUE(rig.settles());
     ASSERT_EQ(rig.refusal(request::StoreGains{}), "");
@@ -105,15 +105,15 @@ TEST(DriveCare, GainsThatAreWrittenKeepTheMountWhereItStands)
     GainsAtRest rig;
     ASSERT_TRUE(rig.read());
     ASSERT_EQ(rig.set(Gain::EncoderFilter, 0.5), "");
-    EXPECT_THAT(rig.ask(kGo), HasSubstr("gains are being read or written"));
+    EXPECT_THAT(rig.ask(kGo), HasSubstr("is reading or writing the gains"));
     ASSERT_TRUE(rig.settles());
     ASSERT_TRUE(rig.endsItsSurvey());
     ASSERT_TRUE(rig.read());
     ASSERT_EQ(rig.ask(request::StoreGains{}), "");
-    EXPECT_THAT(rig.ask(kGo), HasSubstr("gains are being read or written"));
+    EXPECT_THAT(rig.ask(kGo), HasSubstr("is reading or writing the gains"));
     ASSERT_TRUE(rig.settles());
     rig.run(Seconds(0.1));
-    EXPECT_EQ(rig.obstacle(Action::StoreAzimuthGains), "No gains are on trial: the drive has stored what it uses.");
+    EXPECT_EQ(rig.obstacle(Action::StoreAzimuthGains), "No gains are on trial. The drive has stored what it uses.");
 }
 
 // Story: Fix stores all that is in force, so gains that were only being tried would have stayed for ever.

@@ -98,7 +98,7 @@ TEST(AxisGains, AreWrittenReadBackAndPutBack)
     const double found = rig.drive().servo.gains.kp;
     EXPECT_THAT(rig.refusal(Gain::Stiffness, found * 5.0), HasSubstr("A quarter to four times"));
     EXPECT_THAT(rig.refusal(Gain::Stiffness, -1.0), HasSubstr("A quarter to four times"));
-    EXPECT_THAT(rig.refusal(Gain::InertiaFeedforward, -1.0), HasSubstr("servo.inertia_feedforward may be 0 to"));
+    EXPECT_THAT(rig.refusal(Gain::InertiaFeedforward, -1.0), HasSubstr("servo.inertia_feedforward must be 0 to"));
     EXPECT_EQ(rig.refusal(Gain::Stiffness, found / 2.0), "");
     ASSERT_TRUE(rig.writes(Gain::Stiffness, found / 2.0));
     EXPECT_NEAR(rig.drive().servo.gains.kp, found / 2.0, 0.1);

@@ -122,7 +122,7 @@ TEST_F(BoardChangeTest, TheWrongBoardIsLeftAsItIs)
 {
     pair.setFitted(Axis::Azimuth, true);
     pair.setFitted(Axis::Elevation, false);
-    EXPECT_THAT(change(newId), HasSubstr("Another board is connected than the one you confirmed"));
+    EXPECT_THAT(change(newId), HasSubstr("is not the board that you confirmed"));
     EXPECT_EQ(idOf(Axis::Azimuth), 1);
 }
 
@@ -130,7 +130,7 @@ TEST_F(BoardChangeTest, TheWrongBoardIsLeftAsItIs)
 TEST_F(BoardChangeTest, WithoutABoardNothingIsSentToAny)
 {
     pair.setFitted(Axis::Elevation, false);
-    EXPECT_THAT(change(newId), HasSubstr("No board answers"));
+    EXPECT_THAT(change(newId), HasSubstr("No board with the id 1 answers"));
 }
 
 // REQ-SURVEY-952: Nothing is stored unless the same board answers under the new id, alone, and reads back what was set.
@@ -147,12 +147,12 @@ TEST_F(BoardChangeTest, ABoardThatLosesItsPowerMeanwhileKeepsItsOldId)
 {
     bool lost = false;
     const auto lose = [&] {
-        if (!lost && work.progress().startsWith(QStringLiteral("Looking whether"))) {
+        if (!lost && work.progress().startsWith(QStringLiteral("Checking that"))) {
             lost = true;
             losePower(Axis::Elevation);
         }
     };
-    EXPECT_THAT(change(newId, lose), HasSubstr("does not answer under the id 2"));
+    EXPECT_THAT(change(newId, lose), HasSubstr("does not answer with the id 2"));
     EXPECT_EQ(idOf(Axis::Elevation), 1);
 }
 
@@ -230,7 +230,7 @@ TEST_F(BoardChangeTest, WhatWasPerhapsStoredIsCalledUnknown)
             (void)pair.faults().add({.kind = sim::FaultKind::LostReply, .axis = Axis::Elevation, .value = 1.0});
         }
     };
-    EXPECT_THAT(change(newId, fallSilent), HasSubstr("It is unknown whether they are stored"));
+    EXPECT_THAT(change(newId, fallSilent), HasSubstr("It is unknown whether the board stored them"));
 }
 
 // REQ-SIM-950: Two different answers under one id destroy each other, or arrive one after the other, as often as the

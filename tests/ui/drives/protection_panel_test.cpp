@@ -205,7 +205,7 @@ TEST_F(DrivesTest, OneDriveIsSwitchedOffAloneAfterAQuestion)
 {
     open<ProtectionPanel>();
     click("Elevation off …");
-    EXPECT_TRUE(questionText().contains(QLatin1String("The azimuth goes on holding.")));
+    EXPECT_TRUE(questionText().contains(QLatin1String("The azimuth stays as it is.")));
     EXPECT_TRUE(requests.empty());
     QTest::keyClick(act("Switch off"), Qt::Key_Space);
     ASSERT_EQ(asked<request::SwitchOff>().size(), 1u);

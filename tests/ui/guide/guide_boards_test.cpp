@@ -39,8 +39,8 @@ TEST_F(GuideBoardsTest, TwoBoardsWithOneIdAreExplained)
     status.permissions.refuse(Action::AssignAzimuthBoard, QStringLiteral("Two boards have the id 1."));
     status.permissions.refuse(Action::AssignElevationBoard, QStringLiteral("Two boards have the id 1."));
     showBoards({{.id = 1, .uuid = {}, .shared = true}});
-    EXPECT_TRUE(inGuide<ValueLabel>("What to do with the boards").text().contains(QStringLiteral("disconnect one")));
-    EXPECT_FALSE(inGuide<QPushButton>("It turns elevation …").isEnabled());
+    EXPECT_TRUE(inGuide<ValueLabel>("What to do with the boards").text().contains(QStringLiteral("Disconnect one")));
+    EXPECT_FALSE(inGuide<QPushButton>("Assign to elevation …").isEnabled());
     EXPECT_EQ(stepButton(GuideStep::Connect).state(), StepState::NeedsYou);
 }
 
@@ -50,8 +50,8 @@ TEST_F(GuideBoardsTest, TheBoardThatIsAloneGetsItsIdAfterAConfirmation)
     open<GuideConnect>(GuideStep::Connect);
     status.permissions.refuse(Action::AssignAzimuthBoard, QStringLiteral("This board has the id 1 already."));
     showBoards({{.id = 1, .uuid = kBoardUuid}});
-    EXPECT_FALSE(inGuide<QPushButton>("It turns azimuth …").isEnabled()) << "it has this id";
-    click("It turns elevation …");
+    EXPECT_FALSE(inGuide<QPushButton>("Assign to azimuth …").isEnabled()) << "it has this id";
+    click("Assign to elevation …");
     EXPECT_TRUE(asked<request::AssignBoard>().empty()) << "it asks first";
     const auto* const question = guide().findChild<GuideBoards*>();
     ASSERT_TRUE(question->isAsking());
@@ -85,7 +85,7 @@ TEST_F(GuideBoardsTest, EscLeavesTheBoardAsItIs)
 {
     open<GuideConnect>(GuideStep::Connect);
     showBoards({{.id = 1, .uuid = kBoardUuid}});
-    click("It turns elevation …");
+    click("Assign to elevation …");
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
     EXPECT_FALSE(guide().findChild<GuideBoards*>()->isAsking());
     EXPECT_TRUE(asked<request::AssignBoard>().empty());

@@ -60,7 +60,7 @@ TEST_P(GuidePictures, AreTakenOfBoardsFromTheFactory)
     status.permissions = samples::freshMount().permissions;
     give(samples::update(status));
     take(QStringLiteral("guide-1-alone"));
-    const QByteArray itTurnsElevation = GuideBoards::tr("It turns elevation …").toUtf8();
+    const QByteArray itTurnsElevation = GuideBoards::tr("Assign to elevation …").toUtf8();
     QTest::mouseClick(findNamed<QPushButton>(window, itTurnsElevation), Qt::LeftButton);
     take(QStringLiteral("guide-1-question"));
 }

@@ -89,7 +89,7 @@ TEST_F(GuideTest, TheOperatorConfirmsWhatNobodyCanSee)
     click("Next");
     open<QWidget>(GuideStep::Level);
     EXPECT_EQ(stepButton(GuideStep::Level).state(), StepState::Skipped);
-    click("Confirm: I have looked: elevation 0° is level");
+    click("Confirm: I have checked: elevation 0° is level");
     EXPECT_EQ(stepButton(GuideStep::Level).state(), StepState::Done);
     EXPECT_TRUE(kept.confirmed.contains(GuideStep::Level));
     EXPECT_FALSE(kept.skipped.contains(GuideStep::Level));
@@ -141,7 +141,7 @@ TEST_F(GuideTest, AMountThatDoesNotAnswerNeedsYouAndOneThatIsReadDoesNot)
     EXPECT_EQ(stepButton(GuideStep::Protection).state(), StepState::Open);
     status.drives->released = true;
     give(samples::update(status));
-    EXPECT_TRUE(stepButton(GuideStep::Connect).toolTip().contains(QStringLiteral("Take it back")));
+    EXPECT_TRUE(stepButton(GuideStep::Connect).toolTip().contains(QStringLiteral("Take bus back")));
 }
 
 // REQ-UI-34
@@ -197,19 +197,18 @@ TEST_F(GuideTest, TheLastPageTellsWhatTheFirstPassNeeds)
     EXPECT_TRUE(inGuide<ValueLabel>("Line for Gpredict").text().contains(QStringLiteral("Port 4533")));
     EXPECT_TRUE(inGuide<ValueLabel>("After the pass").text().contains(QStringLiteral("Ctrl+P")));
     EXPECT_TRUE(inGuide<ValueLabel>("After the pass").text().contains(QStringLiteral("F12")));
-    EXPECT_TRUE(
-        inGuide<ValueLabel>("Why the mount can not be pointed now").text().contains(QStringLiteral("directions")));
+    EXPECT_TRUE(inGuide<ValueLabel>("Why the mount cannot point now").text().contains(QStringLiteral("directions")));
     click("Copy the line for Gpredict");
     EXPECT_TRUE(QApplication::clipboard()->text().contains(QStringLiteral("Port: 4533")));
     status = samples::idle();
     give(samples::update(status));
-    EXPECT_TRUE(findNamed<ValueLabel>(guide(), "Why the mount can not be pointed now")->text().isEmpty());
+    EXPECT_TRUE(findNamed<ValueLabel>(guide(), "Why the mount cannot point now")->text().isEmpty());
 }
 
 TEST_F(GuideTest, AnotherMountBeginsAnew)
 {
     open<GuideNorth>(GuideStep::North);
-    click("Confirm: I have looked: north is right as it is");
+    click("Confirm: I have checked: north is right");
     profile::Profile other = *status.profile;
     other.mount.name = "Roof";
     putInForce(other);
@@ -223,7 +222,7 @@ TEST_F(GuideTest, AnotherMountBeginsAnew)
 TEST_F(GuideTest, TheRealMountBeginsAnewAfterTheSimulatedOne)
 {
     open<QWidget>(GuideStep::Level);
-    click("Confirm: I have looked: elevation 0° is level");
+    click("Confirm: I have checked: elevation 0° is level");
     EXPECT_TRUE(kept.confirmed.contains(GuideStep::Level));
     profile::Profile real = *status.profile;
     real.bus = "socketcan:can0";

@@ -230,17 +230,17 @@ TEST_F(GuideWalk, TwoBoardsWithOneIdAreResolvedByKeys)
     const auto boards = [this] { return station->status().drives->boards; };
     ASSERT_TRUE(until([&] { return !boards().empty() && boards().front().shared; }, Seconds(20.0)));
     EXPECT_EQ(stepButtonOf(window, GuideStep::Connect).state(), StepState::NeedsYou);
-    EXPECT_FALSE(inGuide<QPushButton>("It turns elevation …").isEnabled());
+    EXPECT_FALSE(inGuide<QPushButton>("Assign to elevation …").isEnabled());
 
     link->pair().setFitted(Axis::Azimuth, false);
-    ASSERT_TRUE(until([&] { return inGuide<QPushButton>("It turns elevation …").isEnabled(); }, Seconds(20.0)));
+    ASSERT_TRUE(until([&] { return inGuide<QPushButton>("Assign to elevation …").isEnabled(); }, Seconds(20.0)));
     markPlace();
     const auto press = [&](const char* button) {
         inGuide<QPushButton>(button).setFocus(Qt::TabFocusReason);
         QTest::keyClick(&inGuide<QPushButton>(button), Qt::Key_Space);
         run(Seconds(0.1));
     };
-    press("It turns elevation …");
+    press("Assign to elevation …");
     press("Write");
     ASSERT_TRUE(until(
         [&] {
@@ -249,7 +249,7 @@ TEST_F(GuideWalk, TwoBoardsWithOneIdAreResolvedByKeys)
         },
         Seconds(20.0)))
         << station->status().drives->boardWork.text.toStdString();
-    EXPECT_TRUE(inGuide<ValueLabel>("What to do with the boards").text().contains(QStringLiteral("connect the other")));
+    EXPECT_TRUE(inGuide<ValueLabel>("What to do with the boards").text().contains(QStringLiteral("Connect the other")));
 
     link->pair().setFitted(Axis::Azimuth, true);
     ASSERT_TRUE(until([&] { return station->status().drives->survey == SurveyState::Done; }, Seconds(20.0)));

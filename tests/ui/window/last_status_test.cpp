@@ -66,6 +66,23 @@ TEST_F(LastStatusTest, AnOldPlaceIsNotUsed)
     EXPECT_TRUE(may.allows(Action::Move)) << "the station judges that when it is asked";
 }
 
+// Story: with a silent station the line of the energy and the part of a run that is done stood there as live.
+TEST_F(LastStatusTest, WorkThatNobodyReportsIsNotShown)
+{
+    StationStatus status = last.received();
+    status.power = {.total = 54.1, .running = MotionEnergy{.joules = 12.0}, .last = MotionEnergy{.joules = 3.0}};
+    status.tuning = std::make_shared<const TuningStatus>(TuningStatus{.running = TuningRun::Step, .done = 0.4});
+    status.drives->gearWork = {.running = true, .text = QStringLiteral("Storing the gear ratio.")};
+    last.take(status);
+    EXPECT_TRUE(last.now().power.total);
+    clock.advance(2100ms);
+    EXPECT_FALSE(last.now().power.total);
+    EXPECT_FALSE(last.now().power.running);
+    EXPECT_TRUE(last.now().power.last) << "that is over, whatever comes";
+    EXPECT_FALSE(last.now().tuning->running);
+    EXPECT_FALSE(last.now().drives->gearWork.running);
+}
+
 TEST_F(LastStatusTest, ReportsTheSilenceUntilTheNextStatus)
 {
     clock.advance(1900ms);
