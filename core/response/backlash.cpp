@@ -201,11 +201,11 @@ Result<BacklashFigures> backlashFigures(Samples samples)
 {
     const auto silent = [](const Sample& one) { return !one.torque.has_value(); };
     if (std::ranges::any_of(samples, silent)) {
-        return failure(ErrorCode::NotAvailable, Text::tr("Cannot be measured: the drive reported no torque."));
+        return failure(ErrorCode::NotAvailable, Text::tr("The drive reported no torque, so there is no result."));
     }
     const std::vector<Leg> legs = legsOf(samples);
     if (legs.size() <= kFewestReversals) {
-        return failure(ErrorCode::Refused, Text::tr("Cannot be measured: the axis did not turn around often enough."));
+        return failure(ErrorCode::Refused, Text::tr("The axis reversed too few times, so there is no result."));
     }
     const auto loaded = [&](double sum, const Leg& leg) { return sum + loadedLevel(samples, leg).mean; };
     const double sense = std::accumulate(legs.begin(), legs.end(), 0.0, loaded) < 0.0 ? -1.0 : 1.0;
@@ -221,13 +221,12 @@ Result<BacklashFigures> backlashFigures(Samples samples)
     const std::size_t tried = legs.size() - 1;
     if (2 * longer > tried) {
         return failure(ErrorCode::Refused,
-                       Text::tr("Cannot be measured: the play is larger than the axis was moved to and fro."));
+                       Text::tr("The backlash is larger than the movement of the run, so there is no result."));
     }
     if (shown.size() < kFewestReversals || 2 * shown.size() < tried) {
         return failure(ErrorCode::Refused,
-                       Text::tr("Cannot be measured: the torque shows no gap when the axis turns around. Either the "
-                                "play is smaller than the encoder shows, or the weight or the wind keeps the gear on "
-                                "one side."));
+                       Text::tr("The torque shows no gap when the axis reverses, so there is no result. The backlash "
+                                "may be too small for the encoder. Weight or wind may keep the gear on one side."));
     }
     const Leg& leg = legs.front();
     const Angle way = samples[leg.last - 1].wanted - samples[leg.first].wanted;

@@ -56,7 +56,7 @@ Result<RampFigures> rampFigures(Samples samples)
         steady = steady.subspan(1);
     }
     if (rate == AngularRate{} || steady.empty() || steady.back().time - steady.front().time < kShortest) {
-        return failure(ErrorCode::Refused, Text::tr("the axis was not moved at a constant rate for a second"));
+        return failure(ErrorCode::Refused, Text::tr("The axis did not move at a constant rate for 1 s."));
     }
     Angle behind;
     for (const Sample& one : steady) {

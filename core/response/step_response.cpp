@@ -48,12 +48,12 @@ Result<StepFigures> stepFigures(Samples samples, Angle band)
 {
     const std::size_t arrived = samples.empty() ? 0 : arrivalIn(samples);
     if (samples.size() < arrived + kFewestAfterwards) {
-        return failure(ErrorCode::Refused, Text::tr("the axis was not watched for long enough after the step"));
+        return failure(ErrorCode::Refused, Text::tr("The recording after the step is too short."));
     }
     const Angle end = samples.back().wanted;
     const Angle size = end - samples.front().wanted;
     if (abs(size) <= band) {
-        return failure(ErrorCode::Refused, Text::tr("the step is too small to be told from the end"));
+        return failure(ErrorCode::Refused, Text::tr("The step is not larger than the settling band."));
     }
     const double way = size < Angle{} ? -1.0 : 1.0;
     Angle beyond;

@@ -64,13 +64,13 @@ Result<SweepPoint> sweepPoint(Samples samples, double hertz)
     const bool longEnough = samples.size() > 2 * kUnknowns &&
                             (samples.back().time - samples.front().time).count() * hertz >= kFewestPeriods;
     if (!longEnough) {
-        return failure(ErrorCode::Refused, Text::tr("the axis was not swung for long enough"));
+        return failure(ErrorCode::Refused, Text::tr("The swing of the axis was too short."));
     }
     const double omega = 2.0 * std::numbers::pi * hertz;
     const auto wanted = waveIn(samples, omega, [](const Sample& one) { return one.wanted; });
     const auto actual = waveIn(samples, omega, [](const Sample& one) { return one.actual; });
     if (!(std::abs(wanted) >= kSmallestSwing.radians())) {
-        return failure(ErrorCode::Refused, Text::tr("the set-point hardly swung"));
+        return failure(ErrorCode::Refused, Text::tr("The set-point hardly moved."));
     }
     const std::complex<double> ratio = actual / wanted;
     return SweepPoint{.hertz = hertz,

@@ -15,7 +15,7 @@ Result<> TrialRun::ask(const request::Trial& wanted, const Source& by)
 void TrialRun::step(SteadyTime now)
 {
     if (helm().current().is(Activity::Trying) && now > m_deadline) {
-        helm().end(Severity::Warning, Text::tr("the tuning run ends because its next rate did not come"));
+        helm().end(Severity::Warning, Text::tr("the tuning run ended because it received no new rate"));
     }
 }
 

@@ -36,12 +36,12 @@ QString whoEndedIt(const StationControl& control)
 {
     switch (control.state()) {
         case StationState::Stopped:
-            return Text::tr("STOP ended it. There is no result.");
+            return Text::tr("STOP ended the run. There is no result.");
         case StationState::Fault:
         case StationState::Disconnected:
-            return Text::tr("A fault ended it. There is no result.");
+            return Text::tr("A fault ended the run. There is no result.");
         default:
-            return Text::tr("Another command to the mount ended it. There is no result.");
+            return Text::tr("Another command to the mount ended the run. There is no result.");
     }
 }
 
@@ -64,9 +64,9 @@ Result<> TuningDesk::carryOut(const TuningRequest& request, const std::optional<
         std::visit(Overloaded{[&](const request::StartTuning& wanted) { return start(wanted, drives, calibrates); },
                               [&](const request::EndTuning&) -> Result<> {
                                   if (!m_run) {
-                                      return failure(ErrorCode::Refused, Text::tr("No tuning run is going on."));
+                                      return failure(ErrorCode::Refused, Text::tr("No tuning run is active."));
                                   }
-                                  end(Text::tr("The operator ended it. There is no result."), true);
+                                  end(Text::tr("The operator ended the run. There is no result."), true);
                                   return {};
                               }},
                    request);
@@ -77,7 +77,7 @@ Result<> TuningDesk::carryOut(const TuningRequest& request, const std::optional<
 Result<> TuningDesk::mayStart(Axis axis, bool calibrates) const
 {
     if (m_run) {
-        return failure(ErrorCode::Busy, Text::tr("A tuning run is going on. End it first."));
+        return failure(ErrorCode::Busy, Text::tr("A tuning run moves the mount. End it first."));
     }
     if (calibrates) {
         return failure(ErrorCode::Busy, Text::tr("A calibration moves the mount. End it first."));
@@ -88,8 +88,8 @@ Result<> TuningDesk::mayStart(Axis axis, bool calibrates) const
     return m_control.mayPoint(tuningSource())
         .and_then([this]() -> Result<> {
             return m_control.authority() == Authority::Clients
-                       ? failure(ErrorCode::Refused, Text::tr("The clients have the control. Take it before an axis is "
-                                                              "tuned."))
+                       ? failure(ErrorCode::Refused,
+                                 Text::tr("The clients have control. Take control before you tune an axis."))
                        : Result<>{};
         })
         .and_then([this] { return m_control.measured().map([](const AxisPosition&) {}); })
@@ -244,7 +244,7 @@ void TuningDesk::fill(StationStatus& status, bool calibrates) const
         const Result<> start = mayStart(axis, calibrates);
         may.refuse(actionOf(Action::TuneAzimuth, axis), start ? QString() : start.error().text);
     }
-    may.refuse(Action::EndTuning, m_run ? QString() : Text::tr("No tuning run is going on."));
+    may.refuse(Action::EndTuning, m_run ? QString() : Text::tr("No tuning run is active."));
     const bool inMotion = status.state == StationState::Hold || status.state == StationState::Slew;
     if (m_run && m_begun && inMotion) {
         status.state = StationState::Calibrate;

@@ -94,7 +94,7 @@ Result<std::vector<response::SweepPoint>> sweepOf(const Parts& parts)
         }
     }
     return points.empty() ? Result<std::vector<response::SweepPoint>>(failure(
-                                ErrorCode::Refused, Text::tr("the limits of motion leave nothing of the swings")))
+                                ErrorCode::Refused, Text::tr("The limits of motion are too low for any swing.")))
                           : points;
 }
 
@@ -109,18 +109,18 @@ void judgeStep(TuningResult& result, const response::StepFigures& step)
     const bool small = step.overshoot <= kSmallOvershoot;
     say(result, small,
         small ? Text::tr("Overshoot %1: small.").arg(percent(step.overshoot))
-              : Text::tr("Overshoot %1: the axis swings over its end. Raise kd, or lower ki.")
+              : Text::tr("Overshoot %1: the axis moves past its target. Raise kd, or lower ki.")
                     .arg(percent(step.overshoot)));
     const bool quick = step.settling && *step.settling <= kQuick;
     say(result, quick,
-        !step.settling
-            ? Text::tr("It does not settle within %1. Lower kp and ki, or raise kd.").arg(degreesText(step.band, 2))
+        !step.settling ? Text::tr("The axis does not settle within %1. Lower kp and ki, or raise kd.")
+                             .arg(degreesText(step.band, 2))
         : quick ? Text::tr("Settled %1 s after the set-point: quick.").arg(step.settling->count(), 0, 'f', 2)
                 : Text::tr("Settled %1 s after the set-point: slow. Raise kp and kd together.")
                       .arg(step.settling->count(), 0, 'f', 2));
     if (abs(step.left) > kSmallLeft) {
         say(result, false,
-            Text::tr("%1 of error stay. Raise ki, or its limit: friction or weight holds the axis.")
+            Text::tr("An error of %1 remains. Friction or weight holds the axis. Raise ki or its limit.")
                 .arg(degreesText(abs(step.left), 3)));
     }
 }
@@ -129,15 +129,15 @@ void judgeRamp(TuningResult& result, const response::RampFigures& ramp)
 {
     const bool small = ramp.steady.peak <= kSmallError;
     say(result, small,
-        small ? Text::tr("It follows %1°/s within %2: good for every pass.")
+        small ? Text::tr("The axis tracks %1°/s within %2: good for every pass.")
                     .arg(abs(ramp.rate).degrees(), 0, 'f', 1)
                     .arg(degreesText(ramp.steady.peak, 3))
-              : Text::tr("It is up to %1 off at %2°/s. Raise kp, then ki.")
+              : Text::tr("The error is up to %1 at %2°/s. Raise kp, then ki.")
                     .arg(degreesText(ramp.steady.peak, 3))
                     .arg(abs(ramp.rate).degrees(), 0, 'f', 1));
     if (ramp.error.peak > 2.0 * ramp.steady.peak && ramp.error.peak > kSmallError) {
         say(result, false,
-            Text::tr("It is %1 off while it sets off and stops. Raise the inertia feed-forward.")
+            Text::tr("The error at start and stop is %1. Raise the inertia feed-forward.")
                 .arg(degreesText(ramp.error.peak, 3)));
     }
 }
@@ -147,17 +147,17 @@ void judgeSweep(TuningResult& result, const std::vector<response::SweepPoint>& p
     const auto highest = std::ranges::max_element(points, {}, &response::SweepPoint::gain);
     if (highest->gain > kResonance) {
         say(result, false,
-            Text::tr("At %1 Hz it swings %2 times as far as it is asked to. Raise kd, or lower kp.")
+            Text::tr("At %1 Hz the axis swings %2 times as far as commanded. Raise kd, or lower kp.")
                 .arg(highest->hertz, 0, 'f', 1)
                 .arg(highest->gain, 0, 'f', 2));
     }
     const auto lost = std::ranges::find_if(
         points, [](const auto& one) { return one.gain < kFollows || one.phase < Angle::fromDegrees(-90.0); });
     say(result, lost == points.end() || lost != points.begin(),
-        lost == points.end()     ? Text::tr("It follows all swings up to %1 Hz.").arg(points.back().hertz, 0, 'f', 1)
-        : lost == points.begin() ? Text::tr("It does not even follow a swing at %1 Hz. Raise kp and kd together.")
+        lost == points.end()     ? Text::tr("The axis follows all swings to %1 Hz.").arg(points.back().hertz, 0, 'f', 1)
+        : lost == points.begin() ? Text::tr("The axis does not follow a swing at %1 Hz. Raise kp and kd together.")
                                        .arg(points.front().hertz, 0, 'f', 1)
-                                 : Text::tr("It follows swings up to %1 Hz.").arg((lost - 1)->hertz, 0, 'f', 1));
+                                 : Text::tr("The axis follows swings to %1 Hz.").arg((lost - 1)->hertz, 0, 'f', 1));
 }
 
 void judgeBacklash(TuningResult& result, const response::BacklashFigures& found)

@@ -21,18 +21,17 @@ QString obstacleOf(const TuningRoom& room, Axis axis, Angle up, Angle down)
     if (free >= room.way) {
         return {};
     }
-    return (room.bothSides
-                ? Text::tr("The run needs %1 of free way on both sides of the %2, and there is only %3. Move "
-                           "the axis away from its limits.")
-                : Text::tr("The run needs %1 of free way on one side of the %2, and there is only %3. Move the "
-                           "axis away from its limits."))
+    return (room.bothSides ? Text::tr("The run needs %1 of free travel on both sides of the %2. There is only %3. Move "
+                                      "the axis away from its limits.")
+                           : Text::tr("The run needs %1 of free travel on one side of the %2. There is only %3. Move "
+                                      "the axis away from its limits."))
         .arg(degreesText(room.way, 2), axisText(axis), degreesText(std::max(free, Angle{}), 2));
 }
 
 QString textOf(const TuningPlan& plan, bool bothSides, Axis axis)
 {
     const int seconds = static_cast<int>(std::ceil(plan.duration.count()));
-    return (bothSides ? Text::tr("Moves the %1 to and fro by %2 about %3, in %4 s.")
+    return (bothSides ? Text::tr("Moves the %1 up to ±%2 around %3 and back, in %4 s.")
                       : Text::tr("Moves the %1 by %2 from %3 and back, in %4 s."))
         .arg(axisText(axis), degreesText(abs(plan.to - plan.from), 2), degreesText(plan.from, 1))
         .arg(seconds);
@@ -47,7 +46,7 @@ TuningWay planTuning(TuningRun run, Axis axis, const AxisPosition& here, const p
     const Angle begin = azimuth ? here.azimuth : here.elevation;
     TuningWay found{.plan = {.from = begin, .to = begin}};
     if (!region.permits(here)) {
-        found.plan.obstacle = Text::tr("The mount stands in what is forbidden. Move it out first.");
+        found.plan.obstacle = Text::tr("The mount is outside the permitted region. Move it back first.");
         return found;
     }
     const pointing::AxisBox box = pointing::AxisBox::at(here);

@@ -6826,10 +6826,6 @@ até %1</translation>
         <translation>O socket local não abriu: %1. Os comandos da linha de comandos que precisam dele não chegam a esta estação.</translation>
     </message>
     <message>
-        <source>A tuning run is going on. End it first.</source>
-        <translation>Está a decorrer uma medição de afinação. Termine-a primeiro.</translation>
-    </message>
-    <message>
         <source>No board answers. Connect the board of the %1.</source>
         <translation>Nenhuma placa responde. Ligue a placa do %1.</translation>
     </message>
@@ -6866,48 +6862,8 @@ até %1</translation>
         <translation>O %1 já está desligado.</translation>
     </message>
     <message>
-        <source>Cannot be measured: the drive reported no torque.</source>
-        <translation>Não se pode medir: o acionamento não indicou torque.</translation>
-    </message>
-    <message>
-        <source>Cannot be measured: the axis did not turn around often enough.</source>
-        <translation>Não se pode medir: o eixo não inverteu vezes suficientes.</translation>
-    </message>
-    <message>
-        <source>Cannot be measured: the play is larger than the axis was moved to and fro.</source>
-        <translation>Não se pode medir: a folga é maior do que o movimento do eixo.</translation>
-    </message>
-    <message>
-        <source>Cannot be measured: the torque shows no gap when the axis turns around. Either the play is smaller than the encoder shows, or the weight or the wind keeps the gear on one side.</source>
-        <translation>Não se pode medir: o torque não mostra folga quando o eixo inverte. Ou a folga é menor do que o codificador mostra, ou o peso ou o vento mantém a engrenagem de um lado.</translation>
-    </message>
-    <message>
-        <source>the axis was not moved at a constant rate for a second</source>
-        <translation>o eixo não se moveu a velocidade constante durante um segundo</translation>
-    </message>
-    <message>
-        <source>the axis was not watched for long enough after the step</source>
-        <translation>o eixo não foi observado tempo suficiente depois do degrau</translation>
-    </message>
-    <message>
-        <source>the step is too small to be told from the end</source>
-        <translation>o degrau é pequeno demais para se distinguir do fim</translation>
-    </message>
-    <message>
-        <source>the axis was not swung for long enough</source>
-        <translation>o eixo não oscilou tempo suficiente</translation>
-    </message>
-    <message>
-        <source>the set-point hardly swung</source>
-        <translation>o valor comandado quase não oscilou</translation>
-    </message>
-    <message>
         <source>tuning run</source>
         <translation>medição de afinação</translation>
-    </message>
-    <message>
-        <source>the tuning run ends because its next rate did not come</source>
-        <translation>a medição de afinação termina porque não chegou a velocidade seguinte</translation>
     </message>
     <message>
         <source>Reading the gains of %1.</source>
@@ -7034,26 +6990,6 @@ até %1</translation>
         <translation>folga da elevação</translation>
     </message>
     <message>
-        <source>STOP ended it. There is no result.</source>
-        <translation>STOP terminou-a. Não há resultado.</translation>
-    </message>
-    <message>
-        <source>A fault ended it. There is no result.</source>
-        <translation>Uma falha terminou-a. Não há resultado.</translation>
-    </message>
-    <message>
-        <source>Another command to the mount ended it. There is no result.</source>
-        <translation>Outro comando à montagem terminou-a. Não há resultado.</translation>
-    </message>
-    <message>
-        <source>No tuning run is going on.</source>
-        <translation>Não decorre nenhuma medição de afinação.</translation>
-    </message>
-    <message>
-        <source>The operator ended it. There is no result.</source>
-        <translation>O operador terminou-a. Não há resultado.</translation>
-    </message>
-    <message>
         <source>A calibration moves the mount. End it first.</source>
         <translation>Uma calibração move a montagem. Termine-a primeiro.</translation>
     </message>
@@ -7062,28 +6998,12 @@ até %1</translation>
         <translation>Esta montagem não tem esse eixo.</translation>
     </message>
     <message>
-        <source>The clients have the control. Take it before an axis is tuned.</source>
-        <translation>Os clientes têm o controlo. Tome-o antes de afinar um eixo.</translation>
-    </message>
-    <message>
         <source>There is no result.</source>
         <translation>Não há resultado.</translation>
     </message>
     <message>
-        <source>the limits of motion leave nothing of the swings</source>
-        <translation>os limites de movimento não deixam nada das oscilações</translation>
-    </message>
-    <message>
         <source>Overshoot %1: small.</source>
         <translation>Ultrapassagem %1: pequena.</translation>
-    </message>
-    <message>
-        <source>Overshoot %1: the axis swings over its end. Raise kd, or lower ki.</source>
-        <translation>Ultrapassagem %1: o eixo passa do fim. Aumente kd ou baixe ki.</translation>
-    </message>
-    <message>
-        <source>It does not settle within %1. Lower kp and ki, or raise kd.</source>
-        <translation>Não estabiliza dentro de %1. Baixe kp e ki, ou aumente kd.</translation>
     </message>
     <message>
         <source>Settled %1 s after the set-point: quick.</source>
@@ -7094,38 +7014,6 @@ até %1</translation>
         <translation>Estabilizou %1 s depois do comando: lento. Aumente kp e kd juntos.</translation>
     </message>
     <message>
-        <source>%1 of error stay. Raise ki, or its limit: friction or weight holds the axis.</source>
-        <translation>Fica um erro de %1. Aumente ki ou o seu limite: atrito ou peso segura o eixo.</translation>
-    </message>
-    <message>
-        <source>It follows %1°/s within %2: good for every pass.</source>
-        <translation>Segue %1°/s dentro de %2: bom para qualquer passagem.</translation>
-    </message>
-    <message>
-        <source>It is up to %1 off at %2°/s. Raise kp, then ki.</source>
-        <translation>Está até %1 fora a %2°/s. Aumente kp, depois ki.</translation>
-    </message>
-    <message>
-        <source>It is %1 off while it sets off and stops. Raise the inertia feed-forward.</source>
-        <translation>Está %1 fora ao arrancar e parar. Aumente a antecipação da inércia.</translation>
-    </message>
-    <message>
-        <source>At %1 Hz it swings %2 times as far as it is asked to. Raise kd, or lower kp.</source>
-        <translation>A %1 Hz oscila %2 vezes mais do que o pedido. Aumente kd ou baixe kp.</translation>
-    </message>
-    <message>
-        <source>It follows all swings up to %1 Hz.</source>
-        <translation>Segue todas as oscilações até %1 Hz.</translation>
-    </message>
-    <message>
-        <source>It does not even follow a swing at %1 Hz. Raise kp and kd together.</source>
-        <translation>Nem segue uma oscilação a %1 Hz. Aumente kp e kd juntos.</translation>
-    </message>
-    <message>
-        <source>It follows swings up to %1 Hz.</source>
-        <translation>Segue oscilações até %1 Hz.</translation>
-    </message>
-    <message>
         <source>Backlash %1 ± %2, seen at %3 of %4 reversals.</source>
         <translation>Folga %1 ± %2, vista em %3 de %4 inversões.</translation>
     </message>
@@ -7134,32 +7022,8 @@ até %1</translation>
         <translation>O motor precisa de %1 Nm na folga e de %2 Nm com a carga.</translation>
     </message>
     <message>
-        <source>The run needs %1 of free way on both sides of the %2, and there is only %3. Move the axis away from its limits.</source>
-        <translation>A medição precisa de %1 livres de ambos os lados do %2, e há só %3. Afaste o eixo dos limites.</translation>
-    </message>
-    <message>
-        <source>The run needs %1 of free way on one side of the %2, and there is only %3. Move the axis away from its limits.</source>
-        <translation>A medição precisa de %1 livres de um lado do %2, e há só %3. Afaste o eixo dos limites.</translation>
-    </message>
-    <message>
-        <source>Moves the %1 to and fro by %2 about %3, in %4 s.</source>
-        <translation>Move o %1 para lá e para cá %2 em torno de %3, em %4 s.</translation>
-    </message>
-    <message>
         <source>Moves the %1 by %2 from %3 and back, in %4 s.</source>
         <translation>Move o %1 %2 a partir de %3 e volta, em %4 s.</translation>
-    </message>
-    <message>
-        <source>The mount stands in what is forbidden. Move it out first.</source>
-        <translation>A montagem está numa zona proibida. Tire-a de lá primeiro.</translation>
-    </message>
-    <message>
-        <source>The axis was %1 off its set-point. Put the gains back, or look at what holds the axis</source>
-        <translation>O eixo estava %1 fora do comando. Reponha os ganhos, ou veja o que segura o eixo</translation>
-    </message>
-    <message>
-        <source>The axis does not get on. Something is blocking it, or a limit holds it</source>
-        <translation>O eixo não avança. Algo o bloqueia, ou um limite segura-o</translation>
     </message>
     <message>
         <source>%1 more accepted in %2 s. The last: %3</source>
@@ -7317,6 +7181,138 @@ até %1</translation>
         <source>The gear ratio of the profile (gear_ratio, gear_in). With another ratio every angle is wrong. Press Set gear to write it. The gains change with its square.</source>
         <translation>a redução como está no perfil (gear_ratio, gear_in): com outra, todos os ângulos estão errados. Definir redução escreve-a: os ganhos mudam com o quadrado dela</translation>
     </message>
+    <message>
+        <source>The drive reported no torque, so there is no result.</source>
+        <translation>O acionamento não indicou binário, por isso não há resultado.</translation>
+    </message>
+    <message>
+        <source>The axis reversed too few times, so there is no result.</source>
+        <translation>O eixo inverteu o sentido poucas vezes, por isso não há resultado.</translation>
+    </message>
+    <message>
+        <source>The backlash is larger than the movement of the run, so there is no result.</source>
+        <translation>A folga é maior do que o movimento da medição, por isso não há resultado.</translation>
+    </message>
+    <message>
+        <source>The torque shows no gap when the axis reverses, so there is no result. The backlash may be too small for the encoder. Weight or wind may keep the gear on one side.</source>
+        <translation>O binário não mostra folga quando o eixo inverte o sentido, por isso não há resultado. A folga pode ser demasiado pequena para o codificador. O peso ou o vento podem manter a engrenagem de um lado.</translation>
+    </message>
+    <message>
+        <source>The axis did not move at a constant rate for 1 s.</source>
+        <translation>O eixo não se moveu a velocidade constante durante 1 s.</translation>
+    </message>
+    <message>
+        <source>The recording after the step is too short.</source>
+        <translation>O registo depois do degrau é demasiado curto.</translation>
+    </message>
+    <message>
+        <source>The step is not larger than the settling band.</source>
+        <translation>O degrau não é maior do que a faixa de estabilização.</translation>
+    </message>
+    <message>
+        <source>The swing of the axis was too short.</source>
+        <translation>A oscilação do eixo foi demasiado curta.</translation>
+    </message>
+    <message>
+        <source>The set-point hardly moved.</source>
+        <translation>O valor comandado quase não se moveu.</translation>
+    </message>
+    <message>
+        <source>the tuning run ended because it received no new rate</source>
+        <translation>a medição de afinação terminou porque não recebeu uma nova velocidade</translation>
+    </message>
+    <message>
+        <source>STOP ended the run. There is no result.</source>
+        <translation>STOP terminou a medição. Não há resultado.</translation>
+    </message>
+    <message>
+        <source>A fault ended the run. There is no result.</source>
+        <translation>Uma falha terminou a medição. Não há resultado.</translation>
+    </message>
+    <message>
+        <source>Another command to the mount ended the run. There is no result.</source>
+        <translation>Outro comando à montagem terminou a medição. Não há resultado.</translation>
+    </message>
+    <message>
+        <source>No tuning run is active.</source>
+        <translation>Nenhuma medição de afinação está ativa.</translation>
+    </message>
+    <message>
+        <source>The operator ended the run. There is no result.</source>
+        <translation>O operador terminou a medição. Não há resultado.</translation>
+    </message>
+    <message>
+        <source>The clients have control. Take control before you tune an axis.</source>
+        <translation>Os clientes têm o controlo. Assuma o controlo antes de afinar um eixo.</translation>
+    </message>
+    <message>
+        <source>The limits of motion are too low for any swing.</source>
+        <translation>Os limites de movimento são demasiado baixos para qualquer oscilação.</translation>
+    </message>
+    <message>
+        <source>Overshoot %1: the axis moves past its target. Raise kd, or lower ki.</source>
+        <translation>Ultrapassagem %1: o eixo passa além do alvo. Aumente kd ou reduza ki.</translation>
+    </message>
+    <message>
+        <source>The axis does not settle within %1. Lower kp and ki, or raise kd.</source>
+        <translation>O eixo não estabiliza dentro de %1. Reduza kp e ki, ou aumente kd.</translation>
+    </message>
+    <message>
+        <source>An error of %1 remains. Friction or weight holds the axis. Raise ki or its limit.</source>
+        <translation>Resta um erro de %1. O atrito ou o peso prende o eixo. Aumente ki ou o seu limite.</translation>
+    </message>
+    <message>
+        <source>The axis tracks %1°/s within %2: good for every pass.</source>
+        <translation>O eixo segue %1°/s com erro até %2: bom para qualquer passagem.</translation>
+    </message>
+    <message>
+        <source>The error is up to %1 at %2°/s. Raise kp, then ki.</source>
+        <translation>O erro chega a %1 a %2°/s. Aumente kp, depois ki.</translation>
+    </message>
+    <message>
+        <source>The error at start and stop is %1. Raise the inertia feed-forward.</source>
+        <translation>O erro no arranque e na paragem é %1. Aumente a compensação de inércia.</translation>
+    </message>
+    <message>
+        <source>At %1 Hz the axis swings %2 times as far as commanded. Raise kd, or lower kp.</source>
+        <translation>A %1 Hz o eixo oscila %2 vezes mais do que o comandado. Aumente kd ou reduza kp.</translation>
+    </message>
+    <message>
+        <source>The axis follows all swings to %1 Hz.</source>
+        <translation>O eixo segue todas as oscilações até %1 Hz.</translation>
+    </message>
+    <message>
+        <source>The axis does not follow a swing at %1 Hz. Raise kp and kd together.</source>
+        <translation>O eixo não segue uma oscilação a %1 Hz. Aumente kp e kd em conjunto.</translation>
+    </message>
+    <message>
+        <source>The axis follows swings to %1 Hz.</source>
+        <translation>O eixo segue oscilações até %1 Hz.</translation>
+    </message>
+    <message>
+        <source>The run needs %1 of free travel on both sides of the %2. There is only %3. Move the axis away from its limits.</source>
+        <translation>A medição precisa de %1 de curso livre dos dois lados do %2. Só há %3. Afaste o eixo dos seus limites.</translation>
+    </message>
+    <message>
+        <source>The run needs %1 of free travel on one side of the %2. There is only %3. Move the axis away from its limits.</source>
+        <translation>A medição precisa de %1 de curso livre de um lado do %2. Só há %3. Afaste o eixo dos seus limites.</translation>
+    </message>
+    <message>
+        <source>Moves the %1 up to ±%2 around %3 and back, in %4 s.</source>
+        <translation>Move o %1 até ±%2 em torno de %3 e de volta, em %4 s.</translation>
+    </message>
+    <message>
+        <source>The mount is outside the permitted region. Move it back first.</source>
+        <translation>A montagem está fora da região permitida. Traga-a de volta primeiro.</translation>
+    </message>
+    <message>
+        <source>The axis was %1 off its set-point. Put the gains back, or check what blocks the axis</source>
+        <translation>O eixo esteve a %1 do valor comandado. Reponha os ganhos ou verifique o que bloqueia o eixo</translation>
+    </message>
+    <message>
+        <source>The axis is not moving. Something is blocking it, or a limit holds it</source>
+        <translation>O eixo não se move. Algo o bloqueia, ou um limite prende-o</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -7374,10 +7370,6 @@ até %1</translation>
     <message>
         <source>never</source>
         <translation>nunca</translation>
-    </message>
-    <message>
-        <source>Left over</source>
-        <translation>Erro final</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -7466,6 +7458,10 @@ até %1</translation>
     <message>
         <source>First tuning, 5 of 5: change a gain as &quot;%1&quot; advises, and measure again.</source>
         <translation>Primeira afinação, 5 de 5: mude um ganho como &quot;%1&quot; aconselha e meça de novo.</translation>
+    </message>
+    <message>
+        <source>Remaining</source>
+        <translation>Erro final</translation>
     </message>
 </context>
 <context>
@@ -8789,8 +8785,8 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
         <translation>Agora</translation>
     </message>
     <message>
-        <source>May be</source>
-        <translation>Pode ser</translation>
+        <source>Range</source>
+        <translation>Intervalo</translation>
     </message>
 </context>
 <context>
@@ -8798,10 +8794,6 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
     <message>
         <source>Gains of the drive</source>
         <translation>Ganhos do acionamento</translation>
-    </message>
-    <message>
-        <source>Bounds of the selected gain</source>
-        <translation>Limites do ganho selecionado</translation>
     </message>
     <message>
         <source>Refused</source>
@@ -8828,16 +8820,8 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
         <translation>Repor</translation>
     </message>
     <message>
-        <source>Write the gains as they were found first</source>
-        <translation>Escrever os ganhos como foram encontrados no início</translation>
-    </message>
-    <message>
         <source>Store …</source>
         <translation>Guardar …</translation>
-    </message>
-    <message>
-        <source>Keep the gains in the drive without power; asks first</source>
-        <translation>Manter os ganhos no acionamento sem alimentação; pergunta antes</translation>
     </message>
     <message>
         <source>New value of the selected gain</source>
@@ -8846,10 +8830,6 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
     <message>
         <source>Gains</source>
         <translation>Ganhos</translation>
-    </message>
-    <message>
-        <source>The gains of this drive were not read yet.</source>
-        <translation>Os ganhos deste acionamento ainda não foram lidos.</translation>
     </message>
     <message>
         <source>On trial, not stored: %1</source>
@@ -8868,22 +8848,42 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
         <translation>Escrever o filtro do codificador?</translation>
     </message>
     <message>
-        <source>The drive then counts its position anew. The cable wrap of the %1 is unknown until you confirm where the axis stands. Nothing moves.</source>
-        <translation>O acionamento conta então a posição de novo. A volta do cabo do %1 é desconhecida até confirmar onde está o eixo. Nada se move.</translation>
-    </message>
-    <message>
         <source>Store the gains in the %1 drive?</source>
         <translation>Guardar os ganhos no acionamento de %1?</translation>
     </message>
     <message>
-        <source>
-The drive keeps them without power. Everything else that is in force in it is stored too. Nothing moves.</source>
-        <translation>
-O acionamento mantém-nos sem alimentação. Tudo o mais que está em vigor nele também é guardado. Nada se move.</translation>
-    </message>
-    <message>
         <source>Store</source>
         <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Limits of the selected gain</source>
+        <translation>Limites do ganho selecionado</translation>
+    </message>
+    <message>
+        <source>Write the gains that were read first</source>
+        <translation>Escrever os ganhos lidos em primeiro lugar</translation>
+    </message>
+    <message>
+        <source>Store the gains in the drive permanently. Asks first</source>
+        <translation>Guardar os ganhos no acionamento de forma permanente. Pergunta primeiro</translation>
+    </message>
+    <message>
+        <source>The gains of this drive have not been read.</source>
+        <translation>Os ganhos deste acionamento ainda não foram lidos.</translation>
+    </message>
+    <message>
+        <source>This value is in force. Enter another one first.</source>
+        <translation>Este valor está em vigor. Introduza outro primeiro.</translation>
+    </message>
+    <message>
+        <source>The drive then counts its position from a new zero. The cable wrap of the %1 is unknown until you enter the position. Nothing moves.</source>
+        <translation>O acionamento passa a contar a posição a partir de um novo zero. A volta do cabo do %1 fica desconhecida até indicar a posição. Nada se move.</translation>
+    </message>
+    <message>
+        <source>
+The drive keeps them without power. It also stores all its other settings in force. Nothing moves.</source>
+        <translation>
+O acionamento mantém-nos sem alimentação. Guarda também todas as outras definições em vigor. Nada se move.</translation>
     </message>
 </context>
 <context>
@@ -11002,14 +11002,6 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>A 0,5 °/s e volta: erro de seguimento de uma passagem</translation>
     </message>
     <message>
-        <source>Small swings of four frequencies: how fast the axis can follow</source>
-        <translation>Oscilações pequenas de quatro frequências: com que rapidez o eixo segue</translation>
-    </message>
-    <message>
-        <source>Very slowly to and fro: the play of the gear, seen in the torque</source>
-        <translation>Muito devagar para lá e para cá: a folga da engrenagem, vista no torque</translation>
-    </message>
-    <message>
         <source>Torque</source>
         <translation>Torque</translation>
     </message>
@@ -11020,10 +11012,6 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <message>
         <source>First tuning</source>
         <translation>Primeira afinação</translation>
-    </message>
-    <message>
-        <source>The run, or what it has found</source>
-        <translation>A medição, ou o que encontrou</translation>
     </message>
     <message>
         <source>Refused</source>
@@ -11042,10 +11030,6 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Medir …</translation>
     </message>
     <message>
-        <source>Move the axis through this run; asks first</source>
-        <translation>Mover o eixo nesta medição; pergunta antes</translation>
-    </message>
-    <message>
         <source>Figures</source>
         <translation>Valores</translation>
     </message>
@@ -11056,10 +11040,6 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <message>
         <source>End the run. The mount holds</source>
         <translation>Terminar a medição. A montagem fica parada</translation>
-    </message>
-    <message>
-        <source>%1 of the %2: %3 % done, %4 left. STOP and every other command end it.</source>
-        <translation>%1 do %2: %3 % feito, faltam %4. STOP e qualquer outro comando terminam-na.</translation>
     </message>
     <message>
         <source>Read gains</source>
@@ -11086,16 +11066,36 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Mover o %1?</translation>
     </message>
     <message>
-        <source>%1
-
-Keep people and ropes clear of the antenna. STOP and every other command end the run.</source>
-        <translation>%1
-
-Mantenha pessoas e cordas longe da antena. STOP e qualquer outro comando terminam a medição.</translation>
-    </message>
-    <message>
         <source>Move the axis</source>
         <translation>Mover o eixo</translation>
+    </message>
+    <message>
+        <source>Small swings at four frequencies: how fast the axis can follow</source>
+        <translation>Pequenas oscilações a quatro frequências: com que rapidez o eixo consegue seguir</translation>
+    </message>
+    <message>
+        <source>Very slowly to and fro: the backlash of the gear, from the torque</source>
+        <translation>Muito devagar para lá e para cá: a folga da engrenagem, a partir do binário</translation>
+    </message>
+    <message>
+        <source>The run or its result</source>
+        <translation>A medição ou o seu resultado</translation>
+    </message>
+    <message>
+        <source>Move the axis through this run. Asks first</source>
+        <translation>Mover o eixo nesta medição. Pergunta primeiro</translation>
+    </message>
+    <message>
+        <source>%1 of the %2: %3 % done, %4 left. STOP or any other command ends it.</source>
+        <translation>%1 do %2: %3 % feito, faltam %4. STOP ou qualquer outro comando termina-a.</translation>
+    </message>
+    <message>
+        <source>%1
+
+Keep people and ropes clear of the antenna. STOP or any other command ends the run.</source>
+        <translation>%1
+
+Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termina a medição.</translation>
     </message>
 </context>
 <context>

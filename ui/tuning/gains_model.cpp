@@ -16,7 +16,7 @@ QString valueText(const std::optional<double>& value)
 
 }  // namespace
 
-GainsModel::GainsModel(QObject* parent) : TableModel({tr("Gain"), tr("Found"), tr("Now"), tr("May be")}, parent) {}
+GainsModel::GainsModel(QObject* parent) : TableModel({tr("Gain"), tr("Found"), tr("Now"), tr("Range")}, parent) {}
 
 void GainsModel::show(const DriveGains& gains)
 {

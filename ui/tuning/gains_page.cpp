@@ -57,15 +57,14 @@ GainsPage::GainsPage(RequestDesk& desk, QWidget* parent)
       m_model(new GainsModel(this)),
       m_table(makeTable()),
       m_state(new ValueLabel(tr("Gains of the drive"), fonts::label(), {}, this)),
-      m_reason(new ValueLabel(tr("Bounds of the selected gain"), fonts::label(), {}, this)),
+      m_reason(new ValueLabel(tr("Limits of the selected gain"), fonts::label(), {}, this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_value(new DecimalBox(this)),
       m_read(new CommandButton(tr("Read"), tr("Read the gains of this drive. Nothing moves"), desk, *m_notice, this)),
       m_write(new CommandButton(tr("Write"), tr("Write this value and read it back. In force until a power cycle"),
                                 desk, *m_notice, this)),
-      m_putBack(
-          new CommandButton(tr("Put back"), tr("Write the gains as they were found first"), desk, *m_notice, this)),
-      m_store(new CommandButton(tr("Store …"), tr("Keep the gains in the drive without power; asks first"), desk,
+      m_putBack(new CommandButton(tr("Put back"), tr("Write the gains that were read first"), desk, *m_notice, this)),
+      m_store(new CommandButton(tr("Store …"), tr("Store the gains in the drive permanently. Asks first"), desk,
                                 *m_notice, this))
 {
     build();
@@ -145,7 +144,7 @@ void GainsPage::showStatus(const StationStatus& status)
     m_status = status;
     m_model->show(gains());
     const bool trial = gains().onTrial && !gains().busy;
-    const QString text = gains().text.isEmpty() ? tr("The gains of this drive were not read yet.") : gains().text;
+    const QString text = gains().text.isEmpty() ? tr("The gains of this drive have not been read.") : gains().text;
     m_state->setValue(trial && !gains().failed ? tr("On trial, not stored: %1").arg(text) : text,
                       gains().failed ? Tone::Warning
                       : trial        ? Tone::Advisory
@@ -249,8 +248,8 @@ void GainsPage::putBack()
 void GainsPage::askAboutFilter(const QString& act, const Request& request, Action action)
 {
     askFirst({.title = tr("Write the encoder filter?"),
-              .text = tr("The drive then counts its position anew. The cable wrap of the %1 is unknown until you "
-                         "confirm where the axis stands. Nothing moves.")
+              .text = tr("The drive then counts its position from a new zero. The cable wrap of the %1 is unknown "
+                         "until you enter the position. Nothing moves.")
                           .arg(name(m_axis)),
               .act = act,
               .request = request,
@@ -269,8 +268,9 @@ void GainsPage::store()
     }
     askFirst(
         {.title = tr("Store the gains in the %1 drive?").arg(name(m_axis)),
-         .text = text + tr("\nThe drive keeps them without power. Everything else that is in force in it is stored "
-                           "too. Nothing moves."),
+         .text =
+             text +
+             tr("\nThe drive keeps them without power. It also stores all its other settings in force. Nothing moves."),
          .act = tr("Store"),
          .request = request::StoreGains{m_axis},
          .action = actionOf(Action::StoreAzimuthGains, m_axis)},

@@ -28,11 +28,11 @@ QString runHelp(TuningRun run)
         case TuningRun::Ramp:
             return MeasurePage::tr("At 0.5 °/s away and back: tracking error of a pass");
         case TuningRun::Sweep:
-            return MeasurePage::tr("Small swings of four frequencies: how fast the axis can follow");
+            return MeasurePage::tr("Small swings at four frequencies: how fast the axis can follow");
         case TuningRun::Backlash:
             break;
     }
-    return MeasurePage::tr("Very slowly to and fro: the play of the gear, seen in the torque");
+    return MeasurePage::tr("Very slowly to and fro: the backlash of the gear, from the torque");
 }
 
 }  // namespace
@@ -44,11 +44,11 @@ MeasurePage::MeasurePage(RequestDesk& desk, QWidget* parent)
       m_chart(new ResponseChart(this)),
       m_torque(new ChoiceButton(tr("Torque"), tr("Show the torque in place of the tracking error"), this)),
       m_first(new ValueLabel(tr("First tuning"), fonts::label(), {}, this)),
-      m_state(new ValueLabel(tr("The run, or what it has found"), fonts::label(), {}, this)),
+      m_state(new ValueLabel(tr("The run or its result"), fonts::label(), {}, this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_next(new CommandButton(tr("Next"), tr("The next step of the first tuning"), desk, *m_notice, this)),
       m_start(
-          new CommandButton(tr("Measure …"), tr("Move the axis through this run; asks first"), desk, *m_notice, this))
+          new CommandButton(tr("Measure …"), tr("Move the axis through this run. Asks first"), desk, *m_notice, this))
 {
     build();
     connect(m_next, &QPushButton::clicked, this, &MeasurePage::next);
@@ -147,7 +147,7 @@ void MeasurePage::showStatus(const StationStatus& status)
     m_chart->show(results);
     const bool runs = status.tuning->running.has_value();
     m_start->setCommand(runs ? tr("End run") : tr("Measure …"),
-                        runs ? tr("End the run. The mount holds") : tr("Move the axis through this run; asks first"));
+                        runs ? tr("End the run. The mount holds") : tr("Move the axis through this run. Asks first"));
     m_start->setBlocked(runs ? status.permissions.reason(Action::EndTuning) : obstacle(m_run));
     showRun();
     showFirstTuning();
@@ -158,7 +158,7 @@ void MeasurePage::showRun()
 {
     const TuningStatus& tuning = *m_status.tuning;
     if (tuning.running) {
-        m_state->setValue(tr("%1 of the %2: %3 % done, %4 left. STOP and every other command end it.")
+        m_state->setValue(tr("%1 of the %2: %3 % done, %4 left. STOP or any other command ends it.")
                               .arg(runName(*tuning.running), name(tuning.axis))
                               .arg(100.0 * tuning.done, 0, 'f', 0)
                               .arg(waitText(tuning.left)),
@@ -219,7 +219,7 @@ void MeasurePage::startOrEnd()
 void MeasurePage::start(TuningRun run)
 {
     askFirst({.title = tr("Move the %1?").arg(name(m_axis)),
-              .text = tr("%1\n\nKeep people and ropes clear of the antenna. STOP and every other command end the run.")
+              .text = tr("%1\n\nKeep people and ropes clear of the antenna. STOP or any other command ends the run.")
                           .arg(plan(run).text),
               .act = tr("Move the axis"),
               .request = request::StartTuning{m_axis, run},

@@ -43,7 +43,7 @@ std::vector<Figure> stepFigures(const response::StepFigures& step)
                                 {TuningWords::tr("Settling time"),
                                  step.settling ? QString::number(step.settling->count(), 'f', 2) + QStringLiteral(" s")
                                                : TuningWords::tr("never")},
-                                {TuningWords::tr("Left over"), signedAngleText(step.left, 4)}};
+                                {TuningWords::tr("Remaining"), signedAngleText(step.left, 4)}};
     addCommon(figures, step.error, step.torque);
     return figures;
 }

@@ -79,8 +79,8 @@ TEST(Backlash, SaysWhenItCannotBeTold)
     EXPECT_THAT(reasonOf(backlashFigures(movedBy({.loadFriction = 0.0}))), HasSubstr("shows no gap"));
     EXPECT_THAT(reasonOf(backlashFigures(movedBy({.gap = 0.02, .loadFriction = 0.1, .noise = 1.0}))),
                 HasSubstr("shows no gap"));
-    EXPECT_THAT(reasonOf(backlashFigures(movedBy({.gap = 0.25}))), HasSubstr("larger than the axis was moved"));
-    EXPECT_THAT(reasonOf(backlashFigures(movedBy({.legs = 2}))), HasSubstr("often enough"));
+    EXPECT_THAT(reasonOf(backlashFigures(movedBy({.gap = 0.25}))), HasSubstr("larger than the movement"));
+    EXPECT_THAT(reasonOf(backlashFigures(movedBy({.legs = 2}))), HasSubstr("too few times"));
     auto silent = movedBy({});
     silent[100].torque.reset();
     EXPECT_THAT(reasonOf(backlashFigures(silent)), HasSubstr("no torque"));

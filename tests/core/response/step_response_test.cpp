@@ -80,8 +80,8 @@ TEST(StepResponse, RefusesWhatTellsNothing)
     EXPECT_FALSE(stepFigures({}, 0.04_deg));
     auto samples = stepOf(1.0);
     samples.resize(8);
-    EXPECT_THAT(reasonOf(stepFigures(samples, 0.04_deg)), HasSubstr("not watched for long enough"));
-    EXPECT_THAT(reasonOf(stepFigures(stepOf(1.0, 0.01), 0.04_deg)), HasSubstr("too small"));
+    EXPECT_THAT(reasonOf(stepFigures(samples, 0.04_deg)), HasSubstr("is too short"));
+    EXPECT_THAT(reasonOf(stepFigures(stepOf(1.0, 0.01), 0.04_deg)), HasSubstr("not larger than"));
 }
 
 }  // namespace

@@ -61,9 +61,9 @@ TEST(SweepResponse, CountsOfAnEncoderDoNotMatterMuch)
 TEST(SweepResponse, RefusesWhatTellsNothing)
 {
     EXPECT_FALSE(sweepPoint({}, 1.0));
-    EXPECT_THAT(reasonOf(sweepPoint(swingAt(0.6), 0.05)), HasSubstr("long enough"));
+    EXPECT_THAT(reasonOf(sweepPoint(swingAt(0.6), 0.05)), HasSubstr("too short"));
     const auto still = answerOf(20.0, 0.7, 3.0, [](double) { return 0.0; });
-    EXPECT_THAT(reasonOf(sweepPoint(still, 1.0)), HasSubstr("hardly swung"));
+    EXPECT_THAT(reasonOf(sweepPoint(still, 1.0)), HasSubstr("hardly moved"));
 }
 
 }  // namespace

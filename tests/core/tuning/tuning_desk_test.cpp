@@ -93,8 +93,8 @@ TEST(TuningDesk, AStepIsMeasured)
     rig.run(Seconds(2.5));
     EXPECT_EQ(rig.status().state, StationState::Calibrate);
     EXPECT_EQ(rig.tuning().running, TuningRun::Step);
-    EXPECT_THAT(rig.start(TuningRun::Ramp), HasSubstr("going on. End it first"));
-    EXPECT_THAT(rig.ask(request::ReadGains{}), HasSubstr("A tuning run is going on"));
+    EXPECT_THAT(rig.start(TuningRun::Ramp), HasSubstr("moves the mount. End it first"));
+    EXPECT_THAT(rig.ask(request::ReadGains{}), HasSubstr("A tuning run moves the mount"));
     ASSERT_TRUE(rig.ends());
     EXPECT_EQ(rig.status().state, StationState::Hold);
     const response::StepFigures step = rig.result(TuningRun::Step).step.value();
@@ -147,11 +147,11 @@ TEST(TuningDesk, BeforeAndAfterAreKept)
 TEST(TuningDesk, EverythingElseEndsARun)
 {
     const std::vector<std::pair<Request, const char*>> all{
-        {request::Stop{}, "STOP ended it"},
+        {request::Stop{}, "STOP ended the run"},
         {request::Hold{}, "Another command"},
         {request::Jog{{.elevation = 1_deg_s}}, "Another command"},
         {request::PointAxes{{.azimuth = 30_deg, .elevation = 40_deg}}, "Another command"},
-        {request::EndTuning{}, "The operator ended it"}};
+        {request::EndTuning{}, "The operator ended the run"}};
     for (const TuningRun kind : {TuningRun::Step, TuningRun::Sweep}) {
         for (const auto& [other, words] : all) {
             TuningRig rig;
@@ -198,7 +198,7 @@ TEST(TuningDesk, AFaultEndsARun)
     rig.link->pair().drive(Axis::Azimuth).raiseFault(38);
     rig.run(Seconds(0.5));
     EXPECT_FALSE(rig.tuning().running);
-    EXPECT_THAT(rig.outcome().text.toStdString(), HasSubstr("A fault ended it"));
+    EXPECT_THAT(rig.outcome().text.toStdString(), HasSubstr("A fault ended the run"));
     EXPECT_EQ(rig.status().state, StationState::Fault);
     EXPECT_THAT(rig.start(TuningRun::Step), testing::Not(""));
 }
@@ -207,11 +207,11 @@ TEST(TuningDesk, AFaultEndsARun)
 TEST(TuningDesk, ARunPassesTheGates)
 {
     TuningRig low(sim::commissionedPair(), {.azimuth = 30_deg, .elevation = 0.2_deg});
-    EXPECT_THAT(low.start(TuningRun::Sweep, Axis::Elevation), HasSubstr("needs 0.75° of free way on both sides"));
+    EXPECT_THAT(low.start(TuningRun::Sweep, Axis::Elevation), HasSubstr("needs 0.75° of free travel on both sides"));
     EXPECT_THAT(low.tuning().plans[1][static_cast<std::size_t>(TuningRun::Sweep)].obstacle.toStdString(),
                 HasSubstr("needs 0.75°"));
     EXPECT_EQ(low.ask(request::GiveAuthority{}), "");
-    EXPECT_THAT(low.start(TuningRun::Step), HasSubstr("The clients have the control"));
+    EXPECT_THAT(low.start(TuningRun::Step), HasSubstr("The clients have control"));
     EXPECT_THAT(low.status().permissions.reason(Action::TuneAzimuth).toStdString(), HasSubstr("clients have"));
     ASSERT_EQ(low.ask(request::Stop{}), "");
     EXPECT_THAT(low.start(TuningRun::Step), HasSubstr("STOP"));
@@ -242,7 +242,7 @@ TEST(TuningDesk, BacklashThatTheMotorDoesNotFeelIsNotInvented)
     ASSERT_EQ(rig.start(TuningRun::Backlash), "");
     ASSERT_TRUE(rig.ends());
     EXPECT_TRUE(rig.outcome().failed);
-    EXPECT_THAT(rig.outcome().text.toStdString(), HasSubstr("Cannot be measured"));
+    EXPECT_THAT(rig.outcome().text.toStdString(), HasSubstr("so there is no result"));
 }
 
 }  // namespace

@@ -44,11 +44,12 @@ TEST(TuningPlan, GoesToTheSideWithMoreRoom)
 TEST(TuningPlan, IsRefusedWithoutTheRoom)
 {
     const TuningWay swing = planned(TuningRun::Sweep, Axis::Elevation, 0_deg, 0.3_deg);
-    EXPECT_THAT(swing.plan.obstacle.toStdString(), HasSubstr("needs 0.75° of free way on both sides of the elevation, "
-                                                             "and there is only 0.30°"));
+    EXPECT_THAT(swing.plan.obstacle.toStdString(),
+                HasSubstr("needs 0.75° of free travel on both sides of the elevation, "
+                          "and there is only 0.30°"));
     EXPECT_TRUE(planned(TuningRun::Step, Axis::Elevation, 0_deg, 0.3_deg).plan.obstacle.isEmpty());
     EXPECT_THAT(planned(TuningRun::Step, Axis::Azimuth, 0_deg, -5_deg).plan.obstacle.toStdString(),
-                HasSubstr("forbidden"));
+                HasSubstr("outside the permitted region"));
 }
 
 // REQ-TUNING-22: What a run says of its way is the way of its set-points, smaller where the limits of motion make it
@@ -60,12 +61,12 @@ TEST(TuningPlan, SaysTheWayOfItsSetPoints)
     };
     EXPECT_THAT(says(TuningRun::Step, kLimits), HasSubstr("by 2.00° from 100.0°"));
     EXPECT_THAT(says(TuningRun::Ramp, kLimits), HasSubstr("by 2.00° from 100.0°"));
-    EXPECT_THAT(says(TuningRun::Sweep, kLimits), HasSubstr("to and fro by 0.25° about 100.0°"));
-    EXPECT_THAT(says(TuningRun::Backlash, kLimits), HasSubstr("to and fro by 0.20° about 100.0°"));
+    EXPECT_THAT(says(TuningRun::Sweep, kLimits), HasSubstr("±0.27° around 100.0°"));
+    EXPECT_THAT(says(TuningRun::Backlash, kLimits), HasSubstr("±0.20° around 100.0°"));
     tracking::MotionLimits slow = kLimits;
     slow.speed = 0.3_deg_s;
     EXPECT_THAT(says(TuningRun::Ramp, slow), HasSubstr("by 0.60° from"));
-    EXPECT_THAT(says(TuningRun::Sweep, slow), HasSubstr("to and fro by 0.08° about"));
+    EXPECT_THAT(says(TuningRun::Sweep, slow), HasSubstr("±0.08° around"));
     EXPECT_NEAR(planned(TuningRun::Ramp, Axis::Elevation, 0_deg, 89_deg, slow).plan.to.degrees(), 88.4, 1e-6);
 }
 

@@ -111,7 +111,7 @@ protected:
     }
     void press(const char* words) { QTest::mouseClick(&choice(words), Qt::LeftButton); }
     std::string first() { return text("First tuning").toStdString(); }
-    std::string state() { return text("The run, or what it has found").toStdString(); }
+    std::string state() { return text("The run or its result").toStdString(); }
 
     StationStatus status;
     TuningStatus tuning;

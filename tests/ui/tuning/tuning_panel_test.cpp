@@ -122,13 +122,13 @@ TEST_F(TuningPanelTest, AFailedRunIsShownAtItsOwnPlace)
 {
     tuning.outcome = {.axis = Axis::Azimuth,
                       .run = TuningRun::Ramp,
-                      .text = QStringLiteral("STOP ended it. There is no result."),
+                      .text = QStringLiteral("STOP ended the run. There is no result."),
                       .failed = true};
     tuning.plans[0][static_cast<std::size_t>(TuningRun::Backlash)].obstacle = QStringLiteral("There is no room.");
     show({sampleResult(TuningRun::Step, true)});
     EXPECT_THAT(state(), HasSubstr("Overshoot 1 %"));
     press("Ramp");
-    EXPECT_THAT(state(), HasSubstr("STOP ended it"));
+    EXPECT_THAT(state(), HasSubstr("STOP ended the run"));
     press("Backlash");
     EXPECT_EQ(state(), "There is no room.");
     press("Ramp");
