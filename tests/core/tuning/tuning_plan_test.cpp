@@ -45,8 +45,8 @@ TEST(TuningPlan, IsRefusedWithoutTheRoom)
 {
     const TuningWay swing = planned(TuningRun::Sweep, Axis::Elevation, 0_deg, 0.3_deg);
     EXPECT_THAT(swing.plan.obstacle.toStdString(),
-                HasSubstr("needs 0.75° of free travel on both sides of the elevation, "
-                          "and there is only 0.30°"));
+                HasSubstr("needs 0.75° of free travel on both sides of the elevation. "
+                          "There is only 0.30°"));
     EXPECT_TRUE(planned(TuningRun::Step, Axis::Elevation, 0_deg, 0.3_deg).plan.obstacle.isEmpty());
     EXPECT_THAT(planned(TuningRun::Step, Axis::Azimuth, 0_deg, -5_deg).plan.obstacle.toStdString(),
                 HasSubstr("outside the permitted region"));
