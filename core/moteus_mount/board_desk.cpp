@@ -126,7 +126,7 @@ void BoardDesk::begin(const request::AssignBoard& wanted, SteadyTime now)
                  .arg(uuidOf(board))
                  .arg(id);
     m_log.add(Severity::Warning, kBoardSource,
-              Text::tr("setting the id of board %1 to %2, before %3").arg(uuidOf(board)).arg(id).arg(board.id));
+              Text::tr("setting the id of board %1 to %2. The old id is %3").arg(uuidOf(board)).arg(id).arg(board.id));
     m_change.begin({.board = board.known.uuid(),
                     .id = board.id,
                     .newId = id,
@@ -205,9 +205,9 @@ std::optional<GearCorrection> BoardDesk::gear(Axis axis) const
     return GearCorrection{
         .found = numberText(found),
         .wanted = numberText(wanted),
-        .effect = Text::tr("Limits, speeds and gains of the drive count turns of the axis. Boresight multiplies kp, ki "
-                           "and kd by %1, so the motor stays as stiff as before. Press Fix afterwards to write limits "
-                           "and speeds. Boresight asks for the cable wrap again.")
+        .effect = Text::tr("The limits, speeds and gains of the drive count turns of the axis. Boresight multiplies "
+                           "kp, ki and kd by %1. The motor stays as stiff as before. Press Fix afterwards to write "
+                           "limits and speeds. Boresight asks for the cable wrap again.")
                       .arg(numberText(std::pow(found / wanted, 2)))};
 }
 

@@ -244,7 +244,7 @@ void AxisGains::finishStoring()
     }
     m_stored = m_values;
     m_notes.push_back(Text::tr("the gains of %1 are stored in its drive").arg(axisText(m_axis)));
-    end(Text::tr("Stored. The drive keeps them without power."), false);
+    end(Text::tr("The gains are stored. The drive keeps them after a power cycle."), false);
 }
 
 void AxisGains::end(const QString& text, bool failed)

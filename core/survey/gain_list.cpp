@@ -48,8 +48,8 @@ Bounds filterBounds(double stored, double stiffness, double damping)
     const double least = std::clamp(kFiltersAbove * bandwidth, kLowestFilter, kHighestFilter);
     return {.least = stored > 0.0 ? std::min(least, stored) : least,
             .most = std::max(kHighestFilter, stored),
-            .why = Text::tr("At least ten times the bandwidth of the position control. Below it the measured speed is "
-                            "too late for the damping.")};
+            .why = Text::tr("Set at least ten times the bandwidth of the position control. With less, the measured "
+                            "speed is too late for the damping.")};
 }
 
 Bounds boundsOf(Gain gain, const GainValues& stored)

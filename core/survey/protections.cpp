@@ -262,14 +262,14 @@ void addLimits(List& list, const profile::AxisSettings& axis, const DriveScale& 
 void addGear(List& list, const profile::AxisSettings& axis)
 {
     const double ratio = axis.geometry.gearIn == pointing::GearIn::Drive ? 1.0 / axis.geometry.gearRatio : 1.0;
-    list.push_back(
-        {.key = "motor_position.rotor_to_output_ratio",
-         .wanted = number(ratio),
-         // The drive writes six decimals.
-         .isRight = [ratio](double found) { return std::abs(found - ratio) <= 1e-6 + 1e-4 * ratio; },
-         .otherwise = Verdict::Dangerous,
-         .reason = Text::tr("The gear ratio of the profile (gear_ratio, gear_in). With another ratio every angle is "
-                            "wrong. Press Set gear to write it. The gains change with its square.")});
+    list.push_back({.key = "motor_position.rotor_to_output_ratio",
+                    .wanted = number(ratio),
+                    // The drive writes six decimals.
+                    .isRight = [ratio](double found) { return std::abs(found - ratio) <= 1e-6 + 1e-4 * ratio; },
+                    .otherwise = Verdict::Dangerous,
+                    .reason = Text::tr(
+                        "The gear ratio of the profile (gear_ratio, gear_in). With another ratio every angle is wrong. "
+                        "Press Set gear to write the ratio of the profile. Boresight also changes the gains.")});
     list.push_back({.key = "motor_position.output.sign",
                     .wanted = Text::tr("1 or -1"),
                     .isRight = [](double found) { return found == 1.0 || found == -1.0; },

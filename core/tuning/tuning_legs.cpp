@@ -122,7 +122,8 @@ Angle farthestOf(const std::vector<TuningLeg>& legs, Angle begin)
             continue;
         }
         for (Seconds time{0.0}; time < leg.time; time += kPace) {
-            from += leg.rate(time + 0.5 * kPace, from) * std::min(kPace, leg.time - time);
+            const Seconds pace = std::min(kPace, leg.time - time);
+            from += leg.rate(time + 0.5 * pace, from) * pace;
             farthest = std::max(farthest, abs(from));
         }
     }

@@ -177,10 +177,10 @@ void ProtectionPanel::setGear()
     }
     const GearCorrection& gear = *driveOf(m_status, *axis).gear;
     askFirst({.title = tr("Write the gear ratio into the %1 drive?").arg(name(*axis)),
-              .text = tr("Ratio in the drive: %1. Ratio of the profile: %2. The ratio is turns of the axis for one "
-                         "turn of the motor.\n\nIf the profile is wrong, press Cancel and correct it on the page "
-                         "Profile.\n\n%3\n\nBoresight writes the ratio, reads it back and stores it in the drive. "
-                         "Nothing moves.")
+              .text = tr("Gear ratio in the drive: %1. Gear ratio in the profile: %2. The gear ratio is the number of "
+                         "axis turns for one motor turn.\n\nIf the profile is wrong, press Cancel and correct it on "
+                         "the page Profile.\n\n%3\n\nBoresight writes the ratio, reads it back and stores it in the "
+                         "drive. Nothing moves.")
                           .arg(gear.found, gear.wanted, gear.effect),
               .act = tr("Write"),
               .request = request::SetGear{.axis = *axis},

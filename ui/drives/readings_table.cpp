@@ -95,8 +95,8 @@ void ReadingsTable::build()
     m_notice->setCollapsing(true);
     m_energy->setStretching(true);
     m_energy->setToolTip(
-        tr("Electrical power of all drives. Energy and peak power of the present motion, or of the last one. Power "
-           "returned to the supply is negative."));
+        tr("Electrical power of all drives. Energy and peak power are those of the present or the last motion. "
+           "Negative power flows back to the supply."));
     column->addWidget(m_table, 1);
     column->addWidget(m_energy);
     column->addLayout(buttons);

@@ -114,8 +114,8 @@ void GuideBoards::showSentence(const DrivesStatus& drives)
         m_sentence->setValue(work.text);
     } else if (drives.boards.size() == 1) {
         m_sentence->setValue(
-            tr("One board replies: %1. Is the other board connected, too? Then check its power and plugs. Did both "
-               "have the same id? Then choose the axis that this board turns. It gets the id of that axis.")
+            tr("One board replies: %1. If the other board is connected, check its power and plugs. If both boards had "
+               "the same id, choose the axis of this board. Boresight then sets the id of that axis.")
                 .arg(boardName(drives.boards.front())));
     } else {
         m_sentence->setValue({});
@@ -129,16 +129,17 @@ void GuideBoards::assign(Axis axis)
         return;  // the button says so
     }
     const int id = m_status.profile->axis(axis).id;
-    askFirst({.title = tr("Give this board the id %1?").arg(id),
-              .text = tr("Board: %1.\nIt becomes the board of the %2, with the id %3.\n\nBoresight sets the id and "
-                         "checks that the same board replies. Then it reads the id back and stores it. If a check "
-                         "fails, it stores nothing. Nothing moves.")
-                          .arg(boardName(boards.front()), name(axis))
-                          .arg(id),
-              .act = tr("Write"),
-              .request = request::AssignBoard{.board = boards.front().uuid, .axis = axis},
-              .action = assignBoardAction(axis)},
-             m_status);
+    askFirst(
+        {.title = tr("Give this board the id %1?").arg(id),
+         .text =
+             tr("Board: %1.\nAxis: %2. New id: %3.\n\nBoresight sets the id. It checks that the same board replies. It "
+                "reads the id back and stores it. If a check fails, Boresight stores nothing. Nothing moves.")
+                 .arg(boardName(boards.front()), name(axis))
+                 .arg(id),
+         .act = tr("Write"),
+         .request = request::AssignBoard{.board = boards.front().uuid, .axis = axis},
+         .action = assignBoardAction(axis)},
+        m_status);
 }
 
 }  // namespace boresight::ui

@@ -248,8 +248,8 @@ void GainsPage::putBack()
 void GainsPage::askAboutFilter(const QString& act, const Request& request, Action action)
 {
     askFirst({.title = tr("Write the encoder filter?"),
-              .text = tr("The drive then counts its position from a new zero. The cable wrap of the %1 is unknown "
-                         "until you enter the position. Nothing moves.")
+              .text = tr("With another filter the drive counts its position from a new zero. The cable wrap of the %1 "
+                         "is unknown until you enter the position. Nothing moves.")
                           .arg(name(m_axis)),
               .act = act,
               .request = request,
@@ -266,15 +266,13 @@ void GainsPage::store()
             text += QStringLiteral("%1: %2 → %3\n").arg(line.key, gainText(*line.stored), gainText(*line.value));
         }
     }
-    askFirst(
-        {.title = tr("Store the gains in the %1 drive?").arg(name(m_axis)),
-         .text =
-             text +
-             tr("\nThe drive keeps them without power. It also stores all its other settings in force. Nothing moves."),
-         .act = tr("Store"),
-         .request = request::StoreGains{m_axis},
-         .action = actionOf(Action::StoreAzimuthGains, m_axis)},
-        m_status);
+    askFirst({.title = tr("Store the gains in the %1 drive?").arg(name(m_axis)),
+              .text = text + tr("\nThe drive keeps these gains after a power cycle. It also stores all its other "
+                                "present settings. Nothing moves."),
+              .act = tr("Store"),
+              .request = request::StoreGains{m_axis},
+              .action = actionOf(Action::StoreAzimuthGains, m_axis)},
+             m_status);
 }
 
 }  // namespace boresight::ui

@@ -97,7 +97,7 @@ TEST(DriveSurvey, SaysWhatTheFactorySettingsWouldDo)
     expectDangerous("servopos.position_min", "the factory's ±3.6° would end every move in fault 39");
     expectDangerous("servopos.position_max", "fault 39");
     expectDangerous("servo.timeout_mode", "a loaded elevation creeps down when the computer dies");
-    expectDangerous("motor_position.rotor_to_output_ratio", "The gains change with its square");
+    expectDangerous("motor_position.rotor_to_output_ratio", "Boresight also changes the gains");
     EXPECT_EQ(line(rig.drives, Axis::Elevation, "servo.default_accel_limit").verdict, Verdict::Advised);
     EXPECT_EQ(line(rig.drives, Axis::Elevation, "servo.default_velocity_limit").found, QStringLiteral("none"));
     EXPECT_THAT(causes(rig.drives), UnorderedElementsAre("drives.dangerous.azimuth", "drives.dangerous.elevation",
