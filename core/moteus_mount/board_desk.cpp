@@ -222,9 +222,10 @@ void BoardDesk::fill(DrivesStatus& drives) const
     // Which board to connect next is no news any more when all of them were read.
     const bool over = !m_isGear && m_survey.state() == SurveyState::Done;
     const QString ended = !outcome || over ? QString() : *outcome ? m_done : outcome->error().text;
-    (m_isGear ? drives.gearWork : drives.boardWork) = {.running = isRunning(),
-                                                       .failed = !isRunning() && !ended.isEmpty() && !*outcome,
-                                                       .text = isRunning() ? m_change.progress() : ended};
+    BoardWork& work = m_isGear ? drives.gearWork : drives.boardWork;
+    work.running = isRunning();
+    work.failed = !isRunning() && !ended.isEmpty() && !*outcome;
+    work.text = isRunning() ? m_change.progress() : ended;
     drives.azimuth.gear = gear(Axis::Azimuth);
     drives.elevation.gear = gear(Axis::Elevation);
 }
