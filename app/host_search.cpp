@@ -109,7 +109,7 @@ void HostSearch::scan(const QString& bus)
 {
     if (m_scan) {
         Q_EMIT scanned(
-            {.bus = bus, .drives = {}, .problems = {Text::tr("another bus is being looked at: wait a moment")}});
+            {.bus = bus, .drives = {}, .problems = {Text::tr("Boresight is scanning another bus. Wait a moment.")}});
         return;
     }
     m_scan = std::make_unique<Scan>();

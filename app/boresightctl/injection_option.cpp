@@ -270,7 +270,7 @@ QString takeValue(const InjectionOption& option, const Parts& parts, Injection& 
     }
     injection.value = readNumber(option, text);
     if (!injection.value) {
-        return (option.unit == "s" ? QStringLiteral("\"%1\" is no time") : QStringLiteral("\"%1\" is no number"))
+        return (option.unit == "s" ? QStringLiteral("\"%1\" is no time") : QStringLiteral("\"%1\" is not a number"))
             .arg(toQString(text));
     }
     if (*injection.value < option.min || *injection.value > option.max ||

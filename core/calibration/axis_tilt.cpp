@@ -29,17 +29,17 @@ Result<> check(std::span<const LevelSample> samples, const LevelLimits& limits)
         return one.axisAzimuth.isFinite() && one.axisElevation.isFinite() && one.elevation.isFinite();
     });
     if (!finite) {
-        return failure(ErrorCode::InvalidInput, Text::tr("a reading is not a number"));
+        return failure(ErrorCode::InvalidInput, Text::tr("A reading is not a number."));
     }
     const bool inside = std::all_of(samples.begin(), samples.end(), [&](const LevelSample& one) {
         return one.axisElevation >= limits.lowest && one.axisElevation <= limits.highest;
     });
     if (!inside) {
-        return failure(ErrorCode::Refused, Text::tr("the tilt is read with the boom between %1 and %2")
+        return failure(ErrorCode::Refused, Text::tr("The tilt is measured with the boom between %1 and %2.")
                                                .arg(inWords(limits.lowest, 0), inWords(limits.highest, 0)));
     }
     if (samples.empty() || arcOf(samples).degrees() < kLeastArc) {
-        return failure(ErrorCode::Refused, Text::tr("the tilt needs readings over %1 of azimuth at least")
+        return failure(ErrorCode::Refused, Text::tr("The tilt needs readings over at least %1 of azimuth.")
                                                .arg(inWords(Angle::fromDegrees(kLeastArc), 0)));
     }
     return {};
@@ -101,8 +101,8 @@ Result<AxisTilt> fitAxisTilt(std::span<const LevelSample> samples, const Estimat
     if (!fit) {
         return failure(ErrorCode::Refused,
                        samples.size() < kFew
-                           ? Text::tr("%1 readings are too few for the tilt").arg(samples.size())
-                           : Text::tr("the readings do not determine the tilt: read it at more azimuths"));
+                           ? Text::tr("%1 readings are not enough for the tilt.").arg(samples.size())
+                           : Text::tr("The readings do not determine the tilt. Take readings at more azimuths."));
     }
     AxisTilt tilt = takeOver(*fit);
     tilt.north.sigma = hypot(tilt.north.sigma, turned(samples, north, limits, tilt.east.value));

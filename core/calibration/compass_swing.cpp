@@ -30,8 +30,9 @@ public:
         }
         const auto solved = fitRobustly(problem(), kCompassSwingNoiseFloor);
         if (!solved) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("%1 samples could be used: too few for a swing").arg(m_usable.size()));
+            return failure(
+                ErrorCode::Refused,
+                Text::tr("Only %1 samples can be used. That is not enough for a swing.").arg(m_usable.size()));
         }
         takeSolution(*solved);
         takeResiduals(*solved);
@@ -46,7 +47,7 @@ private:
         for (std::size_t i = 0; i < m_given.size(); ++i) {
             if (!m_given[i].axisAzimuth.isFinite()) {
                 return failure(ErrorCode::InvalidInput,
-                               Text::tr("where the mount stood for sample %1 is not known").arg(i + 1));
+                               Text::tr("The position of the mount at sample %1 is unknown.").arg(i + 1));
             }
             m_swing.samples.push_back({.sample = i, .fate = fateOf(m_given[i], m_limits)});
             if (m_swing.samples.back().fate == SampleFate::Used) {
@@ -61,8 +62,8 @@ private:
         }
         const auto sense = senseOf(m_usable);
         if (!sense) {
-            return failure(ErrorCode::Refused, Text::tr("the sensor's heading does not follow the mount, neither "
-                                                        "clockwise nor counter-clockwise"));
+            return failure(ErrorCode::Refused,
+                           Text::tr("The heading of the sensor does not follow the mount in either direction."));
         }
         m_swing.curve.sense = *sense;
         return {};

@@ -66,11 +66,11 @@ Result<> check(std::span<const ScanReading> readings)
         return one.offset.isFinite() && std::isfinite(one.decibels);
     });
     if (!finite) {
-        return failure(ErrorCode::InvalidInput, Text::tr("a reading is not a number"));
+        return failure(ErrorCode::InvalidInput, Text::tr("A reading is not a number."));
     }
     if (readings.size() < kFewest) {
         return failure(ErrorCode::Refused,
-                       Text::tr("%1 readings are too few: a peak needs %2").arg(readings.size()).arg(kFewest));
+                       Text::tr("%1 readings are not enough. A peak needs %2.").arg(readings.size()).arg(kFewest));
     }
     return {};
 }
@@ -260,21 +260,23 @@ Result<> checkPeak(const BeamFit& fitted, const Line& line)
 {
     const Beam& beam = fitted.beam;
     if (!(beam.rise > 0.0) || !(evidence(fitted.fit, line) > kLeastEvidence)) {
-        return failure(ErrorCode::Refused, Text::tr("the power has no peak along this line"));
+        return failure(ErrorCode::Refused, Text::tr("The power has no peak along this line."));
     }
     if (std::abs(beam.place) >= 1.0) {
         // How far beyond its end is a guess of a line that has no peak: so scan again from there.
         const Angle end = line.middle + line.half * (beam.place > 0.0 ? 1.0 : -1.0);
-        return failure(ErrorCode::Refused,
-                       Text::tr("the peak is not inside this line: move its middle by %1 or more and scan again")
-                           .arg((end > Angle{} ? QStringLiteral("+") : QString()) + inWords(end)));
+        return failure(
+            ErrorCode::Refused,
+            Text::tr("The peak is outside this line. Move the middle of the scan by at least %1 and scan again.")
+                .arg((end > Angle{} ? QStringLiteral("+") : QString()) + inWords(end)));
     }
     if (beam.width <= kNarrowest * line.step()) {
-        return failure(ErrorCode::Refused, Text::tr("the peak is narrower than the steps: scan less wide"));
+        return failure(ErrorCode::Refused, Text::tr("The peak is narrower than the steps. Scan a smaller width."));
     }
     if (const double sigma = std::sqrt(fitted.fit.variance(1)); sigma > kWorstSigma) {
-        return failure(ErrorCode::Refused, Text::tr("the peak is uncertain by %1: the readings scatter too much")
-                                               .arg(inWords(line.half * beam.width * sigma, 2)));
+        return failure(ErrorCode::Refused,
+                       Text::tr("The peak is uncertain by %1, because the readings scatter too much.")
+                           .arg(inWords(line.half * beam.width * sigma, 2)));
     }
     return {};
 }
@@ -303,11 +305,11 @@ Result<ScanPeak> fitScan(std::span<const ScanReading> readings)
     const double change = -inDecibels(*std::min_element(line.smoothed.begin(), line.smoothed.end()));
     if (!(line.half > Angle{}) || change < kLeastRise) {
         return failure(ErrorCode::Refused,
-                       Text::tr("the power changes by %1 dB only along this line").arg(change, 0, 'f', 2));
+                       Text::tr("The power changes by only %1 dB along this line.").arg(change, 0, 'f', 2));
     }
     const auto fitted = refined(startingBeam(line), line);
     if (!fitted) {
-        return failure(ErrorCode::Refused, Text::tr("the power has no peak along this line"));
+        return failure(ErrorCode::Refused, Text::tr("The power has no peak along this line."));
     }
     return checkPeak(*fitted, line).transform([&] { return peakOf(*fitted, std::move(line)); });
 }
@@ -324,7 +326,8 @@ Result<CrossScan> fitCrossScan(const AxisPosition& middle, std::span<const ScanR
 {
     const double shrink = std::cos(middle.elevation.radians());
     if (std::abs(shrink) < kNearZenith) {
-        return failure(ErrorCode::Refused, Text::tr("too near to the zenith: azimuth says nothing there"));
+        return failure(ErrorCode::Refused,
+                       Text::tr("The beam is too near to the zenith. The azimuth has no meaning there."));
     }
     const auto acrossPeak = fitScan(across);
     if (!acrossPeak) {

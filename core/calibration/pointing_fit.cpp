@@ -59,16 +59,15 @@ private:
             const bool finite = point.axes.azimuth.isFinite() && point.axes.elevation.isFinite() &&
                                 point.truth.azimuth.isFinite() && point.truth.elevation.isFinite();
             if (!finite || !(point.sigma > Angle{}) || !point.sigma.isFinite()) {
-                return failure(
-                    ErrorCode::InvalidInput,
-                    Text::tr("point %1 is not a number, or without a sigma").arg(&point - m_given.data() + 1));
+                return failure(ErrorCode::InvalidInput,
+                               Text::tr("Point %1 is not a number or has no sigma.").arg(&point - m_given.data() + 1));
             }
             if (point.isUsed) {
                 m_used.push_back(point);
             }
         }
         if (m_used.empty()) {
-            return failure(ErrorCode::Refused, Text::tr("there is no point"));
+            return failure(ErrorCode::Refused, Text::tr("There is no point."));
         }
         return {};
     }
@@ -98,11 +97,11 @@ private:
         const std::size_t fewest = fewestPoints(term);
         if (m_used.size() < fewest) {
             return state == TermState::Held
-                       ? Text::tr("near what was known of it, until there are %1 points").arg(fewest)
-                       : Text::tr("as it was known, until there are %1 points").arg(fewest);
+                       ? Text::tr("kept near its known value until there are %1 points").arg(fewest)
+                       : Text::tr("kept at its known value until there are %1 points").arg(fewest);
         }
-        return state == TermState::Held ? Text::tr("what was known of it counts as much as the points")
-                                        : Text::tr("the points do not ask for it");
+        return state == TermState::Held ? Text::tr("its known value counts as much as the points")
+                                        : Text::tr("the points do not need it");
     }
 
     void takeResiduals(const TermChoice& choice)
@@ -141,7 +140,7 @@ private:
             }
             const auto& leftOut = m_fit.points[i].leftOut;
             if (choice.chances[place++] < kUnlikely && leftOut) {
-                say(Text::tr("point %1 is %2 from where the other points say it should be")
+                say(Text::tr("Point %1 is %2 away from its place by the other points.")
                         .arg(i + 1)
                         .arg(inWords(leftOut->size(), 2)));
             }
@@ -151,17 +150,17 @@ private:
     void hint()
     {
         if (m_fit.noiseScale > kTooNoisy) {
-            say(Text::tr("the points scatter %1 times as much as their sigmas say").arg(m_fit.noiseScale, 0, 'f', 1));
+            say(Text::tr("The points scatter %1 times more than their sigmas.").arg(m_fit.noiseScale, 0, 'f', 1));
         }
         const auto byLever = [](const auto& a, const auto& b) { return lever(a) < lever(b); };
         const auto [low, high] = std::minmax_element(m_used.begin(), m_used.end(), byLever);
         if (m_used.size() > 1 && lever(*high) - lever(*low) < kLeastLever) {
             say(
-                Text::tr("all points are about as high: the azimuth's offset and the collimation cannot be told apart; "
-                         "take one much higher or lower, or one over the top"));
+                Text::tr("All points have nearly the same elevation, so azimuth offset and collimation cannot be "
+                         "separated. Take one point much higher or lower, or one over the top."));
         }
         if (m_used.size() >= fewestPoints(Term::TiltNorth) && arc() < Angle::fromDegrees(kPointingFitLeastArc)) {
-            say(Text::tr("all points lie within %1 of azimuth: the tilt is seen from one side only")
+            say(Text::tr("All points lie within %1 of azimuth. They show the tilt from one side only.")
                     .arg(inWords(arc(), 0)));
         }
     }

@@ -58,7 +58,7 @@ public:
         for (int round = 0; round < kPointingSolverRounds; ++round) {
             linearise(round < kFreshDerivatives);
             if (round < kFreshDerivatives && !isDetermined()) {
-                return failure(ErrorCode::Refused, Text::tr("the points do not determine the azimuth's offset"));
+                return failure(ErrorCode::Refused, Text::tr("The points do not determine the azimuth offset."));
             }
             const Eigen::VectorXd step = m_normal.ldlt().solve(m_gradient);
             for (Eigen::Index i = 0; i < m_size; ++i) {
@@ -68,8 +68,7 @@ public:
                 return solution();
             }
         }
-        return failure(ErrorCode::Refused, Text::tr("no mount fits these points: does each tell the direction of what "
-                                                    "the beam was on?"));
+        return failure(ErrorCode::Refused, Text::tr("No model fits these points. Check the direction of each point."));
     }
 
 private:

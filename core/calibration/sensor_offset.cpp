@@ -36,15 +36,15 @@ Result<> checkCalibration(std::span<const SensorReading> readings, int needed)
 {
     const auto magnetometer = worst(readings, &SensorReading::magnetometerCalibration);
     if (magnetometer.value_or(needed) < needed) {
-        return failure(ErrorCode::Refused, Text::tr("the magnetometer's calibration is %1 of 3, and %2 is needed: move "
-                                                    "the sensor in figures of eight, away from iron")
+        return failure(ErrorCode::Refused, Text::tr("Magnetometer calibration is %1 of 3, but %2 is needed. Move the "
+                                                    "sensor in figures of eight, away from iron.")
                                                .arg(*magnetometer)
                                                .arg(needed));
     }
     const auto system = worst(readings, &SensorReading::systemCalibration);
     if (system.value_or(needed) < needed) {
-        return failure(ErrorCode::Refused, Text::tr("the sensor's system calibration is %1 of 3, and %2 is needed: its "
-                                                    "heading is not yet tied to magnetic north")
+        return failure(ErrorCode::Refused, Text::tr("System calibration of the sensor is %1 of 3, but %2 is needed. "
+                                                    "Its heading is not tied to magnetic north yet.")
                                                .arg(*system)
                                                .arg(needed));
     }
@@ -58,7 +58,7 @@ Result<> checkAlive(std::span<const SensorReading> readings)
                                   [&](const auto& reading) { return reading.heading == readings.front().heading; });
     if (same && !worst(readings, &SensorReading::magnetometerCalibration)) {
         return failure(ErrorCode::Refused,
-                       Text::tr("the sensor repeats one value to the last digit: switch it off and on"));
+                       Text::tr("The sensor repeats one value to the last digit. Switch it off and on."));
     }
     return {};
 }
@@ -69,18 +69,17 @@ Result<> checkMount(std::span<const SensorReading> readings, const SensorOffsetL
         return !(reading.motorCurrent <= limits.motorCurrent);
     });
     if (pulls != readings.end()) {
-        return failure(ErrorCode::Refused,
-                       Text::tr("a motor draws %1 A, and above %2 A (sensor.still_current_a) it would turn the "
-                                "needle: let the mount rest")
-                           .arg(pulls->motorCurrent, 0, 'f', 1)
-                           .arg(limits.motorCurrent, 0, 'f', 1));
+        return failure(ErrorCode::Refused, Text::tr("Motor current %1 A disturbs the compass (limit %2 A, "
+                                                    "sensor.still_current_a). Wait a moment and try again.")
+                                               .arg(pulls->motorCurrent, 0, 'f', 1)
+                                               .arg(limits.motorCurrent, 0, 'f', 1));
     }
     const auto byAzimuth = [](const auto& a, const auto& b) { return a.axisAzimuth < b.axisAzimuth; };
     const auto [low, high] = std::minmax_element(readings.begin(), readings.end(), byAzimuth);
     const bool turns = std::any_of(readings.begin(), readings.end(),
                                    [&](const auto& reading) { return !(abs(reading.axisRate) <= limits.rate); });
     if (turns || high->axisAzimuth - low->axisAzimuth > kStandsStill) {
-        return failure(ErrorCode::Refused, Text::tr("the mount is moving: it has to stand still"));
+        return failure(ErrorCode::Refused, Text::tr("The mount is moving. It must stand still."));
     }
     return {};
 }
@@ -90,11 +89,11 @@ Result<> check(std::span<const SensorReading> readings, const SensorOffsetLimits
     const bool finite = std::all_of(readings.begin(), readings.end(),
                                     [](const auto& reading) { return reading.axisAzimuth.isFinite(); });
     if (!finite) {
-        return failure(ErrorCode::InvalidInput, Text::tr("where the mount stands is not known"));
+        return failure(ErrorCode::InvalidInput, Text::tr("The position of the mount is unknown."));
     }
     if (readings.empty() || readings.size() < limits.fewest) {
         return failure(ErrorCode::Refused,
-                       Text::tr("there are %1 readings, and %2 are needed").arg(readings.size()).arg(limits.fewest));
+                       Text::tr("There are %1 readings, but %2 are needed.").arg(readings.size()).arg(limits.fewest));
     }
     return checkCalibration(readings, limits.calibration).and_then([&] { return checkAlive(readings); }).and_then([&] {
         return checkMount(readings, limits);
@@ -139,17 +138,17 @@ Result<SensorOffset> sensorOffset(std::span<const SensorReading> readings, const
     const auto fit = fitRobustly(problem, kSensorOffsetNoiseFloor);
     if (!fit) {
         return failure(ErrorCode::Refused,
-                       Text::tr("%1 readings are too few, or do not agree: take more").arg(readings.size()));
+                       Text::tr("%1 readings are not enough, or they disagree. Take more.").arg(readings.size()));
     }
     if (fit->free < kFewestIndependent) {
-        return failure(ErrorCode::Refused, Text::tr("the readings drift together: take them for a longer time"));
+        return failure(ErrorCode::Refused, Text::tr("The readings drift. Take readings for a longer time."));
     }
     const std::size_t rejected = readings.size() - fit->usedRows();
     const Angle scatter = Angle::fromRadians(fit->rms);
     if (scatter > limits.scatter ||
         static_cast<double>(rejected) > limits.outliers * static_cast<double>(offsets.size())) {
         return failure(ErrorCode::Refused,
-                       Text::tr("the readings disagree: they scatter by %1, and %2 of %3 are far off")
+                       Text::tr("The readings disagree. They scatter by %1, and %2 of %3 are far off.")
                            .arg(inWords(scatter))
                            .arg(rejected)
                            .arg(readings.size()));

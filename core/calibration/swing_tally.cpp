@@ -40,9 +40,9 @@ QString SwingTally::whyLeftOut(const SwingLimits& limits) const
         }
     };
     add(SampleFate::Outlier, Text::tr("far off the curve"));
-    add(SampleFate::Uncalibrated, Text::tr("with the magnetometer's calibration below %1").arg(limits.calibration));
+    add(SampleFate::Uncalibrated, Text::tr("with magnetometer calibration below %1").arg(limits.calibration));
     add(SampleFate::MotorCurrent,
-        Text::tr("with a motor above %1 A (sensor.swing_current_a)").arg(limits.motorCurrent, 0, 'f', 1));
+        Text::tr("at a motor current above %1 A (sensor.swing_current_a)").arg(limits.motorCurrent, 0, 'f', 1));
     add(SampleFate::TooFast, Text::tr("turning faster than %1°/s").arg(limits.rate.degrees(), 0, 'f', 1));
     return reasons.join(QStringLiteral(", "));
 }

@@ -71,61 +71,60 @@ public:
     {
         const DeviationCurve& curve = m_swing.curve;
         if (curve.scatter > m_limits.hopelessRms) {
-            giveUp(Text::tr("the readings scatter by %1 about the curve").arg(inWords(curve.scatter)));
+            giveUp(Text::tr("The readings scatter by %1 about the curve.").arg(inWords(curve.scatter)));
         }
         if (curve.firstAmplitude() > m_limits.hopelessAmplitude) {
-            giveUp(
-                Text::tr("iron near the sensor deflects the needle by %1: it is nearly as strong as the Earth's field")
-                    .arg(inWords(curve.firstAmplitude())));
+            giveUp(Text::tr("Iron near the sensor deflects the compass by %1. It is nearly as strong as the field of "
+                            "the Earth.")
+                       .arg(inWords(curve.firstAmplitude())));
         }
         if (!curve.isInvertible()) {
-            giveUp(Text::tr("the deviation is so steep that different directions give the same reading, or nearly so"));
+            giveUp(Text::tr("The compass error is so steep that different directions give nearly the same reading."));
         }
         const auto outliers = static_cast<double>(m_tally.of(SampleFate::Outlier));
         const auto tried = outliers + static_cast<double>(m_tally.of(SampleFate::Used));
         if (outliers > m_limits.hopelessPart * tried) {
-            giveUp(Text::tr("%1 of %2 readings are far off the curve").arg(outliers).arg(tried));
+            giveUp(Text::tr("%1 of %2 readings are far off the curve.").arg(outliers).arg(tried));
         }
         const Angle arc = unreliableArc(m_swing);
         if (arc.turns() > m_limits.hopelessPart) {
-            giveUp(Text::tr("%1 of the circle are unreliable").arg(inWords(arc, 0)));
+            giveUp(Text::tr("%1 of the circle is unreliable.").arg(inWords(arc, 0)));
         }
     }
 
     void hints()
     {
         if (static_cast<double>(m_tally.leftOut()) > kFewLeftOut * static_cast<double>(m_tally.all())) {
-            hint(Text::tr("%1 of %2 readings were left out: %3")
+            hint(Text::tr("%1 of %2 readings were left out: %3.")
                      .arg(m_tally.leftOut())
                      .arg(m_tally.all())
                      .arg(m_tally.whyLeftOut(m_limits)));
         }
         const SwingCoverage& seen = m_swing.coverage;
         if (m_swing.harmonics == Harmonics::First) {
-            hint(Text::tr("only %1 of 12 sectors were seen, with a gap of %2: soft iron (twice round the circle) could "
-                          "not be told")
+            hint(Text::tr("Only %1 of 12 sectors have readings, with a gap of %2. Soft iron could not be determined.")
                      .arg(seen.sectors)
                      .arg(inWords(seen.largestGap, 0)));
         }
         if (!seen.isEven) {
-            hint(Text::tr("the azimuths are unequally filled: some sectors have few readings"));
+            hint(Text::tr("Some sectors have few readings."));
         }
         if (!seen.bothWays) {
-            hint(Text::tr("it turned one way only: latency and hysteresis are not seen"));
+            hint(Text::tr("The mount turned in one direction only. Latency and hysteresis are unknown."));
         }
         if (m_swing.hysteresis && abs(m_swing.hysteresis->value) > kWorthTelling) {
-            hint(Text::tr("the two ways of turning differ by %1: sensor.latency_s is not right, or something has play; "
-                          "north is the mean of both")
+            hint(Text::tr("The two directions of turning differ by %1. Either sensor.latency_s is wrong or the mount "
+                          "has play. North is the mean of both.")
                      .arg(inWords(m_swing.hysteresis->value)));
         }
         const DeviationCurve& curve = m_swing.curve;
         if (curve.elevation && curve.sigmaAt(*curve.elevation + kFarAway) > kWorthTelling) {
-            hint(Text::tr("the curve holds with the boom at %1: %2 higher or lower it is uncertain by %3")
+            hint(Text::tr("The curve is valid with the boom at %1. At %2 higher or lower it is uncertain by %3.")
                      .arg(inWords(*curve.elevation, 0), inWords(kFarAway, 0),
                           inWords(curve.sigmaAt(*curve.elevation + kFarAway))));
         }
         for (const UnreliableSector& sector : m_swing.curve.unreliable) {
-            hint(Text::tr("from %1 to %2 the compass is off by %3: unreliable there")
+            hint(Text::tr("From %1 to %2 the compass is off by %3. It is unreliable there.")
                      .arg(inWords(sector.from, 0), inWords(sector.to, 0), inWords(sector.residual, 0)));
         }
     }
@@ -133,7 +132,7 @@ public:
     void current(const CurrentEffect& effect)
     {
         if (std::abs(effect.correlation) > kFollowsCurrent && effect.amplitude > kWorthTelling) {
-            hint(Text::tr("the compass follows the motors' current by %1").arg(inWords(effect.amplitude)));
+            hint(Text::tr("The motor current turns the compass by %1.").arg(inWords(effect.amplitude)));
         }
     }
 
@@ -162,23 +161,23 @@ QString whyTooLittle(const CompassSwing& swing, const SwingLimits& limits)
     const auto most = [&](SampleFate fate) { return tally.of(fate) * 2 > tally.all(); };
     if (most(SampleFate::Uncalibrated)) {
         return Text::tr(
-                   "in %1 of %2 readings the magnetometer's calibration is below %3: move the sensor in figures of "
-                   "eight, away from iron, then swing again")
+                   "In %1 of %2 readings the magnetometer calibration is below %3. Move the sensor in figures of "
+                   "eight, away from iron. Then swing again.")
             .arg(tally.of(SampleFate::Uncalibrated))
             .arg(tally.all())
             .arg(limits.calibration);
     }
     if (most(SampleFate::MotorCurrent)) {
         return Text::tr(
-                   "in %1 of %2 readings a motor draws more than %3 A (sensor.swing_current_a): see what "
-                   "holds the mount, or raise that limit")
+                   "In %1 of %2 readings the motor current is above %3 A (sensor.swing_current_a). Look for what "
+                   "blocks the mount, or raise this limit.")
             .arg(tally.of(SampleFate::MotorCurrent))
             .arg(tally.all())
             .arg(limits.motorCurrent, 0, 'f', 1);
     }
     return Text::tr(
-               "%1 of 12 sectors were seen, with a gap of %2: a swing has to see more of the circle; take north from "
-               "the still mount instead")
+               "%1 of 12 sectors have readings, with a gap of %2. A swing needs more of the circle. Find north with "
+               "the mount standing still instead.")
         .arg(swing.coverage.sectors)
         .arg(inWords(swing.coverage.largestGap, 0));
 }

@@ -78,8 +78,8 @@ Result<PointingTerms> startFrom(std::span<const CalibrationPoint> points, const 
         weights += shrink * shrink;
     }
     if (weights < kLeastWeight) {
-        return failure(ErrorCode::Refused, Text::tr("the points do not determine the azimuth's offset: take one away "
-                                                    "from the zenith"));
+        return failure(ErrorCode::Refused,
+                       Text::tr("The points do not determine the azimuth offset. Take a point away from the zenith."));
     }
     start.azimuthOffset = (start.azimuthOffset + Angle::fromRadians(std::atan2(east, north))).wrapped360();
     return start;

@@ -72,7 +72,7 @@ public:
         for (const Term term : kAllTerms) {
             if (m_lines[indexOf(term)] == 0) {
                 complain(
-                    Text::tr("%1 is missing: every term is expected, also those of 0").arg(toQString(nameOf(term))));
+                    Text::tr("%1 is missing. Write every term, also a term that is 0.").arg(toQString(nameOf(term))));
             }
         }
         if (!m_problems.isEmpty()) {
@@ -132,7 +132,7 @@ private:
         const QDateTime date = QDateTime::fromString(toQString(m_value), Qt::ISODate);
         const bool isUtc = date.isValid() && date.timeSpec() == Qt::UTC;
         if (!isUtc || date.date().year() < kTermsReaderEarliest || date.date().year() > kTermsReaderLatest) {
-            complain(Text::tr("%1 is no date like 2026-11-21T21:34:00Z").arg(quoted(m_value)));
+            complain(Text::tr("%1 is not a date like 2026-11-21T21:34:00Z.").arg(quoted(m_value)));
             return;
         }
         when = UtcTime(std::chrono::seconds(date.toSecsSinceEpoch()));
@@ -150,7 +150,7 @@ private:
         const auto longitude = isThree ? number(1, 180.0) : std::nullopt;
         const auto height = isThree ? number(2, 10000.0) : std::nullopt;
         if (!latitude || !longitude || !height) {
-            complain(Text::tr("%1 is no site: latitude, longitude and height are expected, like 48.2 16.37 200")
+            complain(Text::tr("%1 is not a site. Write latitude, longitude and height, like 48.2 16.37 200.")
                          .arg(quoted(m_value)));
             return;
         }
@@ -163,25 +163,26 @@ private:
     {
         const auto term = termOfName(words[0]);
         if (!term) {
-            complain(Text::tr("unknown term %1").arg(quoted(words[0])));
+            complain(Text::tr("%1 is not a known term.").arg(quoted(words[0])));
             return;
         }
         std::size_t& line = m_lines[indexOf(*term)];
         if (line != 0) {
-            complain(Text::tr("%1 stands in line %2 already").arg(quoted(words[0])).arg(line));
+            complain(Text::tr("%1 is already in line %2.").arg(quoted(words[0])).arg(line));
             return;
         }
         line = m_line;
         if (words.size() < 2) {
-            complain(Text::tr("the value of %1 is missing").arg(quoted(words[0])));
+            complain(Text::tr("The value of %1 is missing.").arg(quoted(words[0])));
         } else if (!parseFinite(words[1])) {
-            complain(Text::tr("%1 is not a number").arg(quoted(words[1])));
+            complain(Text::tr("%1 is not a number.").arg(quoted(words[1])));
         } else if (words.size() < 3) {
-            complain(Text::tr("the unit of %1 is missing: deg, arcmin or arcsec").arg(quoted(words[0])));
+            complain(Text::tr("The unit of %1 is missing. Write deg, arcmin or arcsec.").arg(quoted(words[0])));
         } else if (!degreesOf(words[2])) {
-            complain(Text::tr("unknown unit %1: deg, arcmin or arcsec is expected").arg(quoted(words[2])));
+            complain(Text::tr("%1 is not a known unit. Write deg, arcmin or arcsec.").arg(quoted(words[2])));
         } else if (words.size() > 4) {
-            complain(Text::tr("%1 is too much: name, value, unit and sigma are expected").arg(quoted(words[4])));
+            complain(
+                Text::tr("%1 is one value too many. A line has name, value, unit and sigma.").arg(quoted(words[4])));
         } else {
             const double unit = *degreesOf(words[2]);
             valueOf(m_sheet.terms, *term) = Angle::fromDegrees(*parseFinite(words[1]) * unit);
@@ -196,8 +197,7 @@ private:
         }
         const auto sigma = parseFinite(word);
         if (!sigma || !(*sigma > 0.0)) {
-            complain(
-                Text::tr("%1 is no sigma: a number above 0 is expected, or - where it is not known").arg(quoted(word)));
+            complain(Text::tr("%1 is not a sigma. Write a number above 0, or - for an unknown one.").arg(quoted(word)));
             return;
         }
         m_sheet.sigmas[indexOf(term)] = Angle::fromDegrees(*sigma * unit);
@@ -229,7 +229,7 @@ Result<TermSheet> parseTerms(std::string_view text, const QString& fileName)
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     if (text.size() > kLongestText) {
         return failure(ErrorCode::InvalidInput,
-                       Text::tr("%1 is too long for the terms of a pointing model").arg(fileName));
+                       Text::tr("%1 is too long to be the terms of a pointing model.").arg(fileName));
     }
     if (text.starts_with(kByteOrderMark)) {
         text.remove_prefix(kByteOrderMark.size());

@@ -21,8 +21,7 @@ Result<Coefficients> readCoefficients(const QString& path)
     }
     const QByteArray text = file.read(kLargest + 1);
     if (text.size() > kLargest) {
-        return failure(ErrorCode::InvalidInput,
-                       Text::tr("%1 is too large for the coefficients of a World Magnetic Model").arg(path));
+        return failure(ErrorCode::InvalidInput, Text::tr("%1 is too large for a World Magnetic Model.").arg(path));
     }
     return parseCoefficients({text.constData(), static_cast<std::size_t>(text.size())}).map_error([&](Error error) {
         error.text = Text::tr("%1: %2").arg(path, error.text);

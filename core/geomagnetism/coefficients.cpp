@@ -47,10 +47,10 @@ public:
         }
         if (isEndLine(words)) {
             m_ended = true;
-            return complete() ? Result<>{} : wrong(Text::tr("the term n = %1, m = %2 is missing").arg(m_n).arg(m_m));
+            return complete() ? Result<>{} : wrong(Text::tr("The term n = %1, m = %2 is missing.").arg(m_n).arg(m_m));
         }
         if (m_ended || complete()) {
-            return wrong(Text::tr("a line of nines is expected after degree %1").arg(kDegree));
+            return wrong(Text::tr("A line of nines must follow degree %1.").arg(kDegree));
         }
         return takeTerm(words);
     }
@@ -58,7 +58,7 @@ public:
     Result<Coefficients> finish() const
     {
         if (!m_ended) {
-            return wrong(Text::tr("the file ends without its line of nines"));
+            return wrong(Text::tr("The file ends without a line of nines."));
         }
         return m_read;
     }
@@ -71,7 +71,8 @@ private:
     {
         const auto epoch = words.size() == 3 ? parseFinite(words[0]) : std::nullopt;
         if (!epoch || *epoch < kFirstEpoch || *epoch > kLastEpoch) {
-            return wrong(Text::tr("this is no header of a magnetic model, which is an epoch, a name and a date"));
+            return wrong(
+                Text::tr("This is not the header of a magnetic model. A header has an epoch, a name and a date."));
         }
         m_read.epoch = *epoch;
         m_read.name = words[1];
@@ -81,21 +82,22 @@ private:
     Result<> takeTerm(const Words& words)
     {
         if (words.size() != 6) {
-            return wrong(Text::tr("%1 numbers instead of 6: n m g h and the changes of g and h").arg(words.size()));
+            return wrong(Text::tr("The line has %1 numbers instead of 6: n, m, g, h and the changes of g and h.")
+                             .arg(words.size()));
         }
         if (parseInteger(words[0]) != m_n || parseInteger(words[1]) != m_m) {
-            return wrong(Text::tr("the term n = %1, m = %2 is expected").arg(m_n).arg(m_m));
+            return wrong(Text::tr("The term n = %1, m = %2 must come here.").arg(m_n).arg(m_m));
         }
         std::array<double, 4> values{};
         for (std::size_t i = 0; i < values.size(); ++i) {
             const auto value = parseFinite(words[i + 2]);
             if (!value) {
-                return wrong(Text::tr("\"%1\" is no number").arg(toQString(words[i + 2])));
+                return wrong(Text::tr("\"%1\" is not a number.").arg(toQString(words[i + 2])));
             }
             values[i] = *value;
         }
         if (m_m == 0 && (values[1] != 0.0 || values[3] != 0.0)) {
-            return wrong(Text::tr("h of a term with m = 0 is not 0"));
+            return wrong(Text::tr("In a term with m = 0, h must be 0."));
         }
         m_read.main[termIndex(m_n, m_m)] = {values[0], values[1]};
         m_read.change[termIndex(m_n, m_m)] = {values[2], values[3]};

@@ -117,8 +117,8 @@ Result<MagneticField> MagneticModel::at(const Site& site, double year) const
 {
     if (!(year >= validFrom() && year <= validTo() + kYearsBeyond)) {
         return failure(ErrorCode::OutOfRange,
-                       Text::tr("the magnetic model %1 is valid from %2 to %3, not in %4: a file of the present one is "
-                                "needed (World Magnetic Model, .COF); type the declination meanwhile")
+                       Text::tr("The magnetic model %1 is valid from %2 to %3, not in %4. Get the present World "
+                                "Magnetic Model (.COF), or enter the declination.")
                            .arg(toQString(name()), yearText(validFrom()), yearText(validTo()), yearText(year)));
     }
     Terms terms = m_coefficients.main;

@@ -29,19 +29,17 @@ std::optional<Angle> placeBySensor(const std::optional<CourseAnchor>& anchor, co
 
 void addSensorTurning(TurnQuestion& question, Angle bySensor)
 {
-    QString sentence = Text::tr(
-                           "The sensor was heard all the time since the turn was known, and has seen it turn to "
-                           "about %1 (± %2)")
+    QString sentence = Text::tr("The sensor followed the axis since the cable wrap was known. It shows %1 (± %2).")
                            .arg(inWords(bySensor), inWords(kWorth));
     const bool possible = std::ranges::any_of(question.candidates, [&](Angle one) { return isWithin(one, bySensor); });
     if (question.proposed && !isWithin(*question.proposed, bySensor)) {
-        sentence += Text::tr(": that speaks against %1, so nothing is proposed: look at the cable")
+        sentence += Text::tr(" This contradicts %1, so Boresight proposes nothing. Look at the cable.")
                         .arg(inWords(*question.proposed));
         question.proposed.reset();
     } else if (question.proposed) {
-        sentence += Text::tr(": that agrees with what is proposed");
+        sentence += Text::tr(" This agrees with the proposal.");
     } else if (!question.candidates.empty() && !possible) {
-        sentence += Text::tr(": none of the places is near that");
+        sentence += Text::tr(" None of the places is near that.");
     }
     question.evidence.insert(question.evidence.empty() ? question.evidence.end() : std::prev(question.evidence.end()),
                              sentence);

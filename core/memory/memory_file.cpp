@@ -94,7 +94,7 @@ Result<MountMemory> read(const QString& path)
     }
     const QByteArray text = file.read(kLargest + 1);
     if (text.size() > kLargest) {
-        return failure(ErrorCode::InvalidInput, Text::tr("it is too large for the memory of a mount"));
+        return failure(ErrorCode::InvalidInput, Text::tr("it is too large for a position journal"));
     }
     return parseMemory(text);
 }
@@ -125,9 +125,10 @@ QString whatIsWrong(const QString& path, const Error& error)
     }
     // Also what cannot be read just now: left in its place, the next two saves would overwrite it.
     if (const auto aside = keepAside(path)) {
-        return Text::tr("The journal file %1 cannot be used: %2; it is kept as %3").arg(path, error.text, *aside);
+        return Text::tr("The journal file %1 cannot be used: %2. Boresight keeps it as %3")
+            .arg(path, error.text, *aside);
     }
-    return Text::tr("The journal file %1 cannot be used: %2; it could not be put aside").arg(path, error.text);
+    return Text::tr("The journal file %1 cannot be used: %2. Boresight could not rename it").arg(path, error.text);
 }
 
 }  // namespace
@@ -154,7 +155,7 @@ Result<> MemoryFile::claim()
     } else if (lock.error().code == ErrorCode::Busy) {
         return failure(
             ErrorCode::Busy,
-            Text::tr("%1 controls this mount already: its journal %2 is in use").arg(lock.error().text, m_path));
+            Text::tr("%1 already controls this mount. Its journal %2 is in use").arg(lock.error().text, m_path));
     } else if (lock.error().code == ErrorCode::Denied && QFileInfo::exists(path)) {
         return failure(
             ErrorCode::Denied,
@@ -181,11 +182,11 @@ LoadedMemory MemoryFile::load()
                 turn->proveNothing();  // the lost one may have been written because a doubt arose
             }
         }
-        problems.push_back(Text::tr("the one before it was taken: %1").arg(previous));
+        problems.push_back(Text::tr("Boresight uses the version before it: %1").arg(previous));
     } else if (found.error().code != ErrorCode::NoDevice) {
         problems.push_back(whatIsWrong(previous, found.error()));
     }
-    return {found.value_or(MountMemory()), problems.join(QStringLiteral("; "))};
+    return {found.value_or(MountMemory()), problems.join(QStringLiteral(". "))};
 }
 
 void MemoryFile::save(const MountMemory& memory)

@@ -45,11 +45,11 @@ Result<QJsonObject> readRoot(const QByteArray& text)
     const QJsonDocument document = QJsonDocument::fromJson(text, &error);
     if (error.error != QJsonParseError::NoError) {
         return failure(ErrorCode::InvalidInput,
-                       Text::tr("it is torn or damaged at byte %1: %2").arg(error.offset).arg(error.errorString()));
+                       Text::tr("it is damaged at byte %1: %2").arg(error.offset).arg(error.errorString()));
     }
     const QJsonObject root = document.object();
     if (!root.value(kVersionKey).isDouble()) {
-        return failure(ErrorCode::InvalidInput, Text::tr("it is not the memory of a mount"));
+        return failure(ErrorCode::InvalidInput, Text::tr("it is not a position journal"));
     }
     return root;
 }
@@ -75,13 +75,12 @@ Result<MountMemory> parseMemory(const QByteArray& text)
         return tl::unexpected(root.error());
     }
     if (const double version = root->value(kVersionKey).toDouble(); version != kVersion) {
-        return failure(
-            ErrorCode::InvalidInput,
-            Text::tr("its version %1 is not known to this program, which reads version %2").arg(version).arg(kVersion));
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("it has version %1, but this program reads version %2").arg(version).arg(kVersion));
     }
     const QJsonObject payload = root->value(kMemoryKey).toObject();
     if (root->value(kChecksumKey).toString() != checksum(payload)) {
-        return failure(ErrorCode::InvalidInput, Text::tr("its checksum is wrong: it was changed or damaged"));
+        return failure(ErrorCode::InvalidInput, Text::tr("its checksum is wrong, so it was changed or damaged"));
     }
     return readMemory(payload);
 }

@@ -42,22 +42,23 @@ std::optional<Obstacle> obstacleInTime(const DriveFrame& frame, const Evidence& 
 {
     const Seconds byUtc = evidence.now - record.when;
     if (byUtc < Seconds(0.0)) {
-        return Obstacle{.why = Text::tr("The journal is dated %1 in the future: this computer's clock was put back")
-                                   .arg(inWords(-byUtc))};
+        return Obstacle{.why =
+                            Text::tr("The journal is dated %1 in the future. The clock of this computer was set back")
+                                .arg(inWords(-byUtc))};
     }
     if (record.provesNothing()) {
-        return Obstacle{.why = Text::tr("The journal proves no turn any more: a doubt arose after it was written")};
+        return Obstacle{
+            .why = Text::tr("The journal does not prove the cable wrap, because a doubt arose after it was written")};
     }
     const std::optional<Seconds> elapsed = vouchedElapsed(evidence, record);
     if (!elapsed) {
-        return Obstacle{
-            .why = Text::tr("This computer was restarted since, and no time server vouches for its clock: whether the "
-                            "drive kept its power cannot be told")};
+        return Obstacle{.why = Text::tr("This computer restarted, and its clock is not synchronised. It is unknown "
+                                        "whether the drive kept its power")};
     }
     if (record.uptime + *elapsed + margin(*elapsed) >= kUptimePeriod) {
         return Obstacle{
-            .why = Text::tr("The drive's clock starts again every 49.7 days: whether the drive kept its power cannot "
-                            "be told")};
+            .why = Text::tr(
+                "The clock of the drive restarts every 49.7 days. It is unknown whether the drive kept its power")};
     }
     // The steady clock of a computer may stand still while it sleeps, UTC does not: the longer of the two counts.
     const Seconds longest = std::max(*elapsed, byUtc);
@@ -68,9 +69,8 @@ std::optional<Obstacle> obstacleInTime(const DriveFrame& frame, const Evidence& 
     // A drive that kept its power counted just the time that went by here. If not, one of the clocks is wrong.
     const Seconds counted = frame.uptime - record.uptime;
     if (*elapsed < Seconds(0.0) || !(std::abs((counted - *elapsed).count()) <= margin(*elapsed).count())) {
-        return Obstacle{
-            .why = Text::tr("The clocks of the drive and of this computer disagree about the time since the journal: "
-                            "whether the drive kept its power cannot be told")};
+        return Obstacle{.why = Text::tr("The clocks of the drive and of this computer disagree about the time since "
+                                        "the journal. It is unknown whether the drive kept its power")};
     }
     return std::nullopt;
 }
@@ -89,10 +89,10 @@ std::optional<Obstacle> obstacleInOrigin(const DriveFrame& frame, const TurnReco
                                          const pointing::AxisGeometry& axis)
 {
     if (!frame.origin || !record.origin) {
-        return Obstacle{.why = Text::tr("The drive did not tell whether its position was set since")};
+        return Obstacle{.why = Text::tr("The drive did not report whether its position was set after that")};
     }
     if (record.origin->beginning != frame.origin->beginning) {
-        return Obstacle{.why = Text::tr("The drive's encoder settings were changed since: it counts anew"),
+        return Obstacle{.why = Text::tr("The encoder settings of the drive were changed. It counts from a new zero"),
                         .positionSet = true,
                         .phaseLost = true};
     }
@@ -100,7 +100,7 @@ std::optional<Obstacle> obstacleInOrigin(const DriveFrame& frame, const TurnReco
         const Angle set = axis.toAxis(frame.origin->offset) - axis.toAxis(record.origin->offset);
         // `d nearest` sets the position by whole places, `d exact` by anything.
         const Angle rest = set - frame.period * std::round(set / frame.period);
-        return Obstacle{.why = Text::tr("The drive's position was set since: what it reports is no motion"),
+        return Obstacle{.why = Text::tr("The position of the drive was set by a command. The change is not a motion"),
                         .positionSet = true,
                         .phaseLost = !(abs(rest) < originTolerance(frame.period, axis))};
     }
@@ -132,11 +132,11 @@ std::optional<Obstacle> obstacleToCountingOn(const DriveFrame& frame, const Evid
         return inTime;
     }
     if (record.homeState == moteus::HomeState::Relative || record.homeState != frame.homeState) {
-        return Obstacle{.why = Text::tr("The drive's zero was set or lost since the journal was written")};
+        return Obstacle{.why = Text::tr("The zero of the drive was set or lost after the journal was written")};
     }
     if (!(abs(axis.toAxis(record.reported) - record.counted) <= kRounding)) {
         return Obstacle{.why =
-                            Text::tr("Zero, direction or gear of the axis were changed since the journal was written")};
+                            Text::tr("Zero, direction or gear of the axis were changed after the journal was written")};
     }
     return inOrigin;
 }

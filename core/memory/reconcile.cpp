@@ -131,25 +131,26 @@ private:
     [[nodiscard]] QString placeSentence() const
     {
         if (!m_phaseKnown) {
-            return Text::tr("The drive does not know where the axis is: enter the angle");
+            return Text::tr("The drive does not know the position of the axis. Enter the angle");
         }
         if (m_candidates.empty()) {
-            return Text::tr("The drive reports %1, and no turn of that lies within %2° of the travel: enter the angle")
+            return Text::tr("The drive reports %1. No cable wrap of it lies within %2° of the travel. Enter the angle")
                 .arg(inWords(m_axis.toAxis(m_frame.reported)))
                 .arg(kBeyondTravel.degrees());
         }
         if (m_candidates.size() == 1) {
-            return Text::tr("The drive reports a place that is possible at %1 only").arg(inWords(m_candidates.front()));
+            return Text::tr("The position that the drive reports is possible only at %1")
+                .arg(inWords(m_candidates.front()));
         }
         if (m_candidates.size() > kNamedCandidates) {
-            return Text::tr("The angle is known to a multiple of %1 only: %2 places from %3 to %4 are possible")
+            return Text::tr("The angle is known only to a multiple of %1. %2 places from %3 to %4 are possible")
                 .arg(inWords(m_frame.period))
                 .arg(m_candidates.size())
                 .arg(inWords(m_candidates.front()), inWords(m_candidates.back()));
         }
-        return m_frame.outputEncoder ? Text::tr("Direction %1 is known, the turn is not: %2 are possible")
+        return m_frame.outputEncoder ? Text::tr("Direction %1 is known, but not the cable wrap. %2 are possible")
                                            .arg(inWords(m_candidates.front().wrapped360()), namedCandidates())
-                                     : Text::tr("The angle is known to a multiple of %1 only: %2 are possible")
+                                     : Text::tr("The angle is known only to a multiple of %1. %2 are possible")
                                            .arg(inWords(m_frame.period), namedCandidates());
     }
 
@@ -170,7 +171,7 @@ private:
         }
         if (!m_evidence.record) {
             if (m_evidence.recordProblem.isEmpty()) {
-                all.push_back(Text::tr("The journal says nothing about this axis"));
+                all.push_back(Text::tr("The journal has no entry for this axis"));
             }
             return;
         }
@@ -187,12 +188,12 @@ private:
         const QString angle = inWords(record.angle);
         const Seconds age = m_evidence.now - record.when;
         if (age < Seconds(0.0)) {
-            return (record.moving ? Text::tr("The journal says %1, written while moving")
-                                  : Text::tr("The journal says %1, written at rest"))
+            return (record.moving ? Text::tr("The journal has %1, written in motion")
+                                  : Text::tr("The journal has %1, written at standstill"))
                 .arg(angle);
         }
-        return (record.moving ? Text::tr("The journal says %1, %2 old, written while moving")
-                              : Text::tr("The journal says %1, %2 old, written at rest"))
+        return (record.moving ? Text::tr("The journal has %1, %2 old, written in motion")
+                              : Text::tr("The journal has %1, %2 old, written at standstill"))
             .arg(angle, inWords(age));
     }
 
@@ -203,11 +204,11 @@ private:
             return;
         }
         if (!agrees(*place)) {
-            all.push_back(Text::tr("The nearest of them is %1 from the journal: the axis was moved meanwhile")
+            all.push_back(Text::tr("The nearest place is %1 from the journal. The axis was moved in between")
                               .arg(inWords(abs(*place - m_evidence.record->angle))));
         } else if (journalIsVague()) {
-            all.push_back(Text::tr("The axis may have moved on since, and places %1 apart look the same to the "
-                                   "drive: the journal cannot tell which")
+            all.push_back(Text::tr("The axis may have moved after that. Places %1 apart look the same to the drive, so "
+                                   "the journal does not show which is right")
                               .arg(inWords(m_frame.period)));
         }
     }
@@ -237,7 +238,7 @@ Angle journalStep(Angle period)
 
 QString sensorSentence(const std::optional<Angle>& heading)
 {
-    return heading ? Text::tr("The sensor says %1").arg(inWords(heading->wrapped360()))
+    return heading ? Text::tr("The sensor reports %1").arg(inWords(heading->wrapped360()))
                    : Text::tr("There is no sensor to compare with");
 }
 

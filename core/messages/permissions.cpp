@@ -5,6 +5,6 @@
 
 namespace boresight {
 
-Permissions::Permissions() : Permissions(Text::tr("nothing is known of the station yet")) {}
+Permissions::Permissions() : Permissions(Text::tr("The station has not reported yet.")) {}
 
 }  // namespace boresight

@@ -147,12 +147,13 @@ void DiagnosticClient::handleText(const std::string& text)
     m_received += text.size();
     m_emptyAnswers = text.empty() ? m_emptyAnswers + 1 : 0;
     if (m_received > kMaxAnswer) {
-        finish(failure(ErrorCode::Protocol, Text::tr("the drive's console does not stop talking; send \"tel stop\"")));
+        finish(
+            failure(ErrorCode::Protocol, Text::tr("The console of the drive sends without end. Send \"tel stop\".")));
     } else if (m_state == State::Draining && text.empty()) {
         m_state = State::Sending;
         m_received = 0;
     } else if (m_emptyAnswers > m_settings.maxEmptyAnswers) {
-        finish(failure(ErrorCode::NoAnswer, Text::tr("the drive's console did not answer the command")));
+        finish(failure(ErrorCode::NoAnswer, Text::tr("The console of the drive did not answer the command.")));
     } else if (m_state == State::Polling) {
         m_text += text;
         while (isBusy() && (m_blockFollows ? takeBlock() : takeLine())) {
@@ -194,7 +195,7 @@ void DiagnosticClient::handleLine(const std::string& line)
         return;
     }
     if (line.starts_with("ERR")) {
-        finish(failure(ErrorCode::Refused, Text::tr("the drive says: %1").arg(toQString(line))));
+        finish(failure(ErrorCode::Refused, Text::tr("The drive answers: %1").arg(toQString(line))));
     } else if (m_answerMayBeBlock && line.starts_with("emit ")) {
         m_blockFollows = true;
     } else if (m_answerIsOneLine) {
@@ -215,9 +216,9 @@ void DiagnosticClient::handleSilence()
     ++m_silences;
     if (m_silences >= m_settings.maxSilences) {
         finish(failure(ErrorCode::NoAnswer,
-                       Text::tr("drive %1 does not answer on its console").arg(m_settings.destination)));
+                       Text::tr("Drive %1 does not answer on its console.").arg(m_settings.destination)));
     } else if (!m_flowControl && m_state == State::Polling) {
-        finish(failure(ErrorCode::NoAnswer, Text::tr("a part of the answer was lost; repeat the command")));
+        finish(failure(ErrorCode::NoAnswer, Text::tr("Part of the answer was lost. Repeat the command.")));
     }
 }
 

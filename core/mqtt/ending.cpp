@@ -14,32 +14,31 @@ QString withDetail(const QString& text, const Ending& ending)
 QString loginText(const Broker& broker)
 {
     return broker.user.isEmpty()
-               ? Text::tr("wants a user name and a password: set mqtt.user and mqtt.password")
-               : Text::tr("refuses the user \"%1\" or the password: check mqtt.user and mqtt.password")
+               ? Text::tr("A user name and a password are required. Set mqtt.user and mqtt.password")
+               : Text::tr("The broker refuses the user \"%1\" or the password. Check mqtt.user and mqtt.password")
                      .arg(broker.user);
 }
 
 // Somebody is there, but not what we expect.
 QString wrongPortText(const Broker& broker)
 {
-    return broker.encryption == Encryption::Tls ? Text::tr("is mqtt.port the broker's port for TLS?")
-                                                : Text::tr("is mqtt.port right, and does this port want TLS?");
+    return broker.encryption == Encryption::Tls ? Text::tr("Is mqtt.port the TLS port of the broker?")
+                                                : Text::tr("Is mqtt.port right? Does this port need TLS?");
 }
 
 QString refusal(const Ending& ending, const Broker& broker)
 {
     switch (ending.kind) {
         case EndKind::TlsRefused:
-            return withDetail(Text::tr("the encryption could not be agreed on (%1): %2"), ending)
-                .arg(wrongPortText(broker));
+            return withDetail(Text::tr("The encryption failed (%1). %2"), ending).arg(wrongPortText(broker));
         case EndKind::CertificateWrong:
-            return withDetail(Text::tr("is not trusted: %1"), ending);
+            return withDetail(Text::tr("Boresight does not trust the broker: %1"), ending);
         case EndKind::ProtocolRefused:
-            return Text::tr("refuses MQTT 3.1.1: a newer broker is needed");
+            return Text::tr("The broker refuses MQTT 3.1.1. Use a newer broker");
         case EndKind::ClientIdRefused:
-            return Text::tr("refuses the client id \"%1\": change mqtt.client_id").arg(broker.clientId);
+            return Text::tr("The broker refuses the client id \"%1\". Change mqtt.client_id").arg(broker.clientId);
         case EndKind::NotServing:
-            return Text::tr("says that it does not serve at the moment");
+            return Text::tr("The broker reports that it is not available");
         case EndKind::LoginRefused:
             return loginText(broker);
         default:
@@ -65,27 +64,27 @@ QString toText(const Ending& ending, const Broker& broker)
     const auto told = [&]() -> QString {
         switch (ending.kind) {
             case EndKind::NameUnknown:
-                return withDetail(Text::tr("the name cannot be resolved (%1): check mqtt.host and the network"),
+                return withDetail(Text::tr("The name cannot be resolved (%1). Check mqtt.host and the network"),
                                   ending);
             case EndKind::ConnectionFailed:
-                return withDetail(Text::tr("no connection (%1): does the broker run there?"), ending);
+                return withDetail(Text::tr("No connection (%1). Is the broker running there?"), ending);
             case EndKind::NoAnswer:
-                return Text::tr("no answer: check mqtt.host, the network and the firewall");
+                return Text::tr("No answer. Check mqtt.host, the network and the firewall");
             case EndKind::Silent:
-                return Text::tr("takes the connection and says nothing: %1").arg(wrongPortText(broker));
+                return Text::tr("The port accepts the connection but does not answer. %1").arg(wrongPortText(broker));
             case EndKind::HungUp:
-                return Text::tr("closes the connection before it says anything: %1").arg(wrongPortText(broker));
+                return Text::tr("The port closes the connection before it answers. %1").arg(wrongPortText(broker));
             case EndKind::Lost:
-                return withDetail(Text::tr("the connection is lost (%1)"), ending);
+                return withDetail(Text::tr("The connection is lost (%1)"), ending);
             case EndKind::Ousted:
                 return Text::tr(
-                           "lets us in and hangs up soon after: was it stopped, or does another program use the "
-                           "client id \"%1\"?")
+                           "The broker closes the connection soon after the login. Was the broker stopped? Does "
+                           "another program use the client id \"%1\"?")
                     .arg(broker.clientId);
             case EndKind::NoPulse:
-                return Text::tr("the connection is lost (nothing was heard any more)");
+                return Text::tr("The connection is lost (no more data)");
             case EndKind::Nonsense:
-                return Text::tr("says something that is not MQTT: %1").arg(wrongPortText(broker));
+                return Text::tr("The answer is not MQTT. %1").arg(wrongPortText(broker));
             default:
                 return refusal(ending, broker);
         }

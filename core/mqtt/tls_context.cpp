@@ -83,7 +83,7 @@ Result<std::shared_ptr<TlsContext>> TlsContext::create(const QString& caFile, co
 Result<> TlsContext::prepare()
 {
     if (m_context == nullptr || SSL_CTX_set_min_proto_version(m_context, TLS1_2_VERSION) != 1 || !expectHost()) {
-        return failure(ErrorCode::Io, Text::tr("encryption cannot be set up: %1").arg(causeOfFailure()));
+        return failure(ErrorCode::Io, Text::tr("Encryption cannot be set up: %1").arg(causeOfFailure()));
     }
     SSL_CTX_set_app_data(m_context, this);
     SSL_CTX_set_verify(m_context, SSL_VERIFY_PEER, &Callbacks::verify);
@@ -101,13 +101,13 @@ Result<> TlsContext::loadAuthorities()
     }
     if (QFileInfo(m_caFile).size() > kLargestCaFile) {
         return failure(ErrorCode::InvalidInput,
-                       Text::tr("%1 is a list of many authorities: name the one that signed the broker's certificate, "
-                                "or leave mqtt.ca_file empty to trust those this computer knows")
+                       Text::tr("%1 is a list of many authorities. Name the one that signed the certificate of the "
+                                "broker. With an empty mqtt.ca_file Boresight trusts the authorities of this computer")
                            .arg(m_caFile));
     }
     if (SSL_CTX_load_verify_locations(m_context, QFile::encodeName(m_caFile).constData(), nullptr) != 1) {
         return failure(ErrorCode::NoDevice,
-                       Text::tr("no certificate of an authority can be read from %1 (%2): check mqtt.ca_file")
+                       Text::tr("No certificate of an authority can be read from %1 (%2). Check mqtt.ca_file")
                            .arg(m_caFile, causeOfFailure()));
     }
     return {};
@@ -129,12 +129,12 @@ QString TlsContext::refusal() const
         case X509_V_OK:
             return {};
         case X509_V_ERR_CERT_HAS_EXPIRED:
-            return Text::tr("its certificate has expired, or this computer's clock is wrong");
+            return Text::tr("its certificate has expired, or the clock of this computer is wrong");
         case X509_V_ERR_CERT_NOT_YET_VALID:
-            return Text::tr("its certificate is not valid yet, or this computer's clock is wrong");
+            return Text::tr("its certificate is not valid yet, or the clock of this computer is wrong");
         case X509_V_ERR_HOSTNAME_MISMATCH:
         case X509_V_ERR_IP_ADDRESS_MISMATCH:
-            return Text::tr("its certificate is not made for \"%1\": check mqtt.host").arg(QString::fromUtf8(m_host));
+            return Text::tr("its certificate is not for \"%1\". Check mqtt.host").arg(QString::fromUtf8(m_host));
         case X509_V_ERR_DEPTH_ZERO_SELF_SIGNED_CERT:
         case X509_V_ERR_SELF_SIGNED_CERT_IN_CHAIN:
         case X509_V_ERR_UNABLE_TO_GET_ISSUER_CERT:
@@ -142,9 +142,9 @@ QString TlsContext::refusal() const
         case X509_V_ERR_UNABLE_TO_VERIFY_LEAF_SIGNATURE:
         case X509_V_ERR_CERT_SIGNATURE_FAILURE:
             return m_caFile.isEmpty()
-                       ? Text::tr("its certificate is signed by nobody this computer knows: set mqtt.ca_file")
-                       : Text::tr("its certificate is not signed by the authority in %1: check mqtt.ca_file")
-                             .arg(m_caFile);
+                       ? Text::tr(
+                             "its certificate is from an authority that this computer does not know. Set mqtt.ca_file")
+                       : Text::tr("its certificate is not from the authority in %1. Check mqtt.ca_file").arg(m_caFile);
         default:
             return QString::fromUtf8(X509_verify_cert_error_string(m_certificateError));
     }

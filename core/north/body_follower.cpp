@@ -68,7 +68,7 @@ Result<> BodyFollower::permits(Body body, bool overTheTop)
 {
     return direction(body).and_then([&](const SkyPointing& direction) -> Result<> {
         if (direction.elevation < Angle{}) {
-            return failure(ErrorCode::Refused, Text::tr("the %1 is below the horizon").arg(bodyName(body)));
+            return failure(ErrorCode::Refused, Text::tr("The %1 is below the horizon.").arg(bodyName(body)));
         }
         if (body == Body::Sun && m_profile->sun.keepAway == profile::KeepAway::On) {
             return failure(ErrorCode::Refused, Text::tr("the profile keeps the beam away from the Sun: if feed and "
@@ -160,7 +160,7 @@ void BodyFollower::tick()
     }
     if (!m_control.obeys(calibrationSource())) {
         m_ending.clear();
-        ended(Text::tr("the %1 is not followed any more: the mount was told otherwise").arg(bodyName(*m_body)));
+        ended(Text::tr("stopped tracking the %1, because the mount got another command").arg(bodyName(*m_body)));
     } else if (m_clock.now() >= m_next) {
         const auto may = permits(*m_body, m_overTheTop).and_then([&] { return staysOnItsWay(); }).and_then([&] {
             return sendPoint(false);
@@ -194,7 +194,7 @@ void BodyFollower::end(const QString& why)
     if (m_following) {
         [[maybe_unused]] const Result<> held = m_control.request(request::Hold{}, calibrationSource());
         m_ending = why;
-        ended(why.isEmpty() ? Text::tr("the %1 is not followed any more").arg(bodyName(*m_body)) : why);
+        ended(why.isEmpty() ? Text::tr("stopped tracking the %1").arg(bodyName(*m_body)) : why);
     }
 }
 

@@ -112,7 +112,7 @@ void CalibrationDesk::profileChanged(const profile::Profile& before, const profi
     const bool otherSensor = !readAlike(after.sensor, before.sensor);
     const bool other = otherTerms || otherSensor;
     if ((otherTerms || (other && m_runs.running() != CalibrationRun::CrossScan)) && m_runs.runs()) {
-        m_runs.breakOff(Text::tr("the terms or the sensor in the profile were changed"));
+        m_runs.breakOff(Text::tr("The terms or the sensor in the profile were changed."));
     }
     m_follower.profileChanged(before, after);
     m_report.expire();
@@ -164,7 +164,7 @@ Result<> CalibrationDesk::handle(const request::TakeKnownPoint& wanted)
 
 Result<> CalibrationDesk::mayChangePoints() const
 {
-    return m_points.book().points().empty() ? failure(ErrorCode::Refused, Text::tr("there are no points"))
+    return m_points.book().points().empty() ? failure(ErrorCode::Refused, Text::tr("There are no points."))
                                             : m_runs.isIdle();
 }
 

@@ -87,7 +87,7 @@ void CalibrationFile::load()
     }
     if (!history || !points) {
         m_unreadable = true;
-        m_problem = Text::tr("the calibrations of before cannot be read, and new ones are kept in memory only: %1")
+        m_problem = Text::tr("The stored calibrations cannot be read. New ones are kept in memory only: %1")
                         .arg((history ? points : history).error().text);
     }
 }
@@ -123,7 +123,7 @@ void CalibrationFile::finishWriting()
 {
     const Result<> result = *m_outcome;
     m_writing = false;
-    m_problem = result ? QString() : Text::tr("the calibrations could not be written: %1").arg(result.error().text);
+    m_problem = result ? QString() : Text::tr("The calibrations could not be written: %1").arg(result.error().text);
     if (std::exchange(m_again, false)) {
         startWriting();
     }

@@ -19,7 +19,7 @@ QString firstOf(std::initializer_list<QString> reasons)
 QString otherRun(const CalibrationStatus& calibration)
 {
     return calibration.progress.run == CalibrationRun::None ? QString()
-                                                            : Text::tr("a calibration is running: end it first");
+                                                            : Text::tr("A calibration is running. End it first.");
 }
 
 void judgeMotions(const StationStatus& status, Permissions& may)
@@ -42,14 +42,14 @@ void judgeBody(const CalibrationStatus& calibration, ephemeris::Body body, const
     const QString other = otherRun(calibration);
     const auto now = std::ranges::find(calibration.bodies, body, &BodyNow::body);
     const bool known = now != calibration.bodies.end();
-    const QString unknown = known ? QString() : Text::tr("it is not known where the %1 is").arg(bodyName(body));
+    const QString unknown = known ? QString() : Text::tr("The position of the %1 is unknown.").arg(bodyName(body));
     const auto follow = [&](bool overTheTop) {
         const QString obstacle = !known ? QString() : overTheTop ? now->obstacleOverTheTop : now->obstacle;
         may.refuse(followAction(body, overTheTop), firstOf({other, point, calibration.noSite, unknown, obstacle}));
     };
     follow(false);
     follow(true);
-    const QString first = Text::tr("follow the %1 first").arg(bodyName(body));
+    const QString first = Text::tr("Track the %1 first.").arg(bodyName(body));
     const bool meant = calibration.body == body;
     may.refuse(actionOf(Action::TakeSun, body), meant ? firstOf({other, calibration.pointObstacle}) : first);
     may.refuse(actionOf(Action::ScanSun, body),
@@ -59,14 +59,14 @@ void judgeBody(const CalibrationStatus& calibration, ephemeris::Body body, const
 
 void judgeProposal(const CalibrationStatus& calibration, Permissions& may)
 {
-    const QString none = calibration.proposal ? QString() : Text::tr("nothing is proposed yet");
+    const QString none = calibration.proposal ? QString() : Text::tr("Nothing is proposed yet.");
     const QString other = otherRun(calibration);
     may.refuse(Action::DiscardCalibration, none);
     may.refuse(Action::ApplyCalibration, calibration.proposal ? calibration.proposal->obstacle : none);
     may.refuse(Action::UndoCalibration, calibration.canUndo ? firstOf({other, calibration.undoObstacle})
-                                                            : Text::tr("there is no calibration to take back"));
+                                                            : Text::tr("There is no calibration to undo."));
     may.refuse(Action::RedoCalibration, calibration.canRedo ? firstOf({other, calibration.redoObstacle})
-                                                            : Text::tr("there is no calibration to bring back"));
+                                                            : Text::tr("There is no calibration to redo."));
 }
 
 }  // namespace
@@ -80,9 +80,9 @@ void judgeCalibration(StationStatus& status)
     judgeMotions(status, may);
     may.refuse(Action::AverageSensor, firstOf({other, calibration.sensorObstacle, calibration.averageObstacle}));
     may.refuse(Action::Swing, firstOf({other, point, calibration.swingPlan.obstacle}));
-    may.refuse(Action::GivePower, calibration.wantsPower ? QString() : Text::tr("no scan waits for a power now"));
+    may.refuse(Action::GivePower, calibration.wantsPower ? QString() : Text::tr("No scan waits for a power value."));
     may.refuse(Action::TakeKnownPoint, firstOf({other, calibration.knownPointObstacle}));
-    may.refuse(Action::ChangePoints, calibration.points.empty() ? Text::tr("there are no points") : other);
+    may.refuse(Action::ChangePoints, calibration.points.empty() ? Text::tr("There are no points.") : other);
     may.refuse(Action::ProposeTerms, other);
     for (const ephemeris::Body body : kBodies) {
         judgeBody(calibration, body, point, may);

@@ -39,7 +39,7 @@ static_assert(kTermTexts.size() == calibration::kTerms);
 
 QString northText(const calibration::Estimate& north)
 {
-    return Text::tr("the azimuth axis shows 0° at a true azimuth of %1 ± %2")
+    return Text::tr("The azimuth axis shows 0° at a true azimuth of %1 ± %2")
         .arg(degreesText(north.value, 2), degreesText(north.sigma, 1));
 }
 
@@ -68,7 +68,7 @@ Standing standingOf(const std::optional<Angle>& told, Angle sigma, Angle apart)
 
 void setStays(Proposal& proposal, const QString& what)
 {
-    proposal.stays += proposal.stays.isEmpty() ? what : QStringLiteral("; ") + what;
+    proposal.stays += proposal.stays.isEmpty() ? what : QLatin1Char(' ') + what;
 }
 
 void setNorth(Proposal& proposal, const calibration::Estimate& north, const profile::Profile& profile)
@@ -76,8 +76,8 @@ void setNorth(Proposal& proposal, const calibration::Estimate& north, const prof
     proposal.terms.azimuthOffset = nearestOffset(north.value, profile);
     proposal.sigmas[indexOf(Term::AzimuthOffset)] = north.sigma;
     if (north.sigma > kPoorNorth) {
-        proposal.warnings.push_back(
-            Text::tr("north is known to %1 only: Sun or Moon will tell it better").arg(degreesText(north.sigma, 1)));
+        proposal.warnings.push_back(Text::tr("North is known only to %1. Use the Sun or the Moon for a better value.")
+                                        .arg(degreesText(north.sigma, 1)));
     }
 }
 
@@ -85,9 +85,8 @@ void setNorth(Proposal& proposal, const calibration::Estimate& north, const prof
 void warnOfNorth(Proposal& proposal, Angle apart)
 {
     proposal.warnings.push_back(
-        Text::tr(
-            "the compass contradicts the north in force by %1, more than both may err: apply this if the mount was "
-            "moved or has slipped; if iron came near, take it away and measure again")
+        Text::tr("The compass differs from the north in force by %1, more than both can be wrong. Apply this if the "
+                 "mount was moved or slipped. If iron came near, remove it and measure again.")
             .arg(degreesText(apart, 1)));
 }
 
@@ -99,7 +98,7 @@ bool keepsNorth(Proposal& proposal, const calibration::Estimate& north, const pr
     const Angle apart = abs((north.value - profile.pointing.azimuthOffset).wrapped180());
     const Standing standing = standingOf(told, north.sigma, apart);
     if (standing == Standing::Stays) {
-        setStays(proposal, Text::tr("north stays: it is known to %1, a compass to %2")
+        setStays(proposal, Text::tr("North stays unchanged. It is known to %1, by compass only to %2.")
                                .arg(degreesText(*told, 2), degreesText(north.sigma, 1)));
         return true;
     }
@@ -129,14 +128,13 @@ void setTilt(Proposal& proposal, const calibration::AxisTilt& tilt, const std::o
     const Angle sigma = std::max(tilt.north.sigma, tilt.east.sigma);
     const Standing standing = standingOf(told, sigma, apart);
     if (standing == Standing::Stays) {
-        setStays(
-            proposal,
-            Text::tr("tilt stays: it is known to %1, a swing to %2").arg(degreesText(*told, 2), degreesText(sigma, 2)));
+        setStays(proposal, Text::tr("The tilt stays unchanged. It is known to %1, by a swing only to %2.")
+                               .arg(degreesText(*told, 2), degreesText(sigma, 2)));
         return;
     }
     if (standing == Standing::Contradicted) {
         proposal.warnings.push_back(
-            Text::tr("the mast leans otherwise than the tilt in force says, by %1: see that it stands firm")
+            Text::tr("The tilt of the mast differs by %1 from the tilt in force. Check that the mast is firm.")
                 .arg(degreesText(apart, 2)));
     }
     proposal.terms.tiltNorth = tilt.north.value;
@@ -144,7 +142,7 @@ void setTilt(Proposal& proposal, const calibration::AxisTilt& tilt, const std::o
     proposal.sigmas[indexOf(Term::TiltNorth)] = tilt.north.sigma;
     proposal.sigmas[indexOf(Term::TiltEast)] = tilt.east.sigma;
     proposal.text +=
-        Text::tr("; the azimuth axis leans by %1 ± %2 towards %3")
+        Text::tr(". The azimuth axis leans by %1 ± %2 towards %3")
             .arg(degreesText(tilt.size, 2), degreesText(tilt.sizeSigma, 2), degreesText(tilt.direction, 0));
 }
 
@@ -159,21 +157,21 @@ void setZero(Proposal& proposal, calibration::SensorMounting& mounting, const ca
     const bool isSensors = isKnown || off <= zero.sigma * kSignificant;
     QString verdict;
     if (off > kMostZero || (!isSensors && abs(beam) > kMostZero)) {
-        verdict =
-            Text::tr("too much to put right: see how the box sits on the boom, and what the elevation axis shows");
-        proposal.warnings.push_back(Text::tr("sensor and elevation axis differ by %1").arg(degreesText(off, 1)));
+        verdict = Text::tr(
+            "This is too much to correct. Check how the sensor sits on the boom and what the elevation axis shows.");
+        proposal.warnings.push_back(Text::tr("Sensor and elevation axis differ by %1.").arg(degreesText(off, 1)));
     } else if (isSensors) {
         mounting.elevationOffset = present.elevationOffset - zero.value;
-        verdict = Text::tr("taken as a box that lies askew on the boom, the elevation of the beam stays");
+        verdict = Text::tr("Boresight takes this as a tilted sensor. The elevation of the beam stays unchanged.");
     } else {
         proposal.terms.elevationOffset = beam;
         proposal.sigmas[indexOf(Term::ElevationOffset)] = zero.sigma;
-        verdict = Text::tr("more than a box lies askew: the zero of the elevation axis is off");
-        proposal.warnings.push_back(Text::tr("the zero of elevation moves by %1: see first that the box lies along the "
-                                             "boom")
-                                        .arg(degreesText(off, 1)));
+        verdict = Text::tr("This is more than a tilted sensor. The zero of the elevation axis is wrong.");
+        proposal.warnings.push_back(
+            Text::tr("The zero of elevation moves by %1. First check that the sensor lies along the boom.")
+                .arg(degreesText(off, 1)));
     }
-    proposal.text += Text::tr("; where the elevation axis shows 0° the sensor says %1 ± %2: %3")
+    proposal.text += Text::tr(". At 0° of the elevation axis the sensor reports %1 ± %2. %3")
                          .arg(degreesText(zero.value, 2), degreesText(zero.sigma, 1), verdict);
 }
 
@@ -190,7 +188,7 @@ Proposal proposalOf(const calibration::SensorOffset& offset, const profile::Prof
         proposal.sensor = withNorthMoved(mountingOf(profile.sensor), correction, offset.offset.sigma);
         if (proposal.sensor->curve) {
             proposal.warnings.push_back(
-                Text::tr("the sensor is made to agree at this one heading: a new swing does it at all of them"));
+                Text::tr("The sensor will agree at this heading only. A new swing corrects all headings."));
         }
     }
     return proposal;
@@ -261,9 +259,9 @@ Proposal proposalOf(const GivenTerms& given, const profile::Profile& profile)
                       .sigmas = given.sigmas};
     const Angle moved = abs((given.terms.azimuthOffset - profile.pointing.azimuthOffset).wrapped180());
     if (mountingOf(profile.sensor).curve && moved > kSameNorth) {
-        proposal.warnings.push_back(Text::tr("the sensor keeps the north of its swing: sensor and axes will then "
-                                             "differ by about %1")
-                                        .arg(degreesText(moved, 2)));
+        proposal.warnings.push_back(
+            Text::tr("The sensor keeps the north of its swing. Sensor and axes will then differ by %1.")
+                .arg(degreesText(moved, 2)));
     }
     return proposal;
 }
@@ -290,19 +288,19 @@ std::vector<QString> otherMountWarnings(const calibration::TermSheet& sheet, con
     using calibration::MountDifference;
     std::vector<QString> warnings;
     if (!sheet.mountName.empty() && sheet.mountName != today.mountName) {
-        warnings.push_back(Text::tr("the text is of another mount: \"%1\"").arg(toQString(sheet.mountName)));
+        warnings.push_back(Text::tr("The text belongs to another mount: \"%1\".").arg(toQString(sheet.mountName)));
     }
     const auto otherDrive = [](const std::string& then, const std::string& now) {
         return difference({.azimuthDrive = then}, {.azimuthDrive = now}) == MountDifference::OtherDrive;
     };
     if (otherDrive(sheet.mount.azimuthDrive, today.mount.azimuthDrive)) {
-        warnings.push_back(Text::tr("the text is of another azimuth drive: where its axis shows 0° may differ"));
+        warnings.push_back(Text::tr("The text belongs to another azimuth drive. The zero of its axis may differ."));
     }
     if (otherDrive(sheet.mount.elevationDrive, today.mount.elevationDrive)) {
-        warnings.push_back(Text::tr("the text is of another elevation drive: where its axis shows 0° may differ"));
+        warnings.push_back(Text::tr("The text belongs to another elevation drive. The zero of its axis may differ."));
     }
     if (difference({.site = sheet.mount.site}, {.site = today.mount.site}) == MountDifference::OtherSite) {
-        warnings.push_back(Text::tr("the text is of another site: north and tilt may differ"));
+        warnings.push_back(Text::tr("The text belongs to another site. North and tilt may differ."));
     }
     return warnings;
 }

@@ -94,8 +94,8 @@ void CalibrationReport::fillBodies(CalibrationStatus& status) const
     }
     if (m_of.alarms.isAtSun()) {
         status.warning = Text::tr(
-            "The beam looks into the Sun: nobody looks along it, nor through a sight tube "
-            "without a solar filter; mind the heat in the feed");
+            "The antenna points at the Sun. Do not look along it, nor through a sight tube without a solar filter. "
+            "Watch the heat at the feed");
     }
 }
 

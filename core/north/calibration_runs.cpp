@@ -49,7 +49,7 @@ CalibrationRun CalibrationRuns::running() const
 Result<> CalibrationRuns::isIdle() const
 {
     if (runs()) {
-        return failure(ErrorCode::Busy, Text::tr("a calibration is running: end it first"));
+        return failure(ErrorCode::Busy, Text::tr("A calibration is running. End it first."));
     }
     return {};
 }
@@ -59,7 +59,7 @@ Result<> CalibrationRuns::followsNothing() const
 {
     if (m_follower.following()) {
         return failure(ErrorCode::Refused,
-                       Text::tr("the mount follows the %1: hold it first").arg(bodyName(*m_follower.body())));
+                       Text::tr("The mount tracks the %1. Press Hold first.").arg(bodyName(*m_follower.body())));
     }
     return {};
 }
@@ -108,7 +108,7 @@ Result<> CalibrationRuns::mayScan(ephemeris::Body body) const
         .and_then([&]() -> Result<> {
             return m_follower.following() && m_follower.body() == body
                        ? Result<>{}
-                       : failure(ErrorCode::Refused, Text::tr("follow the %1 first").arg(bodyName(body)));
+                       : failure(ErrorCode::Refused, Text::tr("Track the %1 first.").arg(bodyName(body)));
         });
 }
 
@@ -121,7 +121,7 @@ Result<> CalibrationRuns::givePower(double decibels)
 {
     return ScanPilot::isPower(decibels).and_then([&]() -> Result<> {
         return wantsPower() ? endedBy(m_scan.give(decibels))
-                            : failure(ErrorCode::Refused, Text::tr("no scan waits for a power now"));
+                            : failure(ErrorCode::Refused, Text::tr("No scan waits for a power value."));
     });
 }
 

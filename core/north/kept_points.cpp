@@ -46,8 +46,7 @@ void KeptPoints::restore()
         return;
     }
     m_log.add(Severity::Advisory, kPointsSource,
-              Text::tr("%1 points that were taken before are here again; they count when every drive has reported "
-                       "its identity")
+              Text::tr("%1 points from before are loaded. They count when every drive has reported its identity")
                   .arg(m_book.points().size()));
     m_pointsMount = m_file.pointsMount();
     m_book.setWaiting(true);
@@ -57,7 +56,7 @@ void KeptPoints::restore()
 Result<> KeptPoints::hasRoom() const
 {
     if (m_book.points().size() >= kMostPoints) {
-        return failure(ErrorCode::Refused, Text::tr("there are %1 points already: drop some").arg(kMostPoints));
+        return failure(ErrorCode::Refused, Text::tr("There are already %1 points. Drop some.").arg(kMostPoints));
     }
     return {};
 }

@@ -30,8 +30,8 @@ Result<> LiveSensor::isHeard() const
         return {};
     }
     const QString silence =
-        m_last ? Text::tr("the orientation sensor has said nothing for %1 s").arg(age.count(), 0, 'f', 0)
-               : Text::tr("the orientation sensor has said nothing yet");
+        m_last ? Text::tr("The orientation sensor has sent nothing for %1 s.").arg(age.count(), 0, 'f', 0)
+               : Text::tr("The orientation sensor has sent nothing yet.");
     return failure(ErrorCode::NoAnswer,
                    m_problem.isEmpty() ? silence : QStringLiteral("%1 (%2)").arg(silence, m_problem));
 }
@@ -39,15 +39,16 @@ Result<> LiveSensor::isHeard() const
 Result<> LiveSensor::isUsable() const
 {
     if (m_profile->sensor.source == profile::SensorSource::None) {
-        return failure(ErrorCode::NotAvailable, Text::tr("the profile names no orientation sensor"));
+        return failure(ErrorCode::NotAvailable, Text::tr("The profile has no orientation sensor."));
     }
     return isHeard().and_then([this]() -> Result<> {
         if (m_last->calibration && m_last->calibration->magnetometer < kCalibratedMagnetometer) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("the magnetometer is calibrated to %1 of 3 only, it needs %2: move "
-                                    "the sensor in figures of eight")
-                               .arg(m_last->calibration->magnetometer)
-                               .arg(kCalibratedMagnetometer));
+            return failure(
+                ErrorCode::Refused,
+                Text::tr(
+                    "Magnetometer calibration is only %1 of 3, but %2 is needed. Move the sensor in figures of eight.")
+                    .arg(m_last->calibration->magnetometer)
+                    .arg(kCalibratedMagnetometer));
         }
         return {};
     });

@@ -54,14 +54,13 @@ Result<> ModelChanges::makesSense(const CalibrationChange& change) const
         change.applyTo(wanted);
         const auto problems = profile::problemsOf(wanted);
         if (!problems.empty() && problems.front().key.starts_with("park.")) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("the place to park would then be forbidden, %1: set another one "
-                                    "first (tab Mount, Profile, \"park\"), then apply")
-                               .arg(problems.front().text));
+            return failure(ErrorCode::Refused, Text::tr("The park position would then be forbidden: %1. Set another "
+                                                        "one first (tab Mount, Profile, \"park\"). Then apply.")
+                                                   .arg(problems.front().text));
         }
         if (!problems.empty()) {
             return failure(ErrorCode::Refused,
-                           Text::tr("with this the profile would not make sense, %1: change that first")
+                           Text::tr("The profile would then be inconsistent: %1. Change that first.")
                                .arg(profile::toText(problems.front())));
         }
     }
@@ -120,13 +119,13 @@ Result<> ModelChanges::mayRecall(const Recall& recall) const
 Result<> ModelChanges::mayUndo() const
 {
     return m_file.history().canUndo() ? mayRecall(undone())
-                                      : failure(ErrorCode::Refused, Text::tr("there is no calibration to take back"));
+                                      : failure(ErrorCode::Refused, Text::tr("There is no calibration to undo."));
 }
 
 Result<> ModelChanges::mayRedo() const
 {
     return m_file.history().canRedo() ? mayRecall(redone())
-                                      : failure(ErrorCode::Refused, Text::tr("there is no calibration to bring back"));
+                                      : failure(ErrorCode::Refused, Text::tr("There is no calibration to redo."));
 }
 
 Result<> ModelChanges::undo()
@@ -135,7 +134,7 @@ Result<> ModelChanges::undo()
         const calibration::CalibrationHistory& history = m_file.history();
         const CalibrationChange change = undone().change;
         warnOfOtherMount(history.entries()[history.inForce() - 1]);
-        bringIntoForce(change, Text::tr("takes back \"%1\"").arg(m_file.undo().title));
+        bringIntoForce(change, Text::tr("undoes \"%1\"").arg(m_file.undo().title));
     });
 }
 
@@ -154,15 +153,14 @@ Result<> ModelChanges::stillInForce(const pointing::PointingTerms& terms,
                                     const std::optional<calibration::SensorMounting>& sensor) const
 {
     if (!isSame(terms, m_profile->pointing)) {
-        return failure(ErrorCode::Refused,
-                       Text::tr("the pointing model was changed since, %1, and that would be lost: take it back on the "
-                                "page Profile first, or type the terms that you want")
-                           .arg(changeText(terms, m_profile->pointing)));
+        return failure(ErrorCode::Refused, Text::tr("The pointing model was changed after that: %1. This change would "
+                                                    "be lost. Undo it on the page Profile first, or type the terms.")
+                                               .arg(changeText(terms, m_profile->pointing)));
     }
     if (sensor && !isSame(*sensor, mountingOf(m_profile->sensor))) {
         return failure(ErrorCode::Refused,
-                       Text::tr("the sensor's mounting or deviation was changed since, and that would be lost: take it "
-                                "back on the page Profile first"));
+                       Text::tr("The mounting or the compass error of the sensor was changed after that. This change "
+                                "would be lost. Undo it on the page Profile first."));
     }
     return {};
 }
@@ -172,8 +170,7 @@ void ModelChanges::warnOfOtherMount(const calibration::CalibrationRecord& record
     if (calibration::difference(record.mount, m_mount.today()) != calibration::MountDifference::None) {
         m_log.add(
             Severity::Warning, kChangesSource,
-            Text::tr("\"%1\" was applied with another drive or at another site: see where north is before you rely "
-                     "on what comes into force")
+            Text::tr("\"%1\" was applied with another drive or at another site. Check north before you rely on it")
                 .arg(record.title));
     }
 }

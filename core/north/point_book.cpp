@@ -25,7 +25,7 @@ double squared(Angle angle)
 Result<> PointBook::has(std::size_t index) const
 {
     if (index >= m_points.size()) {
-        return failure(ErrorCode::OutOfRange, Text::tr("there is no point %1").arg(index + 1));
+        return failure(ErrorCode::OutOfRange, Text::tr("There is no point %1.").arg(index + 1));
     }
     return {};
 }
@@ -58,7 +58,7 @@ void PointBook::fit(const pointing::PointingTerms& inForce, const calibration::T
         return;
     }
     if (m_waiting) {
-        m_problem = Text::tr("these points wait until every drive has reported its identity");
+        m_problem = Text::tr("These points wait until every drive has reported its identity.");
     } else if (auto fit = calibration::fitPointing(m_points, inForce, known)) {
         m_fit = std::move(*fit);
     } else {

@@ -36,12 +36,12 @@ Result<> PointTaker::mayTake() const
 Result<> PointTaker::mayTakeBody() const
 {
     if (!m_follower.body()) {
-        return failure(ErrorCode::Refused, Text::tr("follow the Sun or the Moon first, and centre it"));
+        return failure(ErrorCode::Refused, Text::tr("Track the Sun or the Moon first and centre it."));
     }
     return m_follower.direction(*m_follower.body()).and_then([&](const SkyPointing& place) -> Result<> {
         if (place.elevation < Angle{}) {
             return failure(ErrorCode::Refused,
-                           Text::tr("the %1 is below the horizon").arg(bodyName(*m_follower.body())));
+                           Text::tr("The %1 is below the horizon.").arg(bodyName(*m_follower.body())));
         }
         return mayTake();
     });
@@ -68,7 +68,7 @@ void PointTaker::warnOfFarPoint(const SkyPointing& truth)
     }
     if (const Angle distance = angleBetween(*beam, truth); distance > std::max(kFarPoint, 3.0 * *north)) {
         m_log.add(Severity::Warning, kTakerSource,
-                  Text::tr("by the model in force the beam is %1° beside it: if it was not centred, drop point %2")
+                  Text::tr("By the model in force the beam is %1° off. If the target was not centred, drop point %2")
                       .arg(distance.degrees(), 0, 'f', 1)
                       .arg(m_points.book().points().size()));
     }
@@ -78,7 +78,7 @@ Result<> PointTaker::takeKnown(const SkyPointing& truth, const QString& label)
 {
     if (!truth.azimuth.isFinite() || abs(truth.azimuth) > 360_deg || !(abs(truth.elevation) <= 90_deg)) {
         return failure(ErrorCode::OutOfRange,
-                       Text::tr("an azimuth within 360° and an elevation within 90° are expected"));
+                       Text::tr("The azimuth must be within 360° and the elevation within 90°."));
     }
     return mayTake().map([&] {
         const QString name = label.trimmed();

@@ -39,7 +39,7 @@ Result<> Proposals::propose(GivenTerms given)
 {
     return asSettings(given.terms).and_then([&](const auto& terms) -> Result<> {
         if (isSame(terms, m_profile->pointing)) {
-            return failure(ErrorCode::Refused, Text::tr("these are the terms that are in force already"));
+            return failure(ErrorCode::Refused, Text::tr("These terms are already in force."));
         }
         given.terms = changedOnly(terms, m_profile->pointing);
         m_given = std::move(given);
@@ -85,9 +85,10 @@ void Proposals::dropStale()
     if (isOfSensor() && abs(m_sensor.declination() - m_declination) > kSameDeclination) {
         m_sensorOffset.reset();
         proposeFrom(From::Nothing);
-        m_log.add(Severity::Warning, kProposalsSource,
-                  Text::tr("the settings of the sensor or the declination have changed: what was found with the former "
-                           "is not proposed any more; measure again"));
+        m_log.add(
+            Severity::Warning, kProposalsSource,
+            Text::tr(
+                "The settings of the sensor or the declination changed, so the proposal is dropped. Measure again"));
     }
 }
 
@@ -109,11 +110,11 @@ void Proposals::clear(Next next)
 Result<> Proposals::isCurrent(std::uint64_t number) const
 {
     if (!m_proposal) {
-        return failure(ErrorCode::Refused, Text::tr("nothing is proposed yet"));
+        return failure(ErrorCode::Refused, Text::tr("Nothing is proposed yet."));
     }
     return m_proposal->number == number
                ? Result<>{}
-               : failure(ErrorCode::Refused, Text::tr("this is not what is proposed any more: look at it again first"));
+               : failure(ErrorCode::Refused, Text::tr("The proposal has changed. Read it again first."));
 }
 
 bool Proposals::isFound(calibration::Term term) const
@@ -147,9 +148,9 @@ void Proposals::proposeFrom(From from)
         return;
     }
     if (m_points.axesMayDiffer(m_proposal->points)) {
-        m_proposal->warnings.push_back(Text::tr(
-            "the turn of an axis had to be told anew since the first of these points: if it was told otherwise than it "
-            "stood before, the points do not fit together; drop those from before"));
+        m_proposal->warnings.push_back(
+            Text::tr("The cable wrap was entered again after the first of these points. If another wrap was entered, "
+                     "the points do not fit together. Then drop the older points."));
     }
     m_proposal->number = ++m_count;
 }

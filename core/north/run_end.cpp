@@ -19,11 +19,11 @@ QString whoEnded(const StationControl& control)
 {
     switch (control.state()) {
         case StationState::Stopped:
-            return Text::tr("STOP ended it: there is no result");
+            return Text::tr("STOP ended the run. There is no result.");
         case StationState::Fault:
-            return Text::tr("a fault ended it: there is no result");
+            return Text::tr("A fault ended the run. There is no result.");
         default:
-            return Text::tr("another command to the mount ended it: there is no result");
+            return Text::tr("Another command to the mount ended the run. There is no result.");
     }
 }
 

@@ -36,7 +36,7 @@ ScanPilot::ScanPilot(const StationControl& control, BodyFollower& follower, cons
 Result<> ScanPilot::isWidth(Angle width)
 {
     if (!(width >= kNarrowest && width <= kWidest)) {
-        return failure(ErrorCode::OutOfRange, Text::tr("a scan is %1° to %2° wide")
+        return failure(ErrorCode::OutOfRange, Text::tr("The width of a scan must be %1° to %2°.")
                                                   .arg(kNarrowest.degrees(), 0, 'f', 1)
                                                   .arg(kWidest.degrees(), 0, 'f', 0));
     }
@@ -59,7 +59,7 @@ Result<> ScanPilot::start(ephemeris::Body body, Angle width)
 Result<> ScanPilot::isPower(double decibels)
 {
     if (!(std::abs(decibels) <= power::kLargestPower)) {
-        return failure(ErrorCode::OutOfRange, Text::tr("this is no power in dB"));
+        return failure(ErrorCode::OutOfRange, Text::tr("This is not a power in dB."));
     }
     return {};
 }
@@ -122,10 +122,10 @@ QString ScanPilot::ending() const
         return m_follower.ending().isEmpty() ? whoEnded(m_control) : m_follower.ending();
     }
     if (m_control.trim() != AxisPosition{}) {
-        return Text::tr("the beam was shifted by hand in the middle of the scan");
+        return Text::tr("The beam was trimmed by hand during the scan.");
     }
     if (const QString reason = m_control.limitedReason(); !reason.isEmpty()) {
-        return Text::tr("the beam does not get to a place of the scan: %1").arg(reason);
+        return Text::tr("The beam cannot reach a place of the scan: %1").arg(reason);
     }
     return m_run->obstacle(m_clock.now());
 }
@@ -139,7 +139,7 @@ RunEnd ScanPilot::finish(const AxisPosition& middle)
         return failedRun(scanned ? truth.error().text : scanned.error().text);
     }
     m_scanned = *scanned;
-    return {.outcome = Text::tr("done: the peak is a point now"),
+    return {.outcome = Text::tr("done, and the peak is a point now"),
             .found = NewPoint{.axes = scanned->peak,
                               .truth = *truth,
                               .sigma = std::max(scanned->sigma, kSharpestPeak),

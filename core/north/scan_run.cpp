@@ -81,9 +81,9 @@ QString ScanRun::obstacle(SteadyTime now) const
         return m_noPeak;  // the other line would be for nothing
     }
     if (rests(now)) {
-        return Seconds(now - settled()) > kScanRunPatience ? Text::tr("nobody told the power") : QString();
+        return Seconds(now - settled()) > kScanRunPatience ? Text::tr("No power reading received.") : QString();
     }
-    return Seconds(now - m_came) > kLongestWay ? Text::tr("the mount does not come to rest") : QString();
+    return Seconds(now - m_came) > kLongestWay ? Text::tr("The mount does not stand still.") : QString();
 }
 
 void ScanRun::give(double decibels, SteadyTime now)

@@ -50,8 +50,7 @@ Result<> SwingPilot::mayStart() const
         .and_then([this] { return m_sensor.isUsable(); })
         .and_then([this]() -> Result<> {
             if (m_control.authority() == Authority::Clients) {
-                return failure(ErrorCode::Refused,
-                               Text::tr("the clients have the control: take it before the mount is swung"));
+                return failure(ErrorCode::Refused, Text::tr("Clients have control. Take control before the swing."));
             }
             return m_control.measured().map([](const auto&) {});
         });
@@ -97,13 +96,13 @@ QString SwingPilot::ending() const
         return usable.error().text;
     }
     if (m_axes.unseenFor() > kUnseen) {
-        return Text::tr("where the mount stands is not known any more");
+        return Text::tr("The position of the mount is unknown.");
     }
     if (m_sensor.restarts() != m_restarts) {
-        return Text::tr("the sensor was started anew meanwhile: its compass may count otherwise now");
+        return Text::tr("The sensor restarted during the swing. Its compass may have another zero now.");
     }
     if (m_run->late(now)) {
-        return Text::tr("the mount does not get on: something holds it");
+        return Text::tr("The mount is not moving. Something is blocking it.");
     }
     return m_run->begun() && !m_control.obeys(calibrationSource()) ? whoEnded(m_control) : QString();
 }
@@ -127,7 +126,7 @@ void SwingPilot::reportWait(bool waited, const Result<>& heard)
         warnOfWait(heard.error().text);
     } else if (waited && !m_run->waits()) {
         m_control.alarms().clear(alarmEntry("swing.waits"));
-        m_log.add(Severity::Advisory, kSwingSource, Text::tr("the sensor is heard again: the swing goes on"));
+        m_log.add(Severity::Advisory, kSwingSource, Text::tr("sensor data is back, and the swing continues"));
     }
 }
 
@@ -135,7 +134,7 @@ void SwingPilot::reportWait(bool waited, const Result<>& heard)
 void SwingPilot::warnOfWait(const QString& why)
 {
     const QString left = QString::number(m_run->waitLeft(m_clock.now()).count(), 'f', 0);
-    m_log.add(Severity::Warning, kSwingSource, Text::tr("the swing stands still for %1 s at most: %2").arg(left, why));
+    m_log.add(Severity::Warning, kSwingSource, Text::tr("the swing pauses for at most %1 s: %2").arg(left, why));
     const UtcTime until = m_clock.utc() + std::chrono::round<UtcTime::duration>(m_run->waitLeft(m_clock.now()));
     m_control.alarms().raise(alarmEntry("swing.waits"), {timeOfDayText(until)});
 }
@@ -146,14 +145,16 @@ RunEnd SwingPilot::finish() const
     if (!outcome) {
         return failedRun(outcome.error().text);
     }
-    const SwungCompass swung{.outcome = std::make_shared<const SwingOutcome>(std::move(*outcome)),
-                             .doubt = m_run->heardAllAlong()
-                                          ? QString()
-                                          : Text::tr("the sensor was silent meanwhile and does not tell how it is "
-                                                     "calibrated: if it was started anew, repeat the swing")};
+    const SwungCompass swung{
+        .outcome = std::make_shared<const SwingOutcome>(std::move(*outcome)),
+        .doubt =
+            m_run->heardAllAlong()
+                ? QString()
+                : Text::tr(
+                      "The sensor was silent and does not report its calibration. If it restarted, repeat the swing.")};
     const calibration::CompassSwing& fit = swung.outcome->fit;
     if (!fit.isUsable()) {
-        const QString why = Text::tr("a compass is of no use here: %1").arg(fit.hopeless.front());
+        const QString why = Text::tr("A compass does not work here. %1").arg(fit.hopeless.front());
         return {.outcome = why, .failed = true, .found = swung};
     }
     return {.outcome = usedText(calibration::SwingTally(fit.samples), m_run->limits()), .found = swung};

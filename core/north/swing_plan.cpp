@@ -38,18 +38,18 @@ TravelRange arcAround(Angle here, const TravelRange& free)
 QString obstacleOf(const SwingWish& wish, const SwingPlan& plan)
 {
     if (!(wish.rate >= kSlowest && wish.rate <= kFastest)) {
-        return Text::tr("a swing turns at %1 to %2°/s")
+        return Text::tr("The rate of a swing must be %1 to %2°/s.")
             .arg(kSlowest.degrees(), 0, 'f', 1)
             .arg(kFastest.degrees(), 0, 'f', 1);
     }
     if (wish.headings != 0 && (wish.headings < kFewestHeadings || wish.headings > kMostHeadings)) {
-        return Text::tr("a swing stops at %1 to %2 headings, or at none").arg(kFewestHeadings).arg(kMostHeadings);
+        return Text::tr("A swing has %1 to %2 stops, or none.").arg(kFewestHeadings).arg(kMostHeadings);
     }
     if (const QString obstacle = compassObstacle(plan.elevation); !obstacle.isEmpty()) {
         return obstacle;
     }
     if (plan.azimuth.max - plan.azimuth.min < kLeastArc) {
-        return Text::tr("only %1 of azimuth are free at this elevation, a swing needs %2: raise the boom")
+        return Text::tr("Only %1 of azimuth is free at this elevation. A swing needs %2. Raise the boom.")
             .arg(degreesText(std::max(plan.azimuth.max - plan.azimuth.min, Angle{}), 0), degreesText(kLeastArc, 0));
     }
     return {};
@@ -60,11 +60,10 @@ QString adviceFor(Angle elevation)
 {
     const calibration::LevelLimits limits = levelLimits();
     if (elevation < limits.lowest || elevation > limits.highest) {
-        return Text::tr("no tilt at this elevation: it is read between %1 and %2, best at 30°")
+        return Text::tr("no tilt at this elevation (it is measured between %1 and %2, best at 30°)")
             .arg(degreesText(limits.lowest, 0), degreesText(limits.highest, 0));
     }
-    return elevation < kWellForTilt ? Text::tr("better raise the boom to 30° first: there it reads tilt and curve best")
-                                    : QString();
+    return elevation < kWellForTilt ? Text::tr("raise the boom to 30° first for the best tilt and curve") : QString();
 }
 
 QString textOf(const SwingPlan& plan)
@@ -114,7 +113,7 @@ QString compassObstacle(Angle elevation)
     if (abs(elevation) <= kHighestForCompass) {
         return {};
     }
-    return Text::tr("with the boom at %1 the compass says nothing: lower it to %2 or less, best to 30°")
+    return Text::tr("With the boom at %1 the compass does not work. Lower it to %2 or less, best to 30°.")
         .arg(degreesText(elevation, 0), degreesText(kHighestForCompass, 0));
 }
 
@@ -145,7 +144,7 @@ SwingPlan planSwing(const SwingWish& wish, const AxisPosition& here, const point
 {
     SwingPlan plan{.elevation = here.elevation, .rate = std::min(wish.rate, limits.speed), .headings = wish.headings};
     if (!region.permits(here)) {
-        plan.obstacle = Text::tr("the boom stands in what is forbidden: drive it out first");
+        plan.obstacle = Text::tr("The mount is outside the permitted region. Jog it back inside first.");
         return plan;
     }
     plan.azimuth = arcAround(here.azimuth, region.azimuthsAround(pointing::AxisBox::at(here)));

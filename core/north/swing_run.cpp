@@ -199,11 +199,10 @@ QString SwingRun::text(SteadyTime now) const
 {
     if (waits()) {
         const Seconds left = std::max(waitLeft(now), Seconds(0.0));
-        return Text::tr("standing still until the sensor is heard again, %1 s more at most")
-            .arg(left.count(), 0, 'f', 0);
+        return Text::tr("waiting for sensor data, for at most %1 s more").arg(left.count(), 0, 'f', 0);
     }
     if (done() || (m_leg == 0 && m_plan.headings == 0)) {
-        return Text::tr("going to where the swing begins");
+        return Text::tr("moving to the start of the swing");
     }
     const QString way = m_legs[m_leg].turning == Turning::Clockwise ? Text::tr("turning clockwise")
                                                                     : Text::tr("turning counter-clockwise");

@@ -145,14 +145,12 @@ QString MqttSource::denial() const
     }
     const QString& topic = isDenied() ? m_topics.orientation : m_denied.constFirst();
     const QString& user = m_client.broker().user;
-    const QString text =
-        user.isEmpty()
-            ? Text::tr(
-                  "%1: the broker refuses to let us read %2: permit it in the broker's access list (ACL), or set "
-                  "mqtt.user and mqtt.password")
-            : Text::tr(
-                  "%1: the broker refuses to let us read %2: permit it in the broker's access list (ACL) to the "
-                  "user \"%3\"");
+    const QString text = user.isEmpty() ? Text::tr(
+                                              "%1: The broker does not permit reading %2. Permit it in the access list "
+                                              "(ACL) of the broker, or set mqtt.user and mqtt.password")
+                                        : Text::tr(
+                                              "%1: The broker does not permit reading %2. Permit it in the access list "
+                                              "(ACL) of the broker for the user \"%3\"");
     return user.isEmpty() ? text.arg(name(), topic) : text.arg(name(), topic, user);
 }
 
@@ -163,17 +161,15 @@ void MqttSource::tellSilence()
     }
     m_denialTold = false;
     if (m_refused && m_refused->reason == Refusal::Retained) {
-        show(true, Text::tr("%1: on %2 there is only what the broker has kept from before, nothing live: has the "
-                            "sensor power and WiFi?")
+        show(true, Text::tr("%1: On %2 the broker has only an old stored value. Does the sensor have power and WiFi?")
                        .arg(name(), m_topics.orientation));
         return;
     }
-    show(true, m_refused
-                   ? Text::tr("%1: what comes on %2 is no message of the sensor (%3)")
-                         .arg(name(), m_topics.orientation, toQString(toText(*m_refused)))
-                   : Text::tr("%1: nothing comes on %2: has the sensor power and WiFi, is this its topic, and does "
-                              "the broker's access list let us read it?")
-                         .arg(name(), m_topics.orientation));
+    show(true, m_refused ? Text::tr("%1: The messages on %2 are not from the sensor (%3)")
+                               .arg(name(), m_topics.orientation, toQString(toText(*m_refused)))
+                         : Text::tr("%1: No data on %2. Does the sensor have power and WiFi? Is this its topic? Does "
+                                    "the access list of the broker permit reading it?")
+                               .arg(name(), m_topics.orientation));
 }
 
 void MqttSource::showDenial()

@@ -170,13 +170,12 @@ void SerialSource::tellSilence()
     }
     const QString last = toQString(m_stream.lastChatter());
     const QString text =
-        !m_heard ? Text::tr("%1: nothing comes: has the sensor power, and its WiFi (without it, it is silent)?")
+        !m_heard ? Text::tr("%1: No data. Does the sensor have power and WiFi? Without WiFi it sends nothing")
                        .arg(m_path.path())
-        : last.isEmpty()
-            ? Text::tr("%1: what comes is damaged or no sentence of the sensor: is sensor.baud (%2) right?")
-                  .arg(m_path.path())
-                  .arg(m_settings.baud)
-            : Text::tr("%1: what comes is no sentence of the sensor, but: \"%2\"").arg(m_path.path(), last);
+        : last.isEmpty() ? Text::tr("%1: The data is damaged or not from the sensor. Is sensor.baud (%2) right?")
+                               .arg(m_path.path())
+                               .arg(m_settings.baud)
+                         : Text::tr("%1: The data is not from the sensor: \"%2\"").arg(m_path.path(), last);
     // The first at once. Another one when it lasts: chatter with a number in it is a new text each time.
     if (m_seen.isEmpty() || m_seen == text) {
         show(true, text);
@@ -194,9 +193,10 @@ void SerialSource::lose(QSerialPort::SerialPortError error)
     if (!gone || !m_wanted || !m_status.open) {
         return;
     }
-    tryLater(m_path.name().isEmpty() ? Text::tr("%1 is gone: plug the sensor in again").arg(m_path.path())
-                                     : Text::tr("%1 is gone: plug the sensor in again; it is found in any socket as %2")
-                                           .arg(m_path.path(), m_path.name()));
+    tryLater(m_path.name().isEmpty()
+                 ? Text::tr("%1 is gone. Plug the sensor in again").arg(m_path.path())
+                 : Text::tr("%1 is gone. Plug the sensor in again, in any socket. Boresight finds it as %2")
+                       .arg(m_path.path(), m_path.name()));
     const auto closeLostPort = [this] {
         if (!m_status.open) {
             m_port.close();

@@ -276,7 +276,7 @@ QString obstacleBetween(const PermittedRegion& region, const AxisPosition& from,
             return obstacle;
         }
     }
-    return Text::tr("what is forbidden");
+    return Text::tr("a forbidden region");
 }
 
 QString degrees(const SkyPointing& beam)
@@ -290,8 +290,8 @@ Error noWay(const PermittedRegion& region, const AxisPosition& from, const AxisP
     const QString begin = degrees(region.beamAt(from));
     const QString end = degrees(region.beamAt(to));
     const QString text =
-        spent ? Text::tr("no way from %1 to %2 was found in time: there are too many keep-outs").arg(begin, end)
-              : Text::tr("there is no way from %1 to %2: %3 is in between")
+        spent ? Text::tr("Boresight found no way from %1 to %2 in time. There are too many keep-outs.").arg(begin, end)
+              : Text::tr("There is no way from %1 to %2. Between them is %3.")
                     .arg(begin, end, obstacleBetween(region, from, to));
     return {ErrorCode::OutOfRange, text};
 }

@@ -35,9 +35,9 @@ QString problemOf(const LineSettings& settings, const LineState& state, SteadyTi
         return state.trouble;
     }
     return state.rubbish.isEmpty()
-               ? Text::tr("%1: nothing comes: is the receiver's program running, and does it send here?")
+               ? Text::tr("%1: No data. Is the program of the receiver running? Does it send to this address?")
                      .arg(nameOf(settings))
-               : Text::tr("%1: what comes is no power in dB: %2").arg(nameOf(settings), state.rubbish);
+               : Text::tr("%1: The data is not a power in dB: %2").arg(nameOf(settings), state.rubbish);
 }
 
 PowerLine::PowerLine(const LineSettings& settings, const Clock& clock, QObject* parent)
@@ -96,9 +96,10 @@ void PowerLine::begin()
 void PowerLine::lose(const QString& reason)
 {
     m_state.open = false;
-    m_state.trouble = m_settings.transport == Transport::Udp
-                          ? Text::tr("%1 cannot be listened at: %2").arg(nameOf(m_settings), reason)
-                          : Text::tr("%1: no connection to the receiver's program: %2").arg(nameOf(m_settings), reason);
+    m_state.trouble =
+        m_settings.transport == Transport::Udp
+            ? Text::tr("Boresight cannot listen on %1: %2").arg(nameOf(m_settings), reason)
+            : Text::tr("%1: No connection to the program of the receiver: %2").arg(nameOf(m_settings), reason);
     if (!m_retry.isActive()) {
         m_retry.start(m_delay);
         m_delay = std::min(2 * m_delay, m_settings.longestRetry);

@@ -82,16 +82,16 @@ std::vector<Found> numbersIn(std::string_view line)
 Result<double> onlyOne(const std::vector<Found>& numbers)
 {
     if (numbers.empty()) {
-        return failure(ErrorCode::InvalidInput, Text::tr("there is no number in it"));
+        return failure(ErrorCode::InvalidInput, Text::tr("it contains no number"));
     }
     if (numbers.size() > 1) {
-        return failure(ErrorCode::InvalidInput, Text::tr("which of its numbers is the power is not sure"));
+        return failure(ErrorCode::InvalidInput, Text::tr("it contains several numbers, and none is clearly the power"));
     }
     if (!numbers.front().value) {
-        return failure(ErrorCode::InvalidInput, Text::tr("its number cannot be read for sure"));
+        return failure(ErrorCode::InvalidInput, Text::tr("its number is ambiguous"));
     }
     if (!(std::abs(*numbers.front().value) <= kLargestPower)) {
-        return failure(ErrorCode::OutOfRange, Text::tr("more than %1 dB is no power").arg(kLargestPower));
+        return failure(ErrorCode::OutOfRange, Text::tr("a power above %1 dB is not possible").arg(kLargestPower));
     }
     return *numbers.front().value;
 }

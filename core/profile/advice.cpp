@@ -53,13 +53,12 @@ void adviseOn(std::vector<Advice>& list, const std::string& table, const QString
     const Seconds ramp{limits.speed.radians() / limits.acceleration.radians()};
     const double inertia = axis.maxTorque / limits.acceleration.radians();
     if (ramp < kShortRamp || inertia < kLightAntenna) {
-        list.push_back(
-            {key,
-             Text::tr("%1 is to reach %2°/s within %3 s: the %4 Nm allowed are enough for a moment of inertia of "
-                      "%5 kg·m² at most, without friction and wind")
-                 .arg(name, decimalText(limits.speed.degrees(), 1), decimalText(ramp.count(), 2),
-                      decimalText(axis.maxTorque, 1), decimalText(inertia, 1)),
-             Text::tr("Lower max_acceleration_deg_s2 (%1), or raise max_torque_nm.").arg(acceleration)});
+        list.push_back({key,
+                        Text::tr("%1 must reach %2°/s within %3 s. The permitted %4 Nm are enough for a moment of "
+                                 "inertia of at most %5 kg·m², without friction and wind")
+                            .arg(name, decimalText(limits.speed.degrees(), 1), decimalText(ramp.count(), 2),
+                                 decimalText(axis.maxTorque, 1), decimalText(inertia, 1)),
+                        Text::tr("Lower max_acceleration_deg_s2 (%1), or raise max_torque_nm.").arg(acceleration)});
     }
 }
 

@@ -128,7 +128,7 @@ Result<> distanceAndAzimuth(const Command& command, ReplyWriter& reply)
     const auto path = greatCircle({.longitude = fromLongitude, .latitude = fromLatitude},
                                   {.longitude = toLongitude, .latitude = toLatitude});
     if (!path) {
-        return failure(ErrorCode::OutOfRange, Text::tr("a place is not on the globe"));
+        return failure(ErrorCode::OutOfRange, Text::tr("a latitude or longitude is out of range"));
     }
     reply.value(sixDecimals(path->kilometres));
     reply.value(sixDecimals(path->azimuth));

@@ -194,7 +194,7 @@ bool Server::turnedAway(const Client& client)
     const std::string host = hostOf(client.address);
     if (!m_admission.admits(host)) {
         // Named without its port: who knocks again and again gets one line in the log, not one each time.
-        m_rotator.clientRemark({.address = host}, Text::tr("refused: its address is not among those that may connect"));
+        m_rotator.clientRemark({.address = host}, Text::tr("refused: its address is not permitted (rotctld.allow)"));
         return true;
     }
     const QString crowd = m_admission.crowd(host, m_settings.maxClients);
@@ -214,7 +214,7 @@ void Server::setAllowed(const std::vector<std::string>& entries)
         }
     }
     for (const std::uint64_t id : unwanted) {
-        disconnect(id, Text::tr("its address may not connect any more"));
+        disconnect(id, Text::tr("its address is no longer permitted (rotctld.allow)"));
     }
 }
 
@@ -240,7 +240,7 @@ void Server::watchListener(bool on)
     ::epoll_ctl(m_epoll.get(), on ? EPOLL_CTL_ADD : EPOLL_CTL_DEL, m_listener.get(), &event);
     m_listenerWatched = on;
     if (!on && !m_shortageTold) {
-        m_rotator.clientRemark({}, Text::tr("no descriptor left: new clients wait"));
+        m_rotator.clientRemark({}, Text::tr("no file descriptor is free, so new clients wait"));
         m_shortageTold = true;
     }
 }

@@ -83,7 +83,7 @@ bool Session::resume(std::string& reply)
 
 void Session::endAsStranger()
 {
-    drop(Text::tr("is no rotctld client (%1)").arg(toQString(m_parser.stranger())));
+    drop(Text::tr("is not a rotctld client (%1)").arg(toQString(m_parser.stranger())));
 }
 
 void Session::drop(const QString& reason)
@@ -112,7 +112,7 @@ void Session::run(std::string& reply)
     const Command& command = m_parser.command();
     m_habits.take(command, m_clock.now());
     if (command.spec->id == CommandId::Quit) {
-        m_ending = Text::tr("said goodbye");
+        m_ending = Text::tr("ended the session");
         return;
     }
     const std::size_t before = reply.size();

@@ -56,7 +56,7 @@ Result<> runSetting(const Command& command, const Context& context, ReplyWriter&
 {
     const CommandId id = command.spec->id;
     if (id == CommandId::SendRaw) {
-        return failure(ErrorCode::Io, Text::tr("raw commands have no way to the drives"));
+        return failure(ErrorCode::Io, Text::tr("raw commands to the drives are not permitted"));
     }
     if (id == CommandId::SetConfiguration) {
         return setConfiguration(command, context);

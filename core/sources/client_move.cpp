@@ -13,7 +13,7 @@ Result<> ClientMove::ask(const request::Move& wanted, const Source& by)
 void ClientMove::gone(const Source& client)
 {
     if (helm().current().is(Activity::Running) && helm().current().isFor(client)) {
-        helm().end(Severity::Advisory, Text::tr("is gone, and its motion ends"));
+        helm().end(Severity::Advisory, Text::tr("has disconnected, so its motion ends"));
     }
 }
 

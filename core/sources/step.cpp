@@ -31,8 +31,8 @@ Result<> Step::ask(const request::Nudge& wanted, const Source& by)
     const AxisPosition trim{.azimuth = before.azimuth + wanted.azimuth,
                             .elevation = before.elevation + wanted.elevation};
     if (!(abs(trim.azimuth) <= kLargestTrim && abs(trim.elevation) <= kLargestTrim)) {
-        return failure(ErrorCode::OutOfRange, Text::tr("a trim beyond %1° is not a correction any more")
-                                                  .arg(toQString(formatFixed(kLargestTrim.degrees(), 0))));
+        return failure(ErrorCode::OutOfRange,
+                       Text::tr("A trim can be at most %1°.").arg(toQString(formatFixed(kLargestTrim.degrees(), 0))));
     }
     helm().setTrim(trim, by);
     return {};

@@ -316,16 +316,16 @@ void Station::reload(const Result<profile::Profile>& read)
     const Result<> taken = read.and_then(
         [this](const profile::Profile& profile) { return obey(request::ApplyProfile{profile}, operatorSource()); });
     if (!taken) {
-        m_log.add(
-            Severity::Warning, source,
-            Text::tr("the profile was not applied, the previous profile stays in force: %1").arg(taken.error().text));
+        m_log.add(Severity::Warning, source,
+                  Text::tr("the profile was not applied, so the previous profile stays in force: %1")
+                      .arg(taken.error().text));
         return;
     }
     QStringList waiting;
     std::ranges::transform(m_profile.waitingKeys(), std::back_inserter(waiting), toQString);
     m_log.add(waiting.isEmpty() ? Severity::Advisory : Severity::Warning, source,
               waiting.isEmpty() ? Text::tr("the profile was read again and is in force")
-                                : Text::tr("the profile was read again; these settings wait for a restart: %1")
+                                : Text::tr("the profile was read again. These settings wait for a restart: %1")
                                       .arg(waiting.join(QStringLiteral(", "))));
 }
 

@@ -87,12 +87,12 @@ StationBroker::StationBroker(const profile::InForce& profile, EventLog& log, con
     });
     connect(&m_client, &mqtt::Connection::problemChanged, this, [this](const QString& problem) {
         if (!problem.isEmpty()) {
-            m_log.add(Severity::Warning, kBrokerSource, Text::tr("%1 (tried again and again)").arg(problem));
+            m_log.add(Severity::Warning, kBrokerSource, Text::tr("%1 (Boresight keeps trying)").arg(problem));
         }
     });
     connect(&m_client, &mqtt::Connection::messageDropped, this, [this](qint64 bytes) {
         m_lines.add(Severity::Warning, kBrokerSource,
-                    Text::tr("MQTT broker %1: a message of %2 kB was dropped; the limit is %3 kB")
+                    Text::tr("MQTT broker %1: a message of %2 kB was dropped. The limit is %3 kB")
                         .arg(mqtt::toText(m_client.broker()))
                         .arg(bytes / kKilobyte)
                         .arg(mqtt::kLargestMessage / kKilobyte));

@@ -276,7 +276,7 @@ void StationRotator::clientConnected(const rotctld::Client& client)
 void StationRotator::clientGone(const rotctld::Client& client, const QString& reason)
 {
     m_points.gone(clientSource(client).name);
-    m_connections.add(Severity::Advisory, clientSource(client).name, Text::tr("gone: %1").arg(reason));
+    m_connections.add(Severity::Advisory, clientSource(client).name, Text::tr("disconnected: %1").arg(reason));
     m_control.sourceGone(clientSource(client));
 }
 

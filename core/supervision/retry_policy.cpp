@@ -28,31 +28,32 @@ QString tooHot(const QString& sentence, double now, double needed)
 
 QString motorTooHot(double now, double needed)
 {
-    return tooHot(Text::tr("the motor is still at %1 °C; it must cool down to %2 °C"), now, needed);
+    return tooHot(Text::tr("The motor is still at %1 °C. It must cool down to %2 °C."), now, needed);
 }
 
 QString boardTooHot(double now, double needed)
 {
-    return tooHot(Text::tr("the drive board is still at %1 °C; it must cool down to %2 °C"), now, needed);
+    return tooHot(Text::tr("The drive board is still at %1 °C. It must cool down to %2 °C."), now, needed);
 }
 
 QString supplyTooLow(double now, double needed)
 {
-    return now < needed ? Text::tr("the supply is still at %1 V; %2 V are needed").arg(words(now, 1), words(needed, 1))
-                        : QString();
+    return now < needed
+               ? Text::tr("The supply is still at %1 V. It must reach %2 V.").arg(words(now, 1), words(needed, 1))
+               : QString();
 }
 
 QString supplyTooHigh(double now, double allowed)
 {
-    return now > allowed ? Text::tr("the supply is still at %1 V; at most %2 V are permitted")
-                               .arg(words(now, 1), words(allowed, 1))
-                         : QString();
+    return now > allowed
+               ? Text::tr("The supply is still at %1 V. It must fall to %2 V.").arg(words(now, 1), words(allowed, 1))
+               : QString();
 }
 
 QString supplyRefusal(const profile::SupervisionSettings& settings, const std::optional<double>& now)
 {
     if (!now) {
-        return Text::tr("the drive does not report its supply voltage");
+        return Text::tr("The drive does not report its supply voltage.");
     }
     const QString low = supplyTooLow(*now, settings.supplyLow);
     return low.isEmpty() ? supplyTooHigh(*now, settings.supplyHigh) : low;
@@ -64,7 +65,7 @@ QString supplyRefusal(const profile::SupervisionSettings& settings, const std::o
 QString heatRefusal(double boardLimit, double motorHot, const DriveConditions& atLoss, const DriveConditions& now)
 {
     if (!now.boardTemperature) {
-        return Text::tr("the drive does not report its temperature");
+        return Text::tr("The drive does not report its temperature.");
     }
     const double boardThen = atLoss.boardTemperature.value_or(boardLimit);
     const bool boardWasFar = boardThen < boardLimit - kCoolDown;
@@ -72,8 +73,8 @@ QString heatRefusal(double boardLimit, double motorHot, const DriveConditions& a
     const bool motorWasHot = boardWasFar && motorThen > motorHot - kCool;
     if (motorWasHot && !now.motorTemperature) {
         return Text::tr(
-                   "the motor was at %1 °C and does not tell its temperature any more: mend its sensor, or let it "
-                   "cool down and start Boresight anew")
+                   "The motor was at %1 °C and no longer reports its temperature. Repair its sensor, or let the motor "
+                   "cool down and restart Boresight.")
             .arg(words(motorThen, 0));
     }
     const double motorNeeded = motorWasHot ? std::min(motorHot, motorThen - kCoolDown) : motorHot;

@@ -35,7 +35,7 @@ bool holdsNorth(const profile::Profile& profile)
 QString doubtOfCalibration(const orientation::Orientation& value)
 {
     if (!value.calibration) {
-        return Text::tr("the sensor does not tell how well its compass is calibrated");
+        return Text::tr("the sensor does not report the calibration of its compass");
     }
     return isTiedToNorth(*value.calibration)
                ? QString()
@@ -151,23 +151,23 @@ QString SensorWatch::doubtOf(const orientation::Orientation& value) const
     const SkyPointing direction = m_inForce.directionOf(value);
     return m_inForce.toSky().isReliable(direction)
                ? doubtOfCalibration(value)
-               : Text::tr("steel steers its compass around %1: the swing found it unreliable there")
-                     .arg(degreesText(direction.azimuth));
+               : Text::tr("steel disturbs its compass near %1, as the swing found").arg(degreesText(direction.azimuth));
 }
 
 void SensorWatch::note(const orientation::Orientation& value)
 {
     if (!std::exchange(m_source.heard, true)) {
-        m_log.add(Severity::Advisory, kWatchSource, Text::tr("the orientation sensor is heard: %1").arg(m_source.name));
+        m_log.add(Severity::Advisory, kWatchSource,
+                  Text::tr("the orientation sensor sends data: %1").arg(m_source.name));
     }
     if (m_judge.restarts() > m_source.restartsTold) {
         m_source.restartsTold = m_judge.restarts();
         m_log.add(Severity::Warning, kWatchSource,
-                  Text::tr("the orientation sensor has been restarted: its calibration begins anew"));
+                  Text::tr("the orientation sensor restarted, so its calibration begins again"));
     }
     if (!value.unknown.empty() && !std::exchange(m_source.unknownTold, true)) {
         m_log.add(Severity::Advisory, kWatchSource,
-                  Text::tr("its messages hold more than is known here: %1").arg(toQString(value.unknown)));
+                  Text::tr("its messages contain unknown fields: %1").arg(toQString(value.unknown)));
     }
 }
 

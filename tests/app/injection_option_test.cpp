@@ -66,7 +66,7 @@ TEST(InjectionOption, ErrorsNameTheOptionAndWhatItExpects)
     EXPECT_EQ(refusal("wind", "az:x@5"),
               "--wind az:x@5: \"x\" is no number; expected [AXIS:]TORQUE[@START][+DURATION]");
     EXPECT_THAT(refusal("wind", "+30"), HasSubstr("value is missing"));
-    EXPECT_THAT(refusal("wind", "nan"), HasSubstr("is no number"));
+    EXPECT_THAT(refusal("wind", "nan"), HasSubstr("is not a number"));
     EXPECT_THAT(refusal("late", "soon"), HasSubstr("\"soon\" is no time"));
     EXPECT_THAT(refusal("late", "11"), HasSubstr("outside 0…10"));
     EXPECT_THAT(refusal("lose", "1.5"), HasSubstr("outside 0…1"));

@@ -61,7 +61,7 @@ TEST(NextProfile, NothingOfASimulationReachesAFileOfARealMount)
     profile::Profile wanted = rig.first();
     EXPECT_EQ(wanted, realMount()) << "the mount as it is";
     Profiles profiles(rig.options);
-    for (const char* const part : {"", " and again"}) {
+    for (const char* const part : {"", "keeps trying"}) {
         changeAndFindEverything(wanted);
         wanted.mount.name += part;
         profiles.save(wanted);

@@ -122,7 +122,7 @@ TEST_F(ServiceTest, AProfileThatCannotBeReadLeavesTheOldOneInForce)
     start();
     write("version = 1\n[jog]\nfast_deg_s = \"quick\"\n");
     send(SIGHUP);
-    EXPECT_TRUE(says("the profile was not applied, the previous profile stays in force")) << errors();
+    EXPECT_TRUE(says("the profile was not applied, so the previous profile stays in force")) << errors();
     EXPECT_THAT(errors(), HasSubstr("profile.toml:3: jog.fast_deg_s"));
     QFile::remove(path);
     send(SIGHUP);
@@ -161,7 +161,7 @@ TEST_F(ServiceTest, HangUpDoesNotTakeTheProfileOfAnotherMount)
     start(QStringLiteral("export XDG_CONFIG_HOME=") + folder.path());
     write(profiles + QStringLiteral("/current"), "field.toml\n");
     send(SIGHUP);
-    EXPECT_TRUE(says("the profile was not applied, the previous profile stays in force")) << errors();
+    EXPECT_TRUE(says("the profile was not applied, so the previous profile stays in force")) << errors();
     EXPECT_THAT(errors(), HasSubstr("roof.toml, which is not the current mount any more: restart it"));
     expectOrderlyEnd();
 }

@@ -182,7 +182,7 @@ TEST(ClientsByProfile, TheRuleAndWhoMayConnectChangeWhileRunning)
     EXPECT_EQ(other->receiveUntilClosed(), "");
     EXPECT_TRUE(rig.status().clients.empty());
     EXPECT_EQ(rig.connect()->receiveUntilClosed(), "");
-    EXPECT_TRUE(rig.logSays(QStringLiteral("refused: its address is not among those that may connect")));
+    EXPECT_TRUE(rig.logSays(QStringLiteral("refused: its address is not permitted (rotctld.allow)")));
 }
 
 // Story: the profile said "in force now" of the number of clients, and the server kept the number of its start.

@@ -27,7 +27,7 @@ constexpr Seconds kPast{400.0};
 
 QList<const ValueLabel*> headerAndAxes(const QWidget& window)
 {
-    QStringList sentences{HeaderBar::tr("Reason of the state"), HeaderBar::tr("Target and who gave it")};
+    QStringList sentences{HeaderBar::tr("Reason of the state"), HeaderBar::tr("Target and its source")};
     for (const char* const axis : {"azimuth", "elevation"}) {
         sentences << AxisReadout::tr("Detail of %1").arg(QCoreApplication::translate("Axes", axis));
     }

@@ -159,7 +159,7 @@ StationStatus beforeCalibration()
     calibration.present = {};
     calibration.sensorObstacle =
         QStringLiteral("the sensor's magnetometer is calibrated to 1 of 3, at least 2 is needed: figure of eight");
-    calibration.pointObstacle = QStringLiteral("follow the Sun or the Moon first");
+    calibration.pointObstacle = QStringLiteral("Track the Sun or the Moon first");
     return with(status, calibration);
 }
 
@@ -258,8 +258,8 @@ StationStatus followingSun()
     calibration.body = ephemeris::Body::Sun;
     calibration.following = true;
     calibration.warning = QStringLiteral(
-        "The beam looks into the Sun: nobody looks along it, nor through a sight tube without a solar filter; mind the "
-        "heat in the feed");  // as the station says it: it has to fit
+        "The antenna points at the Sun. Do not look along it, nor through a sight tube without a solar filter. Watch "
+        "the heat at the feed");  // as the station says it: it has to fit
     for (int index = 0; index < 3; ++index) {
         calibration.points.push_back(pointAt(index, true, status.utc));
     }

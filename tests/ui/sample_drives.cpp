@@ -50,7 +50,7 @@ constexpr Setting kSettings[] = {
     {"motor_position.output.sign", "1 or -1", nullptr, "1", Verdict::Right,
      "turned round, the axis runs the other way: the profile's sign goes with it"},
     {"motor_position.output.reference_source", "any", nullptr, "-1", Verdict::Right,
-     "-1: no encoder on the axis, so the turn is not known after power-up"},
+     "-1: no encoder on the axis, so the cable wrap is unknown after power-up"},
     {"servo.fault_position_error", "0.0277778 turns (10°)", nullptr, "none", Verdict::Advised,
      "second line against a jam: so far behind its order the drive gives up (fault 49) without this program"},
     {"servo.max_position_slip", "none or ≥ 1°", nullptr, "none", Verdict::Right,
@@ -215,7 +215,7 @@ StationStatus asking(Axis axis, int places, Angle period, bool proposed)
 {
     StationStatus status = idle();
     status.state = StationState::Standby;
-    status.stateReason = QStringLiteral("the turn is not known");
+    status.stateReason = QStringLiteral("the cable wrap is unknown");
     place(status, {45.1_deg, 20_deg}, {45.1_deg, 20_deg}, {45.1_deg, 20_deg});
     dropTarget(status);
     const Angle at = axis == Axis::Azimuth ? 45.1_deg : 20_deg;
@@ -228,7 +228,7 @@ StationStatus asking(Axis axis, int places, Angle period, bool proposed)
     }
     question.period = period;
     question.evidence = {
-        QStringLiteral("The angle is known to a multiple of %1° only: %2 places are possible")
+        QStringLiteral("The angle is known only to a multiple of %1°. %2 places are possible")
             .arg(period.degrees(), 0, 'f', 1)
             .arg(places),
         QStringLiteral("The journal says %1°, 14 h old, written %2")

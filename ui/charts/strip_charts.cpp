@@ -39,11 +39,12 @@ StripCharts::StripCharts(const Clock& clock, QWidget* parent)
       m_axes(new QButtonGroup(this)),
       m_quantity(new QComboBox(this)),
       m_time(new TimeAxis(this)),
-      m_notice(new ValueLabel(tr("Remark on the charts"), fonts::label(), tr("Turn not known"), this)),
-      m_pause(new ChoiceButton(tr("Pause"), tr("Hold the picture; the data are collected on (Space in the charts)")))
+      m_notice(new ValueLabel(tr("Remark on the charts"), fonts::label(), tr("Wrap unknown"), this)),
+      m_pause(new ChoiceButton(tr("Pause"),
+                               tr("Freeze the charts. Boresight still records the data (Space in the charts)")))
 {
     setAccessibleName(tr("Axis charts"));
-    setToolTip(tr("Point at the curves to read them; or Tab, then the arrow keys. Space: pause"));
+    setToolTip(tr("Point at a curve to read it, or press Tab and then the arrow keys. Space pauses"));
     setFocusPolicy(Qt::TabFocus);
     auto* const row = new QHBoxLayout(this);
     row->setContentsMargins(4, 2, 4, 2);
@@ -120,7 +121,7 @@ void StripCharts::addQuantityBox(QGridLayout& grid)
     QComboBox* const box = m_quantity;
     box->setFont(fonts::label());
     box->setAccessibleName(tr("Quantity of the drive"));
-    box->setToolTip(tr("What the lowest strip shows of the drive"));
+    box->setToolTip(tr("Quantity in the lowest strip"));
     box->setMinimumHeight(kTouchSize);
     box->setFocusPolicy(Qt::TabFocus);
     for (const DriveQuantity quantity : kQuantities) {
@@ -248,7 +249,7 @@ void StripCharts::showTime(const ChartSpan& span)
 void StripCharts::showNotice()
 {
     if (!m_turnKnown[axisIndex(m_choice.axis)]) {
-        m_notice->setValue(tr("Turn not known"), Tone::Warning, Symbol::Warning);
+        m_notice->setValue(tr("Wrap unknown"), Tone::Warning, Symbol::Warning);
     } else if (m_pausedAt) {
         m_notice->setValue(tr("PAUSED"), Tone::Advisory, Symbol::Advisory);
     } else {

@@ -53,9 +53,9 @@ QStringList roleWords()
 QString roleWord(const ClientStatus& client)
 {
     QString word = client.readOnly  ? ClientModel::tr("read-only")
-                   : client.driving ? ClientModel::tr("● drives")
-                   : client.leading ? ClientModel::tr("leads")
-                   : client.wanting ? ClientModel::tr("▲ wants to")
+                   : client.driving ? ClientModel::tr("● in control")
+                   : client.leading ? ClientModel::tr("in control")
+                   : client.wanting ? ClientModel::tr("▲ waiting")
                                     : QString();
     if (client.locked) {
         word += (word.isEmpty() ? QString() : QStringLiteral(", ")) + ClientModel::tr("locked");

@@ -29,7 +29,7 @@ constexpr int kCellMargins = 10;  // px beside the text of a cell, both together
 
 QString whyNoClient(const ClientStatus* client)
 {
-    return client == nullptr ? ClientsPanel::tr("select a client first") : QString();
+    return client == nullptr ? ClientsPanel::tr("Select a client first.") : QString();
 }
 
 }  // namespace
@@ -45,16 +45,17 @@ ClientsPanel::ClientsPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* pare
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_gpredict(new ValueLabel(tr("Settings for Gpredict"), fonts::label(), {}, this)),
       m_first(new ChoiceButton(
-          tr("First"), tr("The first client moves the mount until it has asked for no motion for 10 s, or left"),
+          tr("First"), tr("The first client moves the mount until it disconnects or commands no motion for 10 s"),
           this)),
-      m_last(new ChoiceButton(tr("Last"), tr("Whoever sent the last target moves the mount, as with Hamlib"), this)),
-      m_locked(new ChoiceButton(tr("Locked"), tr("Only the host of one client: select it first"), this)),
+      m_last(new ChoiceButton(tr("Last"), tr("The client that sent the last target moves the mount, as with Hamlib"),
+                              this)),
+      m_locked(new ChoiceButton(tr("Locked"), tr("Only the host of the selected client moves the mount"), this)),
       m_give(new CommandButton(tr("Give control"), tr("The selected client moves the mount from now on"), desk,
                                *m_notice, this)),
       m_readOnly(
           new CommandButton(tr("Read-only"), tr("The selected client may only read and stop"), desk, *m_notice, this)),
-      m_disconnect(
-          new CommandButton(tr("Disconnect"), tr("Hang up; its program may connect again"), desk, *m_notice, this)),
+      m_disconnect(new CommandButton(tr("Disconnect"), tr("Close the connection. The program may connect again"), desk,
+                                     *m_notice, this)),
       m_lock(new CommandButton(tr("Lock"), tr("Only programs on the host of the selected client move the mount"), desk,
                                *m_notice, this))
 {
@@ -98,7 +99,7 @@ QWidget* ClientsPanel::makeRules()
     auto* const row = new QHBoxLayout(box);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
-    row->addWidget(makeCaption(tr("Who moves:"), box));
+    row->addWidget(makeCaption(tr("Control goes to:"), box));
     auto* const group = new QButtonGroup(box);
     for (ChoiceButton* const button : {m_first, m_last, m_locked}) {
         group->addButton(button);
@@ -134,7 +135,7 @@ QWidget* ClientsPanel::makeGpredict()
     row->setContentsMargins(0, 0, 0, 0);
     QPushButton* const copy = makePushButton({.text = tr("Copy"),
                                               .name = tr("Copy the settings for Gpredict"),
-                                              .help = tr("All that Gpredict must be told, for its dialogs")},
+                                              .help = tr("The settings for the dialogs of Gpredict")},
                                              box);
     copy->setMinimumWidth(kTouchSize);
     connect(copy, &QPushButton::clicked, this, &ClientsPanel::copySettings);
@@ -211,7 +212,7 @@ void ClientsPanel::showRules()
 void ClientsPanel::showAccess()
 {
     if (m_status.listening.isEmpty()) {
-        m_access->setValue(tr("rotctld does not listen: no program can connect"), Tone::Warning, Symbol::Warning);
+        m_access->setValue(tr("rotctld does not listen. No program can connect"), Tone::Warning, Symbol::Warning);
         return;
     }
     const bool here =
@@ -223,7 +224,7 @@ void ClientsPanel::showAccess()
     const QString text = !allowed.isEmpty()
                              ? tr("May connect to %1: %2").arg(m_status.listening, allowed.join(QStringLiteral(", ")))
                          : here ? tr("Any program on this computer may connect (%1)").arg(m_status.listening)
-                                : tr("Whoever can reach %1 may connect").arg(m_status.listening);
+                                : tr("Every computer that reaches %1 may connect").arg(m_status.listening);
     m_access->setValue(text, Tone::Secondary);
 }
 
@@ -239,7 +240,7 @@ void ClientsPanel::showBroker()
         m_broker->setValue(tr("Connecting to the MQTT broker %1").arg(broker.name), Tone::Secondary);
     } else {
         const QString again = broker.retryIn
-                                  ? tr(" (tried again in %1 s)").arg(std::ceil(broker.retryIn->count()), 0, 'f', 0)
+                                  ? tr(" (next attempt in %1 s)").arg(std::ceil(broker.retryIn->count()), 0, 'f', 0)
                                   : QString();
         m_broker->setValue(broker.problem + again, Tone::Warning, Symbol::Warning);
     }
@@ -266,12 +267,12 @@ void ClientsPanel::showSelected()
         const ClientStatus& shown = client != nullptr ? *client : *advised;
         m_detail->setValue(tr("%1: %2").arg(shown.address, shown.advice), Tone::Advisory, Symbol::Advisory);
     } else if (m_status.authority == Authority::Operator) {
-        m_detail->setValue(tr("You have the control: clients' motions are refused until you give it back"));
+        m_detail->setValue(tr("You have control. Boresight refuses motion commands of clients"));
     } else {
         m_detail->setValue(
             m_status.clients.empty()
-                ? tr("No program is connected. Gpredict leaves when it is refused: press Engage there again")
-                : tr("Select a client to give it the control, or to keep it out"),
+                ? tr("No program is connected. Gpredict disconnects after a refusal. Press Engage there again")
+                : tr("Select a client to give it control or to make it read-only"),
             Tone::Secondary);
     }
 }
@@ -282,7 +283,7 @@ QString ClientsPanel::whyNoChange() const
     const auto ours = [](const std::string& key) { return key == "rotctld.lead" || key == "rotctld.locked_to"; };
     return std::ranges::all_of(m_draft.editedKeys(), ours)
                ? QString()
-               : tr("apply or revert the edits of the profile first (Ctrl+3)");
+               : tr("Apply or revert the edits of the profile first (Ctrl+3).");
 }
 
 void ClientsPanel::lock()
@@ -303,7 +304,7 @@ void ClientsPanel::choose(profile::Lead lead, const std::string& lockedTo)
             if (error) {
                 m_draft.revert();
             }
-            m_notice->setValue(error ? tr("Who moves: %1").arg(error->text) : QString(), Tone::Warning,
+            m_notice->setValue(error ? tr("Control goes to: %1").arg(error->text) : QString(), Tone::Warning,
                                error ? Symbol::Warning : Symbol::None);
         });
     }

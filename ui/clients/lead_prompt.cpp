@@ -26,20 +26,21 @@ QString shortName(const StationStatus& status, const ClientStatus& client)
 
 QString question(const QString& name)
 {
-    return LeadPrompt::tr("%1 wants to drive").arg(name);
+    return LeadPrompt::tr("%1 asks for control").arg(name);
 }
 
 }  // namespace
 
 LeadPrompt::LeadPrompt(RequestDesk& desk, QWidget* parent)
     // The host above what it wants, so that little of the sky is covered.
-    : PromptBar(tr("A client wants to drive"), {question(QStringLiteral("192.168.100.100"))}, 2, parent),
-      m_give(new CommandButton(tr("Give"), tr("This client moves the mount from now on (panel Clients, Ctrl+4)"), desk,
-                               notice(), this))
+    : PromptBar(tr("A client asks for control"), {question(QStringLiteral("192.168.100.100"))}, 2, parent),
+      m_give(new CommandButton(tr("Give control"),
+                               tr("This client moves the mount from now on (panel Clients, Ctrl+4)"), desk, notice(),
+                               this))
 {
     addButton(*m_give);
     QPushButton* const ignoring = addButton(tr("Ignore"));
-    ignoring->setToolTip(tr("Not asked again while it stays connected"));
+    ignoring->setToolTip(tr("Boresight does not ask again while this client stays connected"));
     connect(m_give, &QPushButton::clicked, this, [this] { m_give->ask(request::GiveLead{.clientId = m_asking}); });
     connect(ignoring, &QPushButton::clicked, this, &LeadPrompt::ignore);
 }

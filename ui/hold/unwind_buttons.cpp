@@ -7,10 +7,10 @@
 namespace boresight::ui {
 
 UnwindButtons::UnwindButtons(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
-    : HoldButtons(desk, notice, tr("Unwind"), parent)
+    : HoldButtons(desk, notice, tr("Slow jog"), parent)
 {
-    addButton(JogDirection::Left, tr("Unwind ↺\n(hold)"), {});
-    addButton(JogDirection::Right, tr("Unwind ↻\n(hold)"), {});
+    addButton(JogDirection::Left, tr("Slow jog ↺\n(hold)"), {});
+    addButton(JogDirection::Right, tr("Slow jog ↻\n(hold)"), {});
     addButton(JogDirection::Down, tr("Lower ↓\n(hold)"), {});
     addButton(JogDirection::Up, tr("Raise ↑\n(hold)"), {});
     showRate(profile::Profile().jog.unwind);

@@ -18,7 +18,7 @@ void RequestDesk::ask(const Request& request, QObject* asker, WholeReply reply)
     if (m_waiting.size() >= kMaxWaiting) {
         const auto eldest = m_waiting.begin();
         answer(eldest,
-               {.requestId = eldest->first, .error = Error{ErrorCode::NoAnswer, tr("the station does not answer")}});
+               {.requestId = eldest->first, .error = Error{ErrorCode::NoAnswer, tr("The station does not answer.")}});
     }
     const std::uint64_t id = ++m_last;
     m_waiting.emplace(id, Waiting{asker, std::move(reply)});

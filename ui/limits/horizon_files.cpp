@@ -29,7 +29,7 @@ Result<QString> importHorizon(ProfileDraft& draft, const QString& path)
     }
     const QByteArray text = file.read(kLargest + 1);
     if (text.size() > kLargest) {
-        return failure(ErrorCode::InvalidInput, HorizonFiles::tr("the file is too long for a horizon"));
+        return failure(ErrorCode::InvalidInput, HorizonFiles::tr("The file is too long for a horizon."));
     }
     const Result<profile::HorizonText> read = profile::parseHorizon(
         std::string_view(text.constData(), static_cast<std::size_t>(text.size())), QFileInfo(path).fileName());
@@ -38,7 +38,7 @@ Result<QString> importHorizon(ProfileDraft& draft, const QString& path)
     }
     draft.edit([&read](profile::Profile& profile) { profile.limits.horizon = read->points; });
     return read->merged == 0 ? HorizonFiles::tr("%1 points read").arg(read->points.size())
-                             : HorizonFiles::tr("%1 points read, %2 more at an azimuth that has a higher one left out")
+                             : HorizonFiles::tr("%1 points read. %2 lower points at the same azimuth were left out")
                                    .arg(read->points.size())
                                    .arg(read->merged);
 }

@@ -36,8 +36,7 @@ LimitRow::LimitRow(Axis axis, ProfileDraft& draft, QWidget& panel)
       m_max(makeField(tr("Highest %1").arg(name(axis)), &TravelRange::max, panel)),
       m_bar(new LimitBar(&panel))
 {
-    m_bar->setToolTip(
-        tr("Travel of the %1, hatched where the limits end; the pointer is where it is now").arg(name(axis)));
+    m_bar->setToolTip(tr("Travel of the %1. Hatched: outside the limits. Pointer: present position").arg(name(axis)));
     connect(&m_draft, &ProfileDraft::changed, this, &LimitRow::showDraft);
 }
 

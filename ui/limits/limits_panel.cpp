@@ -32,7 +32,7 @@ LimitsPanel::LimitsPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent
       m_elevation(new LimitRow(Axis::Elevation, draft, *this)),
       m_horizon(makeTable(*new HorizonModel(draft, this), tr("Horizon"))),
       m_keepOuts(makeTable(*new KeepOutModel(draft, this), tr("Keep-outs"))),
-      m_notice(new ValueLabel(tr("Why the text was not taken"), fonts::label(), {}, this)),
+      m_notice(new ValueLabel(tr("Why the entry was refused"), fonts::label(), {}, this)),
       m_bar(new ProfileDraftBar(draft, desk, this))
 {
     build();
@@ -100,7 +100,7 @@ QWidget* LimitsPanel::makeHorizonBox()
     grid->setSpacing(4);
     QPushButton* const add = makeButton(QStringLiteral("+"), tr("Add a point of the horizon"));
     QPushButton* const take = makeButton(QStringLiteral("−"), tr("Remove the current point of the horizon (Del)"));
-    QPushButton* const files = makeButton(tr("File"), tr("Horizon from and to a file (az el)"));
+    QPushButton* const files = makeButton(tr("File"), tr("Import or export the horizon (az el)"));
     auto* const menu = new QMenu(files);
     menu->addAction(tr("Import …"), this, &LimitsPanel::askForHorizon);
     menu->addAction(tr("Export …"), this, &LimitsPanel::askWhereToExport);
@@ -179,7 +179,7 @@ void LimitsPanel::removeCurrent(const QTableView& table, RegionPart part)
 {
     const QModelIndex current = table.currentIndex();
     if (!current.isValid()) {
-        say(tr("select a row first"));
+        say(tr("Select a row first."));
         return;
     }
     const Grip grip{.part = part, .index = static_cast<std::size_t>(current.row())};

@@ -85,7 +85,7 @@ Result<> HorizonModel::put(pointing::Region& edited, int row, int column, const 
         return taken;
     }
     if (std::ranges::count(edited.horizon, point.azimuth, &HorizonPoint::azimuth) > 1) {
-        return failure(ErrorCode::InvalidInput, tr("there is a point at this azimuth already"));
+        return failure(ErrorCode::InvalidInput, tr("There is already a point at this azimuth."));
     }
     std::ranges::sort(edited.horizon, {}, &HorizonPoint::azimuth);
     return {};

@@ -186,13 +186,13 @@ void ProfileDraft::revert()
 QString ProfileDraft::whyNoApply() const
 {
     if (m_asked) {
-        return tr("the station has not answered yet");
+        return tr("The station has not answered yet.");
     }
     if (!hasEdits()) {
-        return tr("nothing has been changed");
+        return tr("Nothing has been changed.");
     }
     if (m_base != m_applied) {
-        return tr("the profile was changed from elsewhere meanwhile: keep these edits or revert first");
+        return tr("The profile was changed elsewhere. Keep or revert these edits first.");
     }
     if (!m_problems.empty()) {
         return problemText(m_problems.front());
@@ -202,26 +202,26 @@ QString ProfileDraft::whyNoApply() const
 
 QString ProfileDraft::whyNoRevert() const
 {
-    return hasEdits() ? QString() : tr("nothing has been changed");
+    return hasEdits() ? QString() : tr("Nothing has been changed.");
 }
 
 QString ProfileDraft::whyNoUndo() const
 {
     if (m_asked) {
-        return tr("the station has not answered yet");
+        return tr("The station has not answered yet.");
     }
     if (hasEdits()) {
-        return tr("apply or revert the edits first");
+        return tr("Apply or revert the edits first.");
     }
-    return m_history.empty() ? tr("no change has been applied here") : QString();
+    return m_history.empty() ? tr("No change has been applied here.") : QString();
 }
 
 QString ProfileDraft::whyNoReconnect() const
 {
     if (m_asked) {
-        return tr("the station has not answered yet");
+        return tr("The station has not answered yet.");
     }
-    return m_waitingKeys.empty() ? tr("nothing waits for a reconnect") : m_reconnectObstacle;
+    return m_waitingKeys.empty() ? tr("Nothing waits for a reconnect.") : m_reconnectObstacle;
 }
 
 void ProfileDraft::apply(QObject* asker, const RequestDesk::Reply& reply)
@@ -268,7 +268,7 @@ void ProfileDraft::applyAlone(const std::function<void(profile::Profile&)>& chan
     change(changed);
     const auto problems = problemsOf(changed);
     if (m_asked) {
-        reply(draftRefused(tr("the station has not answered yet")));
+        reply(draftRefused(tr("The station has not answered yet.")));
     } else if (!problems.empty()) {
         reply(draftRefused(problemText(problems.front())));
     } else {

@@ -29,15 +29,14 @@ ProfileDraftBar::ProfileDraftBar(ProfileDraft& draft, RequestDesk& desk, QWidget
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_apply(new CommandButton(tr("Apply"), tr("Put the changes in force"), desk, *m_notice, this)),
       m_revert(new CommandButton(tr("Revert"), tr("Drop the changes that are not applied"), desk, *m_notice, this)),
-      m_undo(new CommandButton(tr("Undo"), tr("Apply again what was in force before the last change"), desk, *m_notice,
-                               this)),
-      m_keep(new CommandButton(tr("Keep edits"), tr("Put these changes upon what was changed from elsewhere"), desk,
+      m_undo(
+          new CommandButton(tr("Undo"), tr("Restore the profile from before the last change"), desk, *m_notice, this)),
+      m_keep(new CommandButton(tr("Keep edits"), tr("Keep my edits and merge the changes made elsewhere"), desk,
                                *m_notice, this)),
-      m_movePark(new CommandButton(tr("Move park"),
-                                   tr("Change the park position, too: the nearest place that is allowed"), desk,
+      m_movePark(new CommandButton(tr("Move park"), tr("Move the park position to the nearest permitted place"), desk,
                                    *m_notice, this)),
-      m_reconnect(new CommandButton(tr("Reconnect"), tr("Begin anew with the drives; the mount must be at rest"), desk,
-                                    *m_notice, this))
+      m_reconnect(new CommandButton(tr("Reconnect"), tr("Connect to the drives again. The mount must stand still"),
+                                    desk, *m_notice, this))
 {
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -96,7 +95,7 @@ void ProfileDraftBar::showRemedy()
     m_remedy = aboutPark ? parkRemedy(m_draft.edited()) : std::nullopt;
     m_movePark->setVisible(m_remedy.has_value());
     if (m_remedy) {
-        m_movePark->setCommand(m_remedy->text, tr("Change the park position, too: the nearest place that is allowed"));
+        m_movePark->setCommand(m_remedy->text, tr("Move the park position to the nearest permitted place"));
     }
 }
 
@@ -117,8 +116,7 @@ void ProfileDraftBar::showOrCollapse()
 void ProfileDraftBar::showLine()
 {
     if (const auto overtaken = m_draft.overtakenKeys(); !overtaken.empty()) {
-        m_line->setValue(tr("Changed from elsewhere meanwhile: %1").arg(listed(overtaken)), Tone::Warning,
-                         Symbol::Warning);
+        m_line->setValue(tr("Changed elsewhere: %1").arg(listed(overtaken)), Tone::Warning, Symbol::Warning);
     } else if (!m_draft.problems().empty()) {
         m_line->setValue(problemText(m_draft.problems().front()), Tone::Warning, Symbol::Warning);
     } else if (m_draft.leavesSimulation()) {

@@ -41,7 +41,7 @@ Sentence surveySentence(const DrivesStatus& drives)
 Sentence armingSentence(const DrivesStatus& drives)
 {
     if (drives.released) {
-        return {SurveyWords::tr("Nothing moves until it is taken back; then the drives are read anew")};
+        return {SurveyWords::tr("Nothing moves until you take it back. Then Boresight reads the drives again")};
     }
     if (!drives.armingObstacle.isEmpty()) {
         return {SurveyWords::tr("Nothing may move: %1").arg(drives.armingObstacle), Tone::Alarm, Symbol::Alarm};

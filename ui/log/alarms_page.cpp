@@ -45,7 +45,7 @@ void AlarmsPage::addSound()
 {
     auto* const sound = new QCheckBox(tr("Sound"), m_view);
     sound->setAccessibleName(tr("Sound at a new alarm"));
-    sound->setToolTip(tr("A sound at each new alarm, once"));
+    sound->setToolTip(tr("Sound once at each new alarm"));
     sound->setChecked(m_sound);
     connect(sound, &QCheckBox::toggled, this, [this](bool on) {
         m_sound = on;
@@ -66,7 +66,7 @@ void AlarmsPage::showStatus(const StationStatus& status)
         m_view->select(0);
     }
     const bool waiting = std::ranges::any_of(status.alarms, [](const Alarm& alarm) { return !alarm.acknowledged; });
-    m_acknowledgeAll->setBlocked(waiting ? QString() : tr("all are acknowledged"));
+    m_acknowledgeAll->setBlocked(waiting ? QString() : tr("All alarms are acknowledged."));
     blockAcknowledge();
 }
 
@@ -80,13 +80,13 @@ QString AlarmsPage::whyNotSelected() const
 {
     const std::optional<int> row = selectedRow();
     if (!row) {
-        return tr("no alarm is selected");
+        return tr("No alarm is selected.");
     }
     const SeenAlarm& seen = m_model->seen(*row);
     if (seen.alarm.acknowledged) {
-        return tr("it is acknowledged");
+        return tr("This alarm is acknowledged.");
     }
-    return seen.place ? QString() : tr("it is over");
+    return seen.place ? QString() : tr("This alarm is over.");
 }
 
 void AlarmsPage::blockAcknowledge()

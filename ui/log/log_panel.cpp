@@ -26,7 +26,8 @@ LogPanel::LogPanel(RequestDesk& desk, bool sound, QWidget* parent)
       m_choice(new QHBoxLayout),
       m_pages(new QStackedWidget(this)),
       m_timing(new QLabel(this)),
-      m_alarmsChoice(addPage(*m_alarms, tr("Alarms"), tr("Alarms of now and since the start of the window")))
+      m_alarmsChoice(
+          addPage(*m_alarms, tr("Alarms"), tr("Active alarms, and all alarms since the start of the window")))
 {
     connect(m_alarms, &AlarmsPage::beepWanted, this, &LogPanel::beepWanted);
     connect(m_alarms, &AlarmsPage::soundChanged, this, &LogPanel::soundChanged);

@@ -22,12 +22,12 @@ constexpr int kComboLetters = 7;  // of X: the widest is narrower
 
 BodyBox::BodyBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
     : QWidget(parent),
-      m_where(new ValueLabel(tr("Where the body is"), fonts::label(), {}, this)),
-      m_follow(new CommandButton(tr("Follow Sun"), {}, desk, notice, this)),
-      m_take(
-          new CommandButton(tr("Take point"), tr("It is centred now: keep where the axes stand"), desk, notice, this)),
-      m_refraction(
-          new TouchCombo(tr("Refraction"), tr("How the air bends what is centred: the shadow, or the power"), this)),
+      m_where(new ValueLabel(tr("Position of the body"), fonts::label(), {}, this)),
+      m_follow(new CommandButton(tr("Track Sun"), {}, desk, notice, this)),
+      m_take(new CommandButton(tr("Take point"), tr("The target is centred now. Store the position of the axes"), desk,
+                               notice, this)),
+      m_refraction(new TouchCombo(tr("Refraction"),
+                                  tr("Refraction of the air: optical for a shadow, radio for the power"), this)),
       m_overTheTop(new QCheckBox(tr("Over the top"), this))
 {
     build();
@@ -50,11 +50,11 @@ void BodyBox::build()
     grid->addWidget(m_refraction, 1, 2);
     grid->addWidget(m_overTheTop, 2, 0, 1, 3);
     m_overTheTop->setToolTip(
-        tr("From the other side, with the boom past the zenith. One point of three or two of six "
-           "taken so tell north and the collimation apart."));
+        tr("From the other side, with the boom past the zenith. One such point of three, or two of six, separate north "
+           "from collimation."));
     m_overTheTop->setAccessibleName(m_overTheTop->text());
     m_overTheTop->hide();
-    m_refraction->setLines({tr("as light"), tr("as radio"), tr("no air")});
+    m_refraction->setLines({tr("optical"), tr("radio"), tr("off")});
     m_refraction->setMinimumContentsLength(kComboLetters);
     m_refraction->setCurrentIndex(0);
     for (CommandButton* const button : {m_follow, m_take}) {
@@ -96,10 +96,10 @@ void BodyBox::describe()
         m_overTheTop->setChecked(followed && calibrationOf(m_status).overTheTop);
     }
     const QString reason = followed ? QString() : whyNotFollowed();
-    m_follow->setCommand(followed ? tr("Hold") : tr("Follow %1").arg(body),
-                         followed ? tr("Ends it; the mount holds")
-                                  : tr("The mount moves to the %1 and stays on it; the pad trims").arg(body));
-    m_follow->setAccessibleName(followed ? tr("Hold, follow the %1 no more").arg(body) : tr("Follow %1").arg(body));
+    m_follow->setCommand(followed ? tr("Hold") : tr("Track %1").arg(body),
+                         followed ? tr("End tracking. The mount holds")
+                                  : tr("Move the mount to the %1 and track it. The pad trims").arg(body));
+    m_follow->setAccessibleName(followed ? tr("Hold and stop tracking the %1").arg(body) : tr("Track %1").arg(body));
     m_follow->setBlocked(reason);
     m_refraction->setEnabled(!followed);
     m_overTheTop->setEnabled(!followed);
@@ -121,7 +121,7 @@ QString BodyBox::whereText() const
     } else {
         const SkyPointing trim = m_status.trim.value_or(SkyPointing{});
         const QString followed =
-            calibration.overTheTop ? tr("followed over the top, trim az %1 el %2") : tr("followed, trim az %1 el %2");
+            calibration.overTheTop ? tr("tracked over the top, trim az %1 el %2") : tr("tracked, trim az %1 el %2");
         add(calibration.pointObstacle.isEmpty()
                 ? followed.arg(signedAngleText(trim.azimuth), signedAngleText(trim.elevation))
                 : calibration.pointObstacle);
@@ -137,9 +137,9 @@ QString BodyBox::besideText() const
 {
     const BodyNow* const now = bodyNow(m_status, m_body);
     if (now == nullptr || !m_status.actual) {
-        return tr("not followed");
+        return tr("not tracked");
     }
-    return tr("not followed, beam %1 beside it").arg(angleText(angleBetween(*m_status.actual, now->direction), 1));
+    return tr("not tracked, beam %1 off").arg(angleText(angleBetween(*m_status.actual, now->direction), 1));
 }
 
 void BodyBox::followOrHold()

@@ -33,7 +33,7 @@ BodyPage::BodyPage(const Clock& clock, RequestDesk& desk, QWidget* parent)
       m_scan(new ScanBox(desk, *m_notice, this)),
       m_boxes(makeBoxes()),
       m_grid(new QGridLayout(this)),
-      m_step(new TouchCombo(tr("Step of the pad"), tr("How far one press of the pad or of an arrow key moves"), this))
+      m_step(new TouchCombo(tr("Step of the pad"), tr("Step of one press on the pad or of an arrow key"), this))
 {
     m_pad->setAccessibleName(tr("Nudge pad"));
     m_pad->setStepMode(true);

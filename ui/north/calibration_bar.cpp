@@ -15,11 +15,12 @@ CalibrationBar::CalibrationBar(RequestDesk& desk, QWidget* parent)
       m_change(new ValueLabel(tr("What Apply changes"), fonts::label(), {}, this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_apply(new CommandButton(tr("Apply north"), {}, desk, *m_notice, this)),
-      m_discard(new CommandButton(tr("Discard"), tr("What is proposed goes; nothing changes, and the points stay"),
-                                  desk, *m_notice, this)),
-      m_undo(new CommandButton(tr("Undo"), tr("Back to the calibration before; nothing moves"), desk, *m_notice, this))
+      m_discard(new CommandButton(tr("Discard"), tr("Drop the proposal. Nothing changes, and the points stay"), desk,
+                                  *m_notice, this)),
+      m_undo(
+          new CommandButton(tr("Undo"), tr("Return to the calibration before. Nothing moves"), desk, *m_notice, this))
 {
-    m_discard->setAccessibleName(tr("Discard what is proposed"));
+    m_discard->setAccessibleName(tr("Discard the proposal"));
     m_undo->setAccessibleName(tr("Undo the calibration"));
     build();
     for (const CommandButton* const button : {m_apply, m_discard}) {
@@ -60,7 +61,7 @@ void CalibrationBar::showStatus(const StationStatus& status)
     m_shown = calibration.proposal ? calibration.proposal->number : 0;
     m_apply->setCommand(
         calibration.proposal && keepsNorth(*calibration.proposal) ? tr("Apply to sensor") : tr("Apply north"),
-        calibration.proposal ? tr("Into force at once, nothing moves: %1").arg(changeText(*calibration.proposal))
+        calibration.proposal ? tr("In force at once, and nothing moves: %1").arg(changeText(*calibration.proposal))
                              : QString());
     m_apply->setBlocked(status.permissions.reason(Action::ApplyCalibration));
     m_discard->setBlocked(status.permissions.reason(Action::DiscardCalibration));

@@ -28,8 +28,8 @@ CalibrationPanel::CalibrationPanel(const Clock& clock, RequestDesk& desk, Profil
     m_steps->setDocumentMode(true);
     m_steps->setAccessibleName(tr("Steps of finding north"));
     connect(m_sensor, &SensorPage::settingsWanted, this, &CalibrationPanel::settingsWanted);
-    addStep(*m_sensor, tr("1 Sensor"), tr("North from the sensor while the mount stands still: to some degrees"));
-    addStep(*m_swing, tr("2 Swing"), tr("The compass swing: north, the sensor's deviation, and the tilt of the axis"));
+    addStep(*m_sensor, tr("1 Sensor"), tr("North from the sensor while the mount stands still, to a few degrees"));
+    addStep(*m_swing, tr("2 Swing"), tr("Compass swing: north, compass error of the sensor and tilt of the axis"));
     addStep(*m_body, tr("3 Sun/Moon"), tr("Points of known direction: Sun, Moon, a landmark, the peak of the power"));
     addStep(*m_model, tr("4 Model"), tr("The pointing model of these points, with their residuals"));
     addStep(*m_history, tr("5 History"), tr("What was applied before"));

@@ -28,8 +28,9 @@ QString hourText(UtcTime utc)
 QString northLine(const SwingOutcome& swing)
 {
     const calibration::CompassSwing& fit = swing.fit;
-    QString text = CalibrationWords::tr("North %1: %2 of it from the readings, %3 that no swing can see.")
-                       .arg(offsetText(fit.north), angleText(fit.statistical), angleText(fit.systematic));
+    QString text =
+        CalibrationWords::tr("North %1. Of the uncertainty %2 are from the readings, %3 are invisible to a swing.")
+            .arg(offsetText(fit.north), angleText(fit.statistical), angleText(fit.systematic));
     if (fit.harmonics != calibration::Harmonics::None) {
         text += QLatin1Char(' ') + CalibrationWords::tr("Hard iron %1, soft iron %2, readings scatter by %3.")
                                        .arg(angleText(fit.curve.firstAmplitude(), 1),
@@ -45,7 +46,7 @@ QString tiltLine(const SwingOutcome& swing)
     }
     const calibration::AxisTilt& tilt = *swing.tilt;
     return CalibrationWords::tr(
-               "The azimuth axis leans by %1 ± %2 towards %3. Where the elevation axis shows 0° the sensor says %4.")
+               "The azimuth axis leans by %1 ± %2 towards %3. At 0° of the elevation axis the sensor reports %4.")
         .arg(angleText(tilt.size), angleText(tilt.sizeSigma), angleText(tilt.direction, 0),
              estimateText(tilt.elevationOffset));
 }
@@ -91,7 +92,7 @@ QString termsText(const std::vector<TermStatus>& terms)
 QString noFitText(const CalibrationStatus& calibration)
 {
     if (calibration.points.empty()) {
-        return CalibrationWords::tr("No points yet: step 3 takes them");
+        return CalibrationWords::tr("No points yet. Take them in step 3");
     }
     return calibration.noFit.isEmpty() ? CalibrationWords::tr("No fit of these points")
                                        : CalibrationWords::tr("No fit: %1").arg(calibration.noFit);
@@ -208,7 +209,7 @@ QString swingText(const SwingOutcome& swing)
         lines << tilt;
     }
     if (swing.fit.hysteresis) {
-        lines << CalibrationWords::tr("Turning clockwise the sensor says %1 more than turning back.")
+        lines << CalibrationWords::tr("Turning clockwise, the sensor reads %1 more than turning back.")
                      .arg(estimateText(*swing.fit.hysteresis));
     }
     for (const QString& hint : swing.fit.hints) {
@@ -274,7 +275,8 @@ double onSky(const PointResidual& residual)
 QString sunWarning()
 {
     return CalibrationWords::tr(
-        "Never look into the Sun, nor along a sight tube. A dish burns its feed: watch the shadow, be quick.");
+        "Never look into the Sun or along a sight tube. The Sun can burn the feed of a dish. Use the shadow and be "
+        "quick.");
 }
 
 }  // namespace boresight::ui

@@ -47,7 +47,7 @@ DeviationPlot::DeviationPlot(QWidget* parent)
       m_item(std::make_unique<SwingItem>()),
       m_plot(new QwtPlot(this))
 {
-    setAccessibleName(tr("Deviation of the compass"));
+    setAccessibleName(tr("Compass error"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, captionRoom(), 0, 0);
@@ -183,7 +183,7 @@ void DeviationPlot::paintEvent(QPaintEvent*)
         painter.drawText(QRect(x, 0, width() - x, captionRoom()), Qt::AlignLeft | Qt::AlignVCenter, text);
         x += metrics.horizontalAdvance(text) + 2 * kDeviationPlotGap;
     };
-    write(tr("Error ° over heading"), currentTheme().text);
+    write(tr("Compass error (°) by heading"), currentTheme().text);
     for (const auto& [shape, word] :
          {std::pair(SampleShape::Clockwise, tr("clockwise")), std::pair(SampleShape::Back, tr("back")),
           std::pair(SampleShape::LeftOut, tr("left out"))}) {

@@ -14,7 +14,7 @@ QString cell(const CalibrationHistoryEntry& entry, int column)
         case HistoryModel::When:
             return (entry.inForce ? QStringLiteral("● ") : QStringLiteral("○ ")) + minuteText(entry.when);
         case HistoryModel::Title:
-            return entry.superseded ? HistoryModel::tr("%1 (taken back)").arg(entry.title) : entry.title;
+            return entry.superseded ? HistoryModel::tr("%1 (undone)").arg(entry.title) : entry.title;
         default:
             return (entry.otherMount ? QStringLiteral("▲ ") : QString()) + entry.place;
     }

@@ -25,10 +25,9 @@ QString wholeText(const CalibrationHistoryEntry& entry)
 {
     QStringList lines{HistoryPage::tr("%1: %2").arg(minuteText(entry.when), entry.title), entry.change};
     if (entry.superseded) {
-        lines << HistoryPage::tr("Taken back, and another was applied since: kept to be read");
+        lines << HistoryPage::tr("Undone, and another calibration was applied later. Kept for reading only");
     }
-    lines << (entry.otherMount ? HistoryPage::tr("▲ %1: what it says may not hold here").arg(entry.place)
-                               : entry.place);
+    lines << (entry.otherMount ? HistoryPage::tr("▲ %1: may not be valid here").arg(entry.place) : entry.place);
     return lines.join(QLatin1Char('\n'));
 }
 
@@ -39,11 +38,11 @@ Sentence stateOf(const CalibrationStatus& calibration)
     }
     const auto inForce = std::ranges::find_if(calibration.history, &CalibrationHistoryEntry::inForce);
     if (inForce == calibration.history.end()) {
-        return {calibration.history.empty() ? HistoryPage::tr("Nothing was applied to this mount yet")
+        return {calibration.history.empty() ? HistoryPage::tr("No calibration was applied to this mount yet")
                                             : HistoryPage::tr("None of these is in force")};
     }
     return inForce->otherMount
-               ? Sentence{HistoryPage::tr("What is in force was found with other drives or elsewhere: check it"),
+               ? Sentence{HistoryPage::tr("The calibration in force is from other drives or another site. Check it"),
                           Tone::Warning, Symbol::Warning}
                : Sentence{HistoryPage::tr("In force: %1").arg(inForce->title), Tone::Normal};
 }
@@ -57,8 +56,8 @@ HistoryPage::HistoryPage(RequestDesk& desk, QWidget* parent)
       m_whole(new QPlainTextEdit(this)),
       m_state(new ValueLabel(tr("Calibration in force"), fonts::label(), {}, this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
-      m_redo(new CommandButton(tr("Redo"), tr("The calibration that was taken back; nothing moves"), desk, *m_notice,
-                               this))
+      m_redo(
+          new CommandButton(tr("Redo"), tr("Apply the undone calibration again. Nothing moves"), desk, *m_notice, this))
 {
     m_redo->setAccessibleName(tr("Redo the calibration"));
     m_notice->setStretching(true);

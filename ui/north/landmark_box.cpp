@@ -16,7 +16,7 @@ namespace boresight::ui {
 LandmarkBox::LandmarkBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
     : QWidget(parent),
       m_azimuth(makeField({.name = tr("True azimuth of the landmark"),
-                           .help = tr("From true north, as a map or a GPS receiver tells it"),
+                           .help = tr("From true north, by a map or a GPS receiver"),
                            .min = 0.0,
                            .max = 360.0,
                            .unit = QStringLiteral("°")},
@@ -29,8 +29,8 @@ LandmarkBox::LandmarkBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
                             this)),
       m_label(new QLineEdit(this)),
       m_state(new ValueLabel(tr("Landmark"), fonts::label(), {}, this)),
-      m_take(
-          new CommandButton(tr("Take point"), tr("It is centred now: keep where the axes stand"), desk, notice, this))
+      m_take(new CommandButton(tr("Take point"), tr("The target is centred now. Store the position of the axes"), desk,
+                               notice, this))
 {
     m_take->setAccessibleName(tr("Take the landmark as a point"));
     m_label->setFont(fonts::label());
@@ -74,7 +74,7 @@ void LandmarkBox::showStatus(const StationStatus& status)
 void LandmarkBox::describe()
 {
     const QString reason = isTold() ? m_status.permissions.reason(Action::TakeKnownPoint)
-                                    : tr("type the direction of the landmark first, 0 and 0 with its name");
+                                    : tr("Type the direction of the landmark first. For 0 and 0 type its name, too.");
     m_take->setBlocked(reason);
     m_state->setValue(reason.isEmpty() ? tr("points taken: %1").arg(calibrationOf(m_status).points.size())
                                        : tr("Not now: %1").arg(reason),

@@ -28,9 +28,7 @@ QString remarksOf(const StationStatus& status)
     const CalibrationStatus& calibration = calibrationOf(status);
     QStringList lines;
     if (status.sensor.azimuthSigma) {
-        lines << ModelPage::tr(
-                     "The sensor knows the azimuth to %1 here (1 sigma): it cannot check a model that is more "
-                     "exact than that")
+        lines << ModelPage::tr("The sensor knows the azimuth to %1 here (1 sigma). It cannot check a more exact model")
                      .arg(angleText(*status.sensor.azimuthSigma, 1));
     }
     if (calibration.proposal) {
@@ -61,7 +59,7 @@ ModelPage::ModelPage(RequestDesk& desk, QWidget* parent)
       m_pointTable(makeReadTable(tr("Calibration points"), *m_points, this)),
       m_sky(new ResidualSky(this)),
       m_use(new CommandButton(tr("Leave out"), {}, desk, *m_notice, this)),
-      m_drop(new CommandButton(tr("Drop"), tr("Forget the selected point for good"), desk, *m_notice, this)),
+      m_drop(new CommandButton(tr("Drop"), tr("Delete the selected point"), desk, *m_notice, this)),
       m_given(new TermsBox(desk, *m_notice, this)),
       m_views(new QStackedWidget(this))
 {
@@ -125,8 +123,8 @@ QWidget* ModelPage::makeTerms()
     m_remarks->setTabChangesFocus(true);
     m_remarks->setAccessibleName(tr("Remarks on the fit"));
     m_remarks->setPlaceholderText(
-        tr("1 point finds the azimuth offset, 2 the elevation offset too, from 3 on the other "
-           "terms as far as the points ask for them"));
+        tr("1 point finds the azimuth offset. 2 points also find the elevation offset. 3 or more find other terms, as "
+           "far as needed"));
     m_remarks->setMinimumHeight(2 * m_remarks->fontMetrics().lineSpacing() + 10);
     m_remarks->setMaximumHeight(5 * m_remarks->fontMetrics().lineSpacing() + 10);
     m_remarks->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
@@ -190,7 +188,7 @@ void ModelPage::showSelected()
         isUsed ? tr("The selected point stays in the list and does not count") : tr("The selected point counts again"));
     QString reason = m_status.permissions.reason(Action::ChangePoints);
     if (reason.isEmpty() && row < 0) {
-        reason = tr("select a point first");
+        reason = tr("Select a point first.");
     }
     m_use->setBlocked(reason);
     m_drop->setBlocked(reason);

@@ -32,8 +32,8 @@ QString idleText(const CalibrationStatus& calibration, const QString& reason)
         return ScanBox::tr("Not now: %1").arg(reason);
     }
     return calibration.powerLine.name.isEmpty()
-               ? ScanBox::tr("Scans across, then in elevation; type the power at each place")
-               : ScanBox::tr("Scans across, then in elevation; the receiver tells the power");
+               ? ScanBox::tr("The scan goes across, then in elevation. Type the power at each place")
+               : ScanBox::tr("The scan goes across, then in elevation. The receiver reports the power");
 }
 
 // Of both lines: where the peak is, how wide the beam was seen, how far it stands out.
@@ -64,7 +64,7 @@ Sentence lineSentence(const PowerLineStatus& line)
                                 .arg(line.name)
                                 .arg(*line.decibels, 0, 'f', 1)
                                 .arg(line.age.count(), 0, 'f', 0)
-                          : ScanBox::tr("%1: nothing has come yet").arg(line.name),
+                          : ScanBox::tr("%1: no data yet").arg(line.name),
             Tone::Secondary};
 }
 
@@ -75,8 +75,8 @@ ScanBox::ScanBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
       m_notice(notice),
       m_width(makeField(
           {.name = tr("Width of the scan"),
-           .help = tr("On the sky, from end to end of each line. Offered is twice the beam of the profile; from "
-                      "1.5 to 3 times the peak is found"),
+           .help = tr(
+               "On the sky, from end to end of each line. The default is twice the beam width. 1.5 to 3 times works"),
            .min = kScanBoxNarrowest,
            .max = kWidest,
            .decimals = 1,
@@ -88,14 +88,15 @@ ScanBox::ScanBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
       m_found(new ValueLabel(tr("What the scan found"), fonts::label(), {}, this)),
       m_plot(new ScanPlot(this)),
       m_start(new CommandButton(tr("Scan"), {}, desk, notice, this)),
-      m_give(new CommandButton(tr("Give dB"), tr("The power at this place; the mount goes on to the next (Enter)"),
-                               desk, notice, this))
+      m_give(new CommandButton(tr("Enter dB"),
+                               tr("Enter the power at this place. The mount goes to the next place (Enter)"), desk,
+                               notice, this))
 {
     m_power->setFont(fonts::label());
     m_power->setAlignment(Qt::AlignRight);
     m_power->setMaxLength(12);
     m_power->setMinimumHeight(kTouchSize);
-    m_power->setPlaceholderText(tr("as -73.2"));  // a bare number would be taken for the last reading
+    m_power->setPlaceholderText(tr("e.g. -73.2"));  // a bare number would be taken for the last reading
     m_power->setAccessibleName(tr("Received power in dB"));
     build();
     connect(m_width, &QDoubleSpinBox::valueChanged, this, [this] { m_isTyped = true; });
@@ -159,8 +160,8 @@ void ScanBox::showStatus(const StationStatus& status)
     const QString reason = m_running ? QString() : status.permissions.reason(actionOf(Action::ScanSun, m_body));
     m_run->showProgress(calibration.progress, idleText(calibration, reason));
     m_start->setCommand(m_running ? tr("End scan") : tr("Scan %1").arg(body),
-                        m_running ? tr("No point is taken")
-                                  : tr("The mount moves across the %1 and takes the peak as a point").arg(body));
+                        m_running ? tr("End the scan. No point is taken")
+                                  : tr("Move the mount across the %1 and take the peak as a point").arg(body));
     m_start->setBlocked(reason);
     m_width->setEnabled(!m_running);
     offerWidth(status);
@@ -186,7 +187,7 @@ void ScanBox::give()
     if (const auto decibels = parseFinite(m_power->text().trimmed().toStdString())) {
         m_give->ask(request::GivePower{*decibels});
     } else {
-        m_notice.setValue(tr("Power: a number of dB is wanted, as -73.2"), Tone::Warning, Symbol::Warning);
+        m_notice.setValue(tr("Power: Type a number in dB, for example -73.2."), Tone::Warning, Symbol::Warning);
         m_power->setFocus();
         m_power->selectAll();
     }

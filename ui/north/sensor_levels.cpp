@@ -45,7 +45,7 @@ SensorLevels::SensorLevels(QWidget* parent) : QWidget(parent)
     for (std::size_t line = 0; line < m_rows.size(); ++line) {
         const QString name = tr(kSensorLevelsParts[line].name);
         m_rows[line] = {.bar = new LevelBar(tr("%1 calibration").arg(name), this),
-                        .how = new ValueLabel(tr("%1: what raises it").arg(name), fonts::label(), {}, this)};
+                        .how = new ValueLabel(tr("%1: how to raise it").arg(name), fonts::label(), {}, this)};
         m_rows[line].how->setStretching(true);
         const int row = static_cast<int>(line);
         grid->addWidget(makeCaption(name, this), row, 0);
@@ -63,7 +63,7 @@ void SensorLevels::showCalibration(const std::optional<orientation::Calibration>
         const auto level = calibration ? std::optional(*calibration.*part.level) : std::nullopt;
         m_rows[line].bar->setLevel(level);
         if (!level) {
-            m_rows[line].how->setValue(tr("not told"), Tone::Secondary);
+            m_rows[line].how->setValue(tr("not reported"), Tone::Secondary);
         } else if (*level == kHighest) {
             m_rows[line].how->setValue(tr("good"), Tone::Secondary);
         } else {
@@ -84,7 +84,7 @@ void LevelBar::setLevel(std::optional<int> level)
 {
     if (level != m_level || accessibleDescription().isEmpty()) {
         m_level = level;
-        setAccessibleDescription(level ? tr("%1 of 3").arg(*level) : tr("not told"));
+        setAccessibleDescription(level ? tr("%1 of 3").arg(*level) : tr("not reported"));
         setToolTip(accessibleDescription());
         update();
     }

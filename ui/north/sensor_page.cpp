@@ -33,7 +33,7 @@ QString averageText(const CalibrationStatus& calibration)
     const Angle inForce = calibration.present.azimuthOffset;
     const auto& sigma = calibration.sheet.sigmas[calibration::indexOf(calibration::Term::AzimuthOffset)];
     const QString now = sigma ? offsetText({inForce, *sigma}) : signedAngleText(inForce.wrapped180());
-    return SensorPage::tr("Last average: axis %1; in force: %2").arg(offsetText(calibration.sensorOffset->offset), now);
+    return SensorPage::tr("Last average: axis %1, in force %2").arg(offsetText(calibration.sensorOffset->offset), now);
 }
 
 }  // namespace
@@ -45,15 +45,14 @@ SensorPage::SensorPage(RequestDesk& desk, ProfileDraft& draft, QWidget* parent)
       m_levels(new SensorLevels(this)),
       m_sensor(new ValueLabel(tr("Heading of the sensor, as sent"), fonts::small(), QStringLiteral("-000.00°"), this)),
       m_axis(new ValueLabel(tr("Azimuth of the axis"), fonts::small(), QStringLiteral("-000.00°"), this)),
-      m_difference(new ValueLabel(tr("Sensor less axis"), fonts::small(), QStringLiteral("-000.00°"), this)),
+      m_difference(new ValueLabel(tr("Sensor minus axis"), fonts::small(), QStringLiteral("-000.00°"), this)),
       m_truth(new ValueLabel(tr("True azimuth by the sensor, and how well it is known"), fonts::small(),
                              QStringLiteral("000.0° ± 00.0°"), this)),
-      m_declination(new ValueLabel(tr("Who adds the declination"), fonts::label(), {}, this)),
-      m_change(makePushButton(
-          {.text = tr("Change…"),
-           .name = tr("Change the declination"),
-           .help = tr("Who adds the declination, its value or its model: opens these settings on the page Profile")},
-          this)),
+      m_declination(new ValueLabel(tr("Where the declination is applied"), fonts::label(), {}, this)),
+      m_change(makePushButton({.text = tr("Change…"),
+                               .name = tr("Change the declination"),
+                               .help = tr("Open the settings of the declination on the page Profile")},
+                              this)),
       m_offset(new ValueLabel(tr("North from the sensor"), fonts::text(), {}, this)),
       m_run(new RunLine(CalibrationRun::SensorOffset, tr("Average of the sensor"), this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
@@ -146,8 +145,8 @@ void SensorPage::showStatus(const StationStatus& status)
 void SensorPage::showOffer(const StationStatus& status)
 {
     m_run->showProgress(calibrationOf(status).progress,
-                        tr("No sensor is set: the simulated mount has one on its boom"));
-    m_measure->setCommand(tr("Use the sensor"), tr("Sets sensor.source in the profile; nothing moves"));
+                        tr("No sensor is set. The simulated mount has one on its boom"));
+    m_measure->setCommand(tr("Use the sensor"), tr("Set sensor.source in the profile. Nothing moves"));
     m_measure->setBlocked(m_profileChange.whyNot(status, nameSimulatedSensor));
 }
 
@@ -155,12 +154,11 @@ void SensorPage::showAverage(const StationStatus& status)
 {
     const CalibrationStatus& calibration = calibrationOf(status);
     const QString reason = m_running ? QString() : status.permissions.reason(Action::AverageSensor);
-    m_run->showProgress(calibration.progress,
-                        reason.isEmpty()
-                            ? tr("The mount stands still, motors at rest; the sensor is averaged for some 20 s")
-                            : tr("Not now: %1").arg(reason));
+    m_run->showProgress(calibration.progress, reason.isEmpty()
+                                                  ? tr("Average the sensor for 20 s while the mount stands still")
+                                                  : tr("Not now: %1").arg(reason));
     m_measure->setCommand(m_running ? tr("End average") : tr("Average"),
-                          m_running ? tr("No result; nothing moves anyway") : tr("Nothing moves"));
+                          m_running ? tr("End without a result. Nothing moves") : tr("Nothing moves"));
     m_measure->setBlocked(reason);
 }
 

@@ -33,7 +33,7 @@ QSpinBox* makeHeadings(QWidget* parent)
     box->setSpecialValueText(SwingPage::tr("sweep"));
     box->setMinimumHeight(kTouchSize);
     box->setAccessibleName(SwingPage::tr("Headings to stop at"));
-    box->setToolTip(SwingPage::tr("Stops on each way; sweep: no stop, one slow turn there and one back"));
+    box->setToolTip(SwingPage::tr("Stops in each direction. Sweep: no stops, one slow turn each way"));
     return box;
 }
 
@@ -43,7 +43,7 @@ SwingPage::SwingPage(RequestDesk& desk, QWidget* parent)
     : QWidget(parent),
       m_desk(desk),
       m_rate(makeField({.name = tr("Rate of the swing"),
-                        .help = tr("The sensor averages for a second: slow is exact"),
+                        .help = tr("The sensor averages over a second. A slow swing is more exact"),
                         .min = kSlowest,
                         .max = kFastest,
                         .decimals = 1,
@@ -79,7 +79,7 @@ void SwingPage::build()
     m_found->setFont(fonts::label());
     m_found->setReadOnly(true);
     m_found->setTabChangesFocus(true);
-    m_found->setAccessibleName(tr("What the swing has found"));
+    m_found->setAccessibleName(tr("Result of the swing"));
     m_found->setPlaceholderText(tr("No swing yet"));
     m_found->setMinimumHeight(2 * m_found->fontMetrics().lineSpacing() + 12);
     m_found->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
@@ -105,7 +105,7 @@ void SwingPage::showStatus(const StationStatus& status)
     m_rate->setEnabled(!m_running);
     m_headings->setEnabled(!m_running);
     m_start->setCommand(m_running ? tr("End swing") : tr("Start swing"),
-                        m_running ? tr("The mount holds, there is no result (STOP does it too)")
+                        m_running ? tr("End the swing without a result. The mount holds (as with STOP)")
                                   : tr("The mount moves: %1").arg(calibration.swingPlan.text));
     m_start->setBlocked(reason);
     const int lines = m_running ? 2 : kFoundLines;  // the more room for the plot
@@ -113,9 +113,7 @@ void SwingPage::showStatus(const StationStatus& status)
     if (m_running) {
         m_plot->showDots(calibration.swingSoFar, calibration.progress.text);
         if (!wasRunning) {
-            m_found->setPlainText(
-                tr("The readings as they come, about their mean so far; the curve, and what is far off it, "
-                   "are found in the end."));
+            m_found->setPlainText(tr("Readings around their mean so far. Boresight fits the curve at the end."));
         }
     } else if (wasRunning || calibration.swing != m_swing) {
         m_swing = calibration.swing;

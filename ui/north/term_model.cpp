@@ -60,7 +60,7 @@ QString TermModel::fitWord(const TermStatus& term, const CalibrationStatus& cali
         return proposesFit(calibration) ? tr("● found") : QStringLiteral("● ") + calibration.proposal->reason;
     }
     if (term.proposed == term.present) {
-        return tr("as it was");
+        return tr("unchanged");
     }
     return term.sigma ? tr("◐ held") : tr("◐ as measured");
 }

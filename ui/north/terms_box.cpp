@@ -38,11 +38,10 @@ std::string keyOf(calibration::Term term)
 TermsBox::TermsBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
     : QWidget(parent),
       m_notice(notice),
-      m_propose(new CommandButton(tr("Propose"), tr("These terms become what Apply would put into force"), desk, notice,
-                                  this)),
+      m_propose(new CommandButton(tr("Propose"), tr("Make these terms the proposal for Apply"), desk, notice, this)),
       m_reset(new CommandButton(tr("In force"), tr("Show the terms in force again"), desk, notice, this)),
-      m_import(new CommandButton(tr("Import…"), tr("Terms from a text file become what Apply would put into force"),
-                                 desk, notice, this)),
+      m_import(new CommandButton(tr("Import…"), tr("Make the terms of a text file the proposal for Apply"), desk,
+                                 notice, this)),
       m_export(new CommandButton(tr("Export…"), tr("Write the terms in force to a text file"), desk, notice, this))
 {
     m_propose->setAccessibleName(tr("Propose the typed terms"));
@@ -119,7 +118,7 @@ void TermsBox::showStatus(const StationStatus& status)
     const QString reason = status.permissions.reason(Action::ProposeTerms);
     m_propose->setBlocked(reason);
     m_import->setBlocked(reason);
-    m_export->setBlocked(status.calibration ? QString() : tr("the station has told no terms yet"));
+    m_export->setBlocked(status.calibration ? QString() : tr("The station has not reported its terms yet."));
 }
 
 // As far as the field shows: what reads the same was not changed, and keeps all the decimals that it has.

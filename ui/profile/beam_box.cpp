@@ -57,7 +57,7 @@ BeamBox::BeamBox(ProfileDraft& draft, QWidget* parent)
                                this)),
       m_useGain(makePushButton({.text = {},
                                 .name = tr("Use the beam width of the gain"),
-                                .help = tr("Of an antenna whose beam is as wide as it is high")},
+                                .help = tr("For an antenna whose beam is as wide as it is high")},
                                this))
 {
     m_diameter->setValue(1.0);

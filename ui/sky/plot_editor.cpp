@@ -32,7 +32,7 @@ Qt::CursorShape cursorFor(const std::optional<Grip>& grip)
 PlotEditor::PlotEditor(ProfileDraft& draft, QWidget* parent) : QWidget(parent), m_draft(draft)
 {
     setAccessibleName(tr("Limits on the plot"));
-    setAccessibleDescription(tr("The same limits are changed by the keyboard in the Limits panel"));
+    setAccessibleDescription(tr("The Limits panel changes the same limits by keyboard"));
     setMouseTracking(true);
     setEditing(false);
     connect(&m_draft, &ProfileDraft::changed, this, &PlotEditor::followDraft);

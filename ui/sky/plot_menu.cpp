@@ -30,7 +30,7 @@ PlotMenu::PlotMenu(const ProfileDraft& draft, RequestDesk& desk, QWidget* parent
     m_patience.setSingleShot(true);
     m_patience.setInterval(kMenuPatience);
     connect(&m_question, &DirectionQuestion::answered, this, qOverload<>(&PlotMenu::show));
-    connect(&m_patience, &QTimer::timeout, this, [this] { show(tr("the station does not answer"), std::nullopt); });
+    connect(&m_patience, &QTimer::timeout, this, [this] { show(tr("The station does not answer."), std::nullopt); });
 }
 
 QString PlotMenu::whyNoPoint() const
@@ -38,13 +38,14 @@ QString PlotMenu::whyNoPoint() const
     const std::size_t points = m_draft.edited().limits.horizon.size();
     return points + kPointsOfAHill <= profile::kMaxHorizonPoints
                ? QString()
-               : tr("the horizon has %1 points, which is the most").arg(points);
+               : tr("The horizon has %1 points. More are not possible.").arg(points);
 }
 
 QString PlotMenu::whyNoKeepOut() const
 {
     const std::size_t keepOuts = m_draft.edited().limits.keepOuts.size();
-    return keepOuts < profile::kMaxKeepOuts ? QString() : tr("there are %1 keep-outs, which is the most").arg(keepOuts);
+    return keepOuts < profile::kMaxKeepOuts ? QString()
+                                            : tr("There are %1 keep-outs. More are not possible.").arg(keepOuts);
 }
 
 void PlotMenu::open(const SkyPointing& place, const QPoint& globalPos)

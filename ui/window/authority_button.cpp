@@ -17,7 +17,7 @@ void AuthorityButton::showStatus(const StationStatus& status)
     const bool ours = m_control == Authority::Operator;
     setCommand(ours ? tr("Give to clients") : tr("Take control"),
                ours ? tr("Let rotctld clients move the mount again")
-                    : tr("Keep the mount for the operator: motion commands of clients are refused"));
+                    : tr("Keep control for the operator. Boresight refuses motion commands of clients"));
     setBlocked(status.permissions.reason(ours ? Action::GiveAuthority : Action::TakeAuthority));
 }
 

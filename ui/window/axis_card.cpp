@@ -47,7 +47,7 @@ Worded worded(const AxisStatus& axis, bool turnKnown)
             break;
     }
     if (!turnKnown) {
-        return {AxisCard::tr("TURN?"), Tone::Warning, Symbol::Warning};
+        return {AxisCard::tr("WRAP?"), Tone::Warning, Symbol::Warning};
     }
     return state == AxisState::Limit ? Worded{word(state), Tone::Warning, Symbol::Warning} : Worded{word(state)};
 }
@@ -58,7 +58,8 @@ QString detailText(const AxisStatus& axis, bool turnKnown)
     if (freshness(axis.age) != Freshness::Live && axis.age) {
         return AxisCard::tr("age %1").arg(ageText(*axis.age));
     }
-    return turnKnown || !axis.age || !axis.stateText.isEmpty() ? axis.stateText : AxisCard::tr("the turn is not known");
+    return turnKnown || !axis.age || !axis.stateText.isEmpty() ? axis.stateText
+                                                               : AxisCard::tr("the cable wrap is unknown");
 }
 
 QString line(const QString& what, const std::optional<double>& value, const char* format)
@@ -109,7 +110,7 @@ std::optional<Angle> expectedAngle(const StationStatus& status, const BeamAngles
 
 QString widestState()
 {
-    return widest(fonts::text(), {widestAxisState(fonts::text()), AxisCard::tr("TURN?")});
+    return widest(fonts::text(), {widestAxisState(fonts::text()), AxisCard::tr("WRAP?")});
 }
 
 }  // namespace

@@ -37,8 +37,7 @@ QString procedure(int part)
 {
     switch (part) {
         case 0:
-            return CalibrationBars::tr(
-                "Fusion of all: it follows the other three. At 0 the heading is not tied to north.");
+            return CalibrationBars::tr("System: it follows the other three. At 0 the heading is not tied to north.");
         case 1:
             return CalibrationBars::tr("Gyro: hold the sensor still for some seconds.");
         case 2:
@@ -46,7 +45,7 @@ QString procedure(int part)
                 "Accelerometer: hold the sensor still on each of its six sides, some seconds each.");
         default:
             return CalibrationBars::tr(
-                "Magnetometer: move the sensor in figures of eight, away from iron and motors; on the mast, turn the "
+                "Magnetometer: move the sensor in figures of eight, away from iron and motors. On the mast, turn the "
                 "mount through its range.");
     }
 }
@@ -75,7 +74,7 @@ void CalibrationBars::showCalibration(const std::optional<orientation::Calibrati
                                    .arg((*digits)[1])
                                    .arg((*digits)[2])
                                    .arg((*digits)[3])
-                             : tr("Calibration: not told"));
+                             : tr("Calibration: not reported"));
     update();
 }
 

@@ -118,8 +118,8 @@ QString lineHelp(const StationStatus& status)
 QString controlHelp(const StationStatus& status)
 {
     QString text = HeaderBar::tr(
-        "Who may move the mount, and how many clients wait for it. While the operator has the control, motion commands "
-        "of rotctld clients are refused.");
+        "Who has control, and how many clients wait for it. While the operator has control, Boresight refuses motion "
+        "commands of rotctld clients.");
     text += QLatin1Char('\n');
     text += status.listening.isEmpty() ? HeaderBar::tr("rotctld does not listen")
                                        : HeaderBar::tr("rotctld listens on %1").arg(status.listening);
@@ -129,7 +129,7 @@ QString controlHelp(const StationStatus& status)
             text += QLatin1Char(' ') + client.program;
         }
         if (client.driving) {
-            text += HeaderBar::tr(", driving");
+            text += HeaderBar::tr(", in control");
         }
         if (!client.lastCommand.isEmpty()) {
             text += HeaderBar::tr(", last command %1").arg(client.lastCommand);
@@ -242,12 +242,12 @@ HeaderBar::HeaderBar(AuthorityButton& authority, QWidget* parent)
       m_state(new ValueLabel(tr("Station state"), fonts::state(), widestStationState(fonts::state()), this)),
       m_reason(new ValueLabel(tr("Reason of the state"), fonts::label(), {}, this)),
       m_limited(new ValueLabel(tr("Target limited"), fonts::text(), tr("LIMITED"), this)),
-      m_target(new ValueLabel(tr("Target and who gave it"), fonts::text(), {}, this)),
+      m_target(new ValueLabel(tr("Target and its source"), fonts::text(), {}, this)),
       m_line(new ValueLabel(tr("Line to the mount"), fonts::label(), {}, this)),
       m_azimuth(new ValueLabel(tr("Azimuth drive"), fonts::label(), widestDrive(tr("AZ")), this)),
       m_elevation(new ValueLabel(tr("Elevation drive"), fonts::label(), widestDrive(tr("EL")), this)),
       m_sensor(new ValueLabel(tr("Orientation sensor"), fonts::label(), tr("Sensor awaited"), this)),
-      m_control(new ValueLabel(tr("Who may move the mount"), fonts::label(), {}, this)),
+      m_control(new ValueLabel(tr("Who has control"), fonts::label(), {}, this)),
       m_utc(new ValueLabel(tr("UTC"), fonts::clock(), QStringLiteral("00:00:00Z"), this)),
       m_simulated(new ValueLabel(tr("Simulated mount"), fonts::label(), tr("SIMULATED"), this)),
       m_menu(new QToolButton(this)),
@@ -271,7 +271,7 @@ void HeaderBar::build(AuthorityButton& authority)
     m_sensor->setCollapsing(true);
     m_simulated->setOutlined(true);
     m_simulated->setToolTip(
-        tr("No real drive is connected. What is set and found here stays in the simulation of this mount."));
+        tr("No real drive is connected. Settings and results stay in the simulation of this mount."));
     m_simulated->setAlignment(Qt::AlignCenter);
     m_utc->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* const grid = new QGridLayout(this);
@@ -344,7 +344,7 @@ void HeaderBar::showTarget(const StationStatus& status)
 {
     m_limited->setVisible(status.limited);
     m_limited->setValue(status.limited ? tr("LIMITED") : QString(), Tone::Warning, Symbol::Warning);
-    m_limited->setToolTip(tr("The target is outside the limits: the mount goes to the nearest permitted point.\n%1")
+    m_limited->setToolTip(tr("The target is outside the limits. The mount goes to the nearest permitted point.\n%1")
                               .arg(status.limitedReason));
     if (status.targetText.isEmpty()) {
         m_target->setValue(tr("no target"), Tone::Secondary);
@@ -375,8 +375,7 @@ void HeaderBar::showLinks(const StationStatus& status)
 
 void HeaderBar::setOnlySimulated()
 {
-    m_simulated->setToolTip(
-        tr("Started with --simulate: no real drive is connected, whatever mount is chosen, until the program ends"));
+    m_simulated->setToolTip(tr("Boresight was started with --simulate. No mount is real until the program ends."));
 }
 
 void HeaderBar::setStopRequested()

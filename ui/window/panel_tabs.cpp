@@ -46,9 +46,9 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
     setAccessibleName(tr("Panels"));
     tabBar()->setAccessibleName(tr("Panels"));
     addPanel(*this, *m_jog, tr("Jog"), tr("Jog panel (Ctrl+1)"), Qt::Key_1);
-    addPanel(*this, *m_charts, tr("Charts"), tr("Position, error and drive over the time (Ctrl+2)"), Qt::Key_2);
+    addPanel(*this, *m_charts, tr("Charts"), tr("Position, error and drive over time (Ctrl+2)"), Qt::Key_2);
     addPanel(*this, *m_limits, tr("Limits"), tr("Limits, horizon and keep-outs (Ctrl+3)"), Qt::Key_3);
-    addPanel(*this, *m_clients, tr("Clients"), tr("rotctld clients, and who of them moves the mount (Ctrl+4)"),
+    addPanel(*this, *m_clients, tr("Clients"), tr("rotctld clients, and which of them has control (Ctrl+4)"),
              Qt::Key_4);
     addPanel(*this, *m_log, tr("Log"), tr("Log panel (Ctrl+5)"), Qt::Key_5);
     m_mountTabs = makeMountTabs();
@@ -75,8 +75,8 @@ void PanelTabs::addIcons()
 
 void PanelTabs::addTurnPage()
 {
-    const int tab = addTab(m_turn, tr("▲ Turn?"));
-    setTabToolTip(tab, tr("Which turn is the axis on? (Ctrl+9)"));
+    const int tab = addTab(m_turn, tr("▲ Wrap?"));
+    setTabToolTip(tab, tr("Where is the axis now? (Ctrl+9)"));
     setTabVisible(tab, false);
     tabBar()->setTabTextColor(tab, currentTheme().warning);
 }
@@ -88,11 +88,11 @@ QTabWidget* PanelTabs::makeMountTabs()
     tabs->setAccessibleName(tr("The mount itself"));
     tabs->tabBar()->setAccessibleName(tr("The mount itself"));
     tabs->setDocumentMode(true);
-    addPanel(*tabs, *m_drives, tr("Drives"), tr("Drives, bus and crash-stop proof (Ctrl+6)"), Qt::Key_6);
+    addPanel(*tabs, *m_drives, tr("Drives"), tr("Drives, bus and crash-stop test (Ctrl+6)"), Qt::Key_6);
     tabs->setTabToolTip(tabs->addTab(m_readings, tr("Readings")), tr("What the drives report now"));
-    addPanel(*tabs, *m_protection, tr("Protection"), tr("The drives' own protections (Ctrl+7)"), Qt::Key_7);
+    addPanel(*tabs, *m_protection, tr("Protection"), tr("Safety settings of the drives (Ctrl+7)"), Qt::Key_7);
     tabs->setTabToolTip(tabs->addTab(m_tuning, tr("Tuning")), tr("Measure the axes and tune the gains of the drives"));
-    addPanel(*tabs, *m_profile, tr("Profile"), tr("All settings, and the mounts that are kept (Ctrl+8)"), Qt::Key_8);
+    addPanel(*tabs, *m_profile, tr("Profile"), tr("All settings, and the stored mounts (Ctrl+8)"), Qt::Key_8);
     keepHeightOfShownPage(*tabs);
     return tabs;
 }

@@ -115,7 +115,7 @@ TEST(AxisTilt, IsRefusedWithTheReason)
     for (std::size_t i = 0; i < two.size(); ++i) {
         two[i].axisAzimuth = i % 2 == 0 ? 0_deg : 150_deg;
     }
-    EXPECT_THAT(reason(two), HasSubstr("do not determine the tilt: read it at more azimuths"));
+    EXPECT_THAT(reason(two), HasSubstr("do not determine the tilt. Take readings at more azimuths"));
     few[2].elevation = Angle::fromDegrees(std::nan(""));
     EXPECT_THAT(reason(few), HasSubstr("not a number"));
 }

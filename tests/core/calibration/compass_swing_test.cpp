@@ -173,12 +173,12 @@ TEST(CompassSwing, ALatencyIsSeenAsHysteresisAndDoesNotMoveNorth)
     ASSERT_TRUE(swing.hysteresis.has_value());
     EXPECT_NEAR(swing.hysteresis->value.degrees(), -3.0, 0.3);
     EXPECT_NEAR(northError(swing, mount), 0.0, 0.3);
-    EXPECT_THAT(swing.hints, Contains(mentions("sensor.latency_s is not right")));
+    EXPECT_THAT(swing.hints, Contains(mentions("sensor.latency_s is wrong")));
 
     const CompassSwing oneWay = fitted(mount, {.back = false});
     EXPECT_FALSE(oneWay.hysteresis.has_value());
     EXPECT_NEAR(northError(oneWay, mount), -1.5, 0.3);
-    EXPECT_THAT(oneWay.hints, Contains(mentions("it turned one way only")));
+    EXPECT_THAT(oneWay.hints, Contains(mentions("The mount turned in one direction only")));
     const double softIron = oneWay.curve.secondAmplitude().degrees() / std::sqrt(2.0);
     const double latency = 0.1 * 3.0;  // sigma × rate
     EXPECT_NEAR(oneWay.systematic.degrees(), std::hypot(std::hypot(1.0, softIron), std::hypot(0.5, latency)), 1e-9);
@@ -220,16 +220,16 @@ TEST(CompassSwing, SaysWhenThePlaceIsHopeless)
 {
     SwungMount noisy = hidden();
     noisy.noise = 9.0;
-    EXPECT_THAT(fitted(noisy).hopeless, Contains(mentions("the readings scatter by")));
+    EXPECT_THAT(fitted(noisy).hopeless, Contains(mentions("The readings scatter by")));
 
     SwungMount iron = hidden();
     iron.firstAmplitude = 50.0;
-    EXPECT_THAT(fitted(iron).hopeless, Contains(mentions("nearly as strong as the Earth's field")));
+    EXPECT_THAT(fitted(iron).hopeless, Contains(mentions("nearly as strong as the field of the Earth")));
 
     SwungMount steep = hidden();
     steep.firstAmplitude = 25.0;
     steep.secondAmplitude = 25.0;
-    EXPECT_THAT(fitted(steep).hopeless, Contains(mentions("different directions give the same reading")));
+    EXPECT_THAT(fitted(steep).hopeless, Contains(mentions("different directions give nearly the same reading")));
 
     SwungMount flips = hidden();
     flips.outliers = 0.4;
@@ -247,7 +247,7 @@ TEST(CompassSwing, SaysWhenTheNeedleFollowsTheMotors)
     }
     const auto swing = fitCompassSwing(given.samples);
     ASSERT_TRUE(swing.has_value());
-    EXPECT_THAT(swing->hints, Contains(mentions("the compass follows the motors' current")));
+    EXPECT_THAT(swing->hints, Contains(mentions("The motor current turns the compass")));
 }
 
 // REQ-CALIBRATION-05: It fits no more than the part of the circle that was seen supports, and reports it.
@@ -259,9 +259,9 @@ TEST(CompassSwing, FitsLessWhereLessOfTheCircleWasSeen)
     EXPECT_EQ(part.harmonics, Harmonics::First);
     EXPECT_EQ(part.curve.secondAmplitude(), 0_deg);
     EXPECT_GT(part.north.sigma, whole.systematic);
-    EXPECT_THAT(part.hints, Contains(mentions("soft iron (twice round the circle) could not be told")));
+    EXPECT_THAT(part.hints, Contains(mentions("Soft iron could not be determined")));
     EXPECT_THAT(swingReason(swung(mount, {.from = 0.0, .to = 120.0}).samples),
-                HasSubstr("a swing has to see more of the circle"));
+                HasSubstr("A swing needs more of the circle"));
 }
 
 // REQ-CALIBRATION-05
@@ -277,7 +277,7 @@ TEST(CompassSwing, ToldOfUnequalFilling)
     const auto swing = fitCompassSwing(thinned);
     ASSERT_TRUE(swing.has_value());
     EXPECT_FALSE(swing->coverage.isEven);
-    EXPECT_THAT(swing->hints, Contains(mentions("unequally filled")));
+    EXPECT_THAT(swing->hints, Contains(mentions("Some sectors have few readings")));
 }
 
 // REQ-CALIBRATION-05

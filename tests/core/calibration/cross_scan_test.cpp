@@ -211,7 +211,7 @@ TEST(CrossScan, IsRefusedWithTheReason)
     EXPECT_THAT(scanReason(scan({.at = 9.0}, 6.0, 25)),
                 HasSubstr("the peak is not inside this line: move its middle by +6.0° or more"));
     EXPECT_THAT(scanReason(scan({.at = -9.0}, 6.0, 25)), HasSubstr("by -6.0° or more"));
-    EXPECT_THAT(scanReason(scan({.rise = 0.0}, 6.0, 25)), HasSubstr("dB only along this line"));
+    EXPECT_THAT(scanReason(scan({.rise = 0.0}, 6.0, 25)), HasSubstr("dB along this line"));
     EXPECT_THAT(scanReason(scan({}, 6.0, 5)), HasSubstr("5 readings are too few"));
     auto lone = scan({.rise = 0.0}, 60.0, 25);
     lone[11].decibels += 10.0;

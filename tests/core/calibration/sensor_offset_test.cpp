@@ -193,14 +193,14 @@ TEST(SensorOffset, IsRefusedWithTheReason)
     EXPECT_TRUE(sensorOffset(bad, {.motorCurrent = 3.0})) << "a limit that is set";
     bad = still;
     bad[3].motorCurrent = std::nan("");
-    EXPECT_THAT(offsetReason(bad), HasSubstr("a motor draws"));
+    EXPECT_THAT(offsetReason(bad), HasSubstr("Motor current"));
     bad = still;
     bad[3].axisRate = 1_deg_s;
-    EXPECT_THAT(offsetReason(bad), HasSubstr("the mount is moving"));
+    EXPECT_THAT(offsetReason(bad), HasSubstr("The mount is moving"));
     bad = still;
     bad[3].axisAzimuth = 101_deg;
-    EXPECT_THAT(offsetReason(bad), HasSubstr("the mount is moving"));
-    EXPECT_THAT(offsetReason(readings(137.4, 0.5, 9)), HasSubstr("there are 9 readings, and 10 are needed"));
+    EXPECT_THAT(offsetReason(bad), HasSubstr("The mount is moving"));
+    EXPECT_THAT(offsetReason(readings(137.4, 0.5, 9)), HasSubstr("There are 9 readings, but 10 are needed."));
     EXPECT_THAT(offsetReason({}), HasSubstr("there are 0 readings"));
     // By MQTT no calibration comes, and a chip that hangs repeats itself.
     auto frozen = readings(137.4, 0.0, 20);
@@ -209,13 +209,13 @@ TEST(SensorOffset, IsRefusedWithTheReason)
         reading.magnetometerCalibration.reset();
         reading.systemCalibration.reset();
     }
-    EXPECT_THAT(offsetReason(frozen), HasSubstr("the sensor repeats one value to the last digit"));
+    EXPECT_THAT(offsetReason(frozen), HasSubstr("The sensor repeats one value to the last digit"));
     auto drifting = readings(137.4, 0.0, 40);
     for (std::size_t i = 0; i < drifting.size(); ++i) {
         drifting[i].heading = SensorHeading::folded(Angle::fromDegrees(137.4 + 0.05 * static_cast<double>(i)));
     }
-    EXPECT_THAT(offsetReason(drifting), HasSubstr("the readings drift together"));
-    EXPECT_THAT(offsetReason(readings(137.4, 20.0, 40)), HasSubstr("the readings disagree"));
+    EXPECT_THAT(offsetReason(drifting), HasSubstr("The readings drift"));
+    EXPECT_THAT(offsetReason(readings(137.4, 20.0, 40)), HasSubstr("The readings disagree"));
 }
 
 TEST(SensorOffset, AcceptsASensorThatDoesNotTellItsCalibration)

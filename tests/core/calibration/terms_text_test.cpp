@@ -121,21 +121,20 @@ TEST(TermsText, ReadsWhatPeopleType)
 TEST(TermsText, SaysWhatIsWrongInWhichLine)
 {
     EXPECT_EQ(
-        "roof.terms:3: unknown term \"tilt_south\"\n"
-        "roof.terms:7: tilt_north is missing: every term is expected, also those of 0",
+        "roof.terms:3: unknown term \"tilt_south\"\nroof.terms:7: tilt_north is missing. Write every term, also a term that is 0.",
         termsReason(with("tilt_north", "tilt_south")));
-    EXPECT_EQ("roof.terms:1: \"37,4\" is not a number", termsReason(with("37.4", "37,4")));
-    EXPECT_EQ("roof.terms:1: \"nan\" is not a number", termsReason(with("37.4", "nan")));
-    EXPECT_EQ("roof.terms:8: \"tilt_east\" stands in line 4 already", termsReason(kSmall + "tilt_east 1 deg\n"));
+    EXPECT_EQ("roof.terms:1: \"37,4\" is not a number.", termsReason(with("37.4", "37,4")));
+    EXPECT_EQ("roof.terms:1: \"nan\" is not a number.", termsReason(with("37.4", "nan")));
+    EXPECT_EQ("roof.terms:8: \"tilt_east\" is already in line 4.", termsReason(kSmall + "tilt_east 1 deg\n"));
     EXPECT_EQ("roof.terms:7: the unit of \"elevation_sag\" is missing: deg, arcmin or arcsec",
               termsReason(with("elevation_sag 0 deg", "elevation_sag 0")));
     EXPECT_EQ("roof.terms:5: unknown unit \"rad\": deg, arcmin or arcsec is expected",
               termsReason(with("1080 arcsec", "1080 rad")));
     EXPECT_EQ("roof.terms:2: the value of \"elevation_offset\" is missing",
               termsReason(with("elevation_offset 0 deg", "elevation_offset")));
-    EXPECT_EQ("roof.terms:1: \"0\" is no sigma: a number above 0 is expected, or - where it is not known",
+    EXPECT_EQ("roof.terms:1: \"0\" is not a sigma. Write a number above 0, or - for an unknown one.",
               termsReason(with("0.05", "0")));
-    EXPECT_EQ("roof.terms:4: \"more\" is too much: name, value, unit and sigma are expected",
+    EXPECT_EQ("roof.terms:4: \"more\" is one value too many. A line has name, value, unit and sigma.",
               termsReason(with("arcmin 0.6", "arcmin 0.6 more")));
 }
 
@@ -145,8 +144,8 @@ TEST(TermsText, SaysWhatIsWrongInTheHeader)
     EXPECT_THAT(termsReason("# site: Vienna\n" + kSmall), HasSubstr("roof.terms:1: \"Vienna\" is no site"));
     EXPECT_THAT(termsReason("# site: 98.2 16.37 200\n" + kSmall), HasSubstr("roof.terms:1: "));
     EXPECT_THAT(termsReason("\n# date: yesterday\n" + kSmall), HasSubstr("roof.terms:2: \"yesterday\" is no date"));
-    EXPECT_THAT(termsReason("# date: 2026-11-22 01:00\n" + kSmall), HasSubstr("is no date"));  // of which zone?
-    EXPECT_THAT(termsReason("# date: 9999-11-22T01:00:00Z\n" + kSmall), HasSubstr("is no date"));
+    EXPECT_THAT(termsReason("# date: 2026-11-22 01:00\n" + kSmall), HasSubstr("is not a date"));  // of which zone?
+    EXPECT_THAT(termsReason("# date: 9999-11-22T01:00:00Z\n" + kSmall), HasSubstr("is not a date"));
 }
 
 TEST(TermsText, AllIsToldAtOnceButNoFlood)
@@ -159,7 +158,7 @@ TEST(TermsText, AllIsToldAtOnceButNoFlood)
     const std::string told = termsReason(rubbish);
     EXPECT_EQ(19, std::count(told.begin(), told.end(), '\n'));
     EXPECT_EQ(std::string::npos, told.find('\x1b'));
-    EXPECT_EQ("roof.terms is too long for the terms of a pointing model", termsReason(std::string(200000, '#')));
+    EXPECT_EQ("roof.terms is too long to be the terms of a pointing model.", termsReason(std::string(200000, '#')));
 }
 
 }  // namespace

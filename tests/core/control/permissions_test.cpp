@@ -337,7 +337,7 @@ TEST(Permissions, OfAStationThatNobodyKnowsForbidEverything)
     const StationStatus status;
     for (int action = 0; action < static_cast<int>(Action::Count); ++action) {
         EXPECT_EQ(status.permissions.reason(static_cast<Action>(action)),
-                  QStringLiteral("nothing is known of the station yet"))
+                  QStringLiteral("The station has not reported yet."))
             << action;
     }
 }

@@ -355,7 +355,7 @@ void StationPromises::watchRegion(const StationStatus& now)
     const auto was = place(m_before);
     if (is && was && m_region.permits(*was) && !m_region.permits(*is) && !takesOver(Axis::Azimuth, now) &&
         !takesOver(Axis::Elevation, now)) {
-        fail("a set-point enters what is forbidden: " + m_region.reason(*is).toStdString());
+        fail("a set-point enters a forbidden region: " + m_region.reason(*is).toStdString());
     }
 }
 

@@ -129,7 +129,7 @@ TEST(StationRegion, ADirectionWithoutAWayIsForbiddenAndHasNoOtherNearIt)
     region.azimuth = {-100_deg, 200_deg};
     RegionRig rig(region);
     const DirectionVerdict verdict = rig.control.judge({280_deg, 5_deg});
-    EXPECT_TRUE(verdict.whyNot.contains(QStringLiteral("there is no way"))) << verdict.whyNot.toStdString();
+    EXPECT_TRUE(verdict.whyNot.contains(QStringLiteral("There is no way"))) << verdict.whyNot.toStdString();
     EXPECT_FALSE(verdict.nearest);
 }
 
@@ -156,7 +156,7 @@ TEST(StationRegion, ARefusalNamesTheAzimuthAsItIsTyped)
     const auto wall = rig.ask(request::PointAxes{{.azimuth = -80_deg, .elevation = 5_deg}});
     ASSERT_FALSE(wall);
     EXPECT_EQ(textOf(wall.error()),
-              "there is no way from 340.0° 5.0° to 280.0° 5.0°: the keep-out \"stationMast\" is in between");
+              "There is no way from 340.0° 5.0° to 280.0° 5.0°. Between them is the keep-out \"stationMast\".");
     const auto beyond = rig.ask(request::PointAxes{{.azimuth = 451_deg, .elevation = 5_deg}});
     ASSERT_FALSE(beyond);
     EXPECT_EQ(textOf(beyond.error()), "azimuth axis 451.0° above limit 450.0°");

@@ -96,8 +96,8 @@ TEST(StationTurnCourse, ASensorThatWasRestartedMeanwhileSaysItsHeadingOnly)
     rig.course.unbroken = 4;
     rig.sense(40_deg);
     EXPECT_TRUE(rig.question().proposed);
-    EXPECT_THAT(rig.turning(), testing::Not(HasSubstr("has seen it turn")));
-    EXPECT_THAT(rig.question().evidence.back().toStdString(), HasSubstr("The sensor says 83.0°"));
+    EXPECT_THAT(rig.turning(), testing::Not(HasSubstr("It shows")));
+    EXPECT_THAT(rig.question().evidence.back().toStdString(), HasSubstr("The sensor reports 83.0°"));
     rig.control.setSensor(std::nullopt, std::nullopt);
     rig.mount.setCourse(std::nullopt);
     EXPECT_THAT(rig.question().evidence.back().toStdString(), HasSubstr("no sensor"));
@@ -111,7 +111,7 @@ TEST(StationTurnCourse, IsInTheLogWithTheQuestion)
     for (const LogEntry& entry : rig.log.since(0, 100)) {
         text += entry.text.toStdString();
     }
-    EXPECT_THAT(text, HasSubstr("The sensor was heard all the time since the turn was known"));
+    EXPECT_THAT(text, HasSubstr("The sensor followed the axis since the cable wrap was known"));
 }
 
 }  // namespace

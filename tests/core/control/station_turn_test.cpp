@@ -67,15 +67,15 @@ TEST(StationTurns, ASensorOnTheAntennaSpeaksInTheQuestion)
     ASSERT_TRUE(rig.question());
     EXPECT_EQ(rig.question()->evidence.back(), QStringLiteral("There is no sensor to compare with"));
     rig.control.setSensor(98_deg, std::nullopt);
-    EXPECT_EQ(rig.question()->evidence.back(), QStringLiteral("The sensor says 98.0°"));
+    EXPECT_EQ(rig.question()->evidence.back(), QStringLiteral("The sensor reports 98.0°"));
     rig.control.setSensor(-1.5_deg, std::nullopt);
-    EXPECT_EQ(rig.question()->evidence.back(), QStringLiteral("The sensor says 358.5°"));
+    EXPECT_EQ(rig.question()->evidence.back(), QStringLiteral("The sensor reports 358.5°"));
     EXPECT_FALSE(rig.control.status().azimuth.turnKnown) << "it decides nothing";
 
     rig.profile.pointing.azimuthOffset = 37.5_deg;
     rig.setProfile(rig.profile);
     rig.control.setSensor(98_deg, std::nullopt);
-    EXPECT_EQ(rig.question()->evidence.back(), QStringLiteral("The sensor says 60.5°")) << "as the axis counts";
+    EXPECT_EQ(rig.question()->evidence.back(), QStringLiteral("The sensor reports 60.5°")) << "as the axis counts";
 }
 
 TEST(StationTurns, OnlyTheOperatorJogsMeanwhileAndSlowly)

@@ -168,7 +168,7 @@ TEST(StationWatch, ASupplyThatStoppedTheMountIsNotOverBeforeItIsBack)
     ASSERT_EQ(rig.state(), StationState::Fault);
     const auto hot = rig.ask(request::Rearm{});
     ASSERT_FALSE(hot);
-    EXPECT_THAT(textOf(hot.error()), HasSubstr("the supply is still at 11.5 V; 20.0 V are needed"));
+    EXPECT_THAT(textOf(hot.error()), HasSubstr("The supply is still at 11.5 V. It must reach 20.0 V."));
     rig.run(Seconds(1.0));
     EXPECT_EQ(rig.state(), StationState::Fault);
     EXPECT_FALSE(rig.alarm("supply of the azimuth fell to 11.5 V").empty());

@@ -75,7 +75,7 @@ TEST(Coefficients, LineEndsOfAnySystemDo)
 TEST(Coefficients, WhatIsSpoiledIsRefusedWithItsLine)
 {
     const std::pair<std::string, std::string> wrong[] = {
-        {"", "the file ends without its line of nines"},
+        {"", "The file ends without a line of nines."},
         {spoiled(kHeader, "not a model"), "line 1: this is no header of a magnetic model"},
         {spoiled("2030.0", "MMXXX"), "line 1: this is no header"},
         {spoiled("2030.0", "203.0"), "line 1: this is no header"},
@@ -86,11 +86,11 @@ TEST(Coefficients, WhatIsSpoiledIsRefusedWithItsLine)
         {spoiled("9.7  -21.5", "9.7  -21.5 1"), "line 3: 7 numbers instead of 6"},
         {spoiled("4545.4", "4545,4"), "line 3: \"4545,4\" is no number"},
         {spoiled("4545.4", "nan"), "line 3: \"nan\" is no number"},
-        {spoiled("-29351.8  0.0", "-29351.8  5.0"), "line 2: h of a term with m = 0 is not 0"},
+        {spoiled("-29351.8  0.0", "-29351.8  5.0"), "line 2: In a term with m = 0, h must be 0."},
         {spoiled("12 12  -0.7  0.2  -0.1  -0.1\n", ""), "line 91: the term n = 12, m = 12 is missing"},
         {spoiled("9999", "13 0 1.0 0.0 0.0 0.0\n9999"), "line 92: a line of nines is expected after degree 12"},
         {goodText() + "1 0 1.0 0.0 0.0 0.0\n", "line 94: a line of nines is expected"},
-        {goodText().substr(0, goodText().find("9999")), "the file ends without its line of nines"},
+        {goodText().substr(0, goodText().find("9999")), "The file ends without a line of nines."},
     };
     for (const auto& [text, reason] : wrong) {
         EXPECT_TRUE(refusal(text).starts_with(reason)) << refusal(text) << "\n instead of\n" << reason;

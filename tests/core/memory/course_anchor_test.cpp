@@ -16,7 +16,7 @@ TurnQuestion question(std::optional<Angle> proposed)
 {
     return {.candidates = {45_deg, 405_deg},
             .proposed = proposed,
-            .evidence = {QStringLiteral("places"), QStringLiteral("journal"), QStringLiteral("The sensor says 82.0°")},
+            .evidence = {QStringLiteral("places"), QStringLiteral("journal"), QStringLiteral("The sensor reports 82.0°")},
             .period = 360_deg};
 }
 
@@ -43,7 +43,7 @@ TEST(SensorCourse, AgreesWithAProposalInAnotherSentence)
     EXPECT_EQ(asked.proposed, 405_deg);
     ASSERT_EQ(asked.evidence.size(), 4U);
     EXPECT_THAT(asked.evidence[2].toStdString(), HasSubstr("about 398.0° (± 30.0°): that agrees"));
-    EXPECT_EQ(asked.evidence.back(), QStringLiteral("The sensor says 82.0°"));
+    EXPECT_EQ(asked.evidence.back(), QStringLiteral("The sensor reports 82.0°"));
 }
 
 TEST(SensorCourse, TakesBackAProposalThatItSpeaksAgainst)
@@ -59,10 +59,10 @@ TEST(SensorCourse, ProposesNothingItself)
     TurnQuestion asked = question(std::nullopt);
     addSensorTurning(asked, 50_deg);
     EXPECT_FALSE(asked.proposed);
-    EXPECT_THAT(asked.evidence[2].toStdString(), Not(HasSubstr("none of the places")));
+    EXPECT_THAT(asked.evidence[2].toStdString(), Not(HasSubstr("None of the places")));
     asked = question(std::nullopt);
     addSensorTurning(asked, 200_deg);
-    EXPECT_THAT(asked.evidence[2].toStdString(), HasSubstr("none of the places is near that"));
+    EXPECT_THAT(asked.evidence[2].toStdString(), HasSubstr("None of the places is near that"));
 }
 
 }  // namespace

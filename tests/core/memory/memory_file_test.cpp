@@ -261,9 +261,9 @@ TEST_F(MemoryFileTest, ACorruptFileIsKeptAsideAndThePreviousOneTaken)
     ASSERT_EQ(corruptFiles().size(), 1);
     EXPECT_EQ(bytesOf(m_dir.filePath(corruptFiles().front())), QByteArrayLiteral("{ \"boresight_mem"));
     const std::string problem = loaded.problem.toStdString();
-    EXPECT_THAT(problem, HasSubstr("cannot be used: it is torn or damaged at byte"));
-    EXPECT_THAT(problem, HasSubstr("it is kept as " + m_dir.filePath(corruptFiles().front()).toStdString()));
-    EXPECT_THAT(problem, HasSubstr("the one before it was taken: " + previous().toStdString()));
+    EXPECT_THAT(problem, HasSubstr("cannot be used: it is damaged at byte"));
+    EXPECT_THAT(problem, HasSubstr("Boresight keeps it as " + m_dir.filePath(corruptFiles().front()).toStdString()));
+    EXPECT_THAT(problem, HasSubstr("Boresight uses the version before it: " + previous().toStdString()));
 }
 
 // REQ-MEMORY-04
@@ -274,7 +274,7 @@ TEST_F(MemoryFileTest, BothCorruptIsAnEmptyMemoryAndBothAreKept)
     const LoadedMemory loaded = load();
     EXPECT_EQ(loaded.memory, MountMemory());
     EXPECT_EQ(corruptFiles().size(), 2);
-    EXPECT_THAT(loaded.problem.toStdString(), HasSubstr("it is not the memory of a mount"));
+    EXPECT_THAT(loaded.problem.toStdString(), HasSubstr("it is not a position journal"));
     EXPECT_THAT(loaded.problem.toStdString(), HasSubstr("it is empty"));
 }
 

@@ -146,17 +146,17 @@ TEST(MemoryText, TellsWhyAFileIsOfNoUse)
     const QByteArray good = *toText(exampleMemory());
     EXPECT_EQ(problemOf(""), "it is empty");
     EXPECT_EQ(problemOf(QByteArray(4096, '\0')), "it is empty");
-    EXPECT_THAT(problemOf(good.left(good.size() / 2)), HasSubstr("it is torn or damaged at byte"));
-    EXPECT_EQ(problemOf("{}"), "it is not the memory of a mount");
-    EXPECT_EQ(problemOf("[1, 2]"), "it is not the memory of a mount");
+    EXPECT_THAT(problemOf(good.left(good.size() / 2)), HasSubstr("it is damaged at byte"));
+    EXPECT_EQ(problemOf("{}"), "it is not a position journal");
+    EXPECT_EQ(problemOf("[1, 2]"), "it is not a position journal");
     EXPECT_EQ(problemOf(QByteArray(good).replace("\"boresight_memory\": 1", "\"boresight_memory\": 2")),
-              "its version 2 is not known to this program, which reads version 1");
+              "it has version 2, but this program reads version 1");
     EXPECT_EQ(problemOf(QByteArray(good).replace("1234.567", "1234.568")),
-              "its checksum is wrong: it was changed or damaged");
+              "its checksum is wrong, so it was changed or damaged");
     EXPECT_EQ(problemOf(QByteArray(good).replace("\"moving\": true", "\"moving\": false")),
-              "its checksum is wrong: it was changed or damaged");
+              "its checksum is wrong, so it was changed or damaged");
     EXPECT_EQ(problemOf(QByteArray(good).replace("\"memory\"", "\"Memory\"")),
-              "its checksum is wrong: it was changed or damaged");
+              "its checksum is wrong, so it was changed or damaged");
 }
 
 TEST(MemoryText, SpacesDoNotCount)

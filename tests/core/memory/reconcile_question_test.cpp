@@ -28,9 +28,9 @@ TEST(ReconcileQuestion, SaysWhatScenario10Says)
     EXPECT_THAT(inDegrees(question.candidates), ElementsAre(-315.0, 45.0, 405.0));
     EXPECT_THAT(question.proposed, proposes(405.0));
     EXPECT_THAT(scene.sentences(),
-                ElementsAre("Direction 45.0° is known, the turn is not: -315.0°, 45.0° or 405.0° are possible",
-                            "The journal says 405.0°, 12 min old, written while moving",
-                            "The drive was restarted 34 s ago", "The sensor says 98.0°"));
+                ElementsAre("Direction 45.0° is known, but not the cable wrap. -315.0°, 45.0° or 405.0° are possible",
+                            "The journal has 405.0°, 12 min old, written in motion",
+                            "The drive was restarted 34 s ago", "The sensor reports 98.0°"));
 }
 
 TEST(ReconcileQuestion, MovedByHandHasNoDefault)
@@ -40,7 +40,7 @@ TEST(ReconcileQuestion, MovedByHandHasNoDefault)
     EXPECT_EQ(scene.question().proposed, std::nullopt);
     EXPECT_THAT(inDegrees(scene.question().candidates), ElementsAre(-260.0, 100.0, 460.0));
     EXPECT_THAT(scene.sentences(),
-                Contains("The nearest of them is 55.0° from the journal: the axis was moved meanwhile"));
+                Contains("The nearest place is 55.0° from the journal. The axis was moved in between"));
     EXPECT_THAT(scene.sentences(), Contains("There is no sensor to compare with"));
 }
 
@@ -102,10 +102,9 @@ TEST(ReconcileQuestion, ADirtyJournalOfAHighGearSaysWhyItProposesNothing)
 {
     const auto sentences = Scene(Kind::HundredToOne).dirty().powerCycledAt(405.0).sentences();
     EXPECT_THAT(sentences,
-                Contains("The axis may have moved on since, and places 3.6° apart look the same to the drive: the "
-                         "journal cannot tell which"));
+                Contains("The axis may have moved after that. Places 3.6° apart look the same to the drive, so the journal does not show which is right"));
     EXPECT_EQ(sentences.front(),
-              "The angle is known to a multiple of 3.6° only: 233 places from -372.6° to 462.6° are possible");
+              "The angle is known only to a multiple of 3.6°. 233 places from -372.6° to 462.6° are possible");
 }
 
 TEST(ReconcileQuestion, WithoutAJournalSaysSoAndProposesNothing)
@@ -113,10 +112,10 @@ TEST(ReconcileQuestion, WithoutAJournalSaysSoAndProposesNothing)
     Scene scene(Kind::FiveToOne);
     scene.powerCycledAt(405.0).evidence.record.reset();
     EXPECT_EQ(scene.question().proposed, std::nullopt);
-    EXPECT_THAT(scene.sentences(), Contains("The journal says nothing about this axis"));
+    EXPECT_THAT(scene.sentences(), Contains("The journal has no entry for this axis"));
     scene.evidence.recordProblem = QStringLiteral("The journal file x is missing");
     EXPECT_THAT(scene.sentences(), Contains("The journal file x is missing"));
-    EXPECT_THAT(scene.sentences(), Not(Contains("The journal says nothing about this axis")));
+    EXPECT_THAT(scene.sentences(), Not(Contains("The journal has no entry for this axis")));
 }
 
 TEST(ReconcileQuestion, AnOlderGenerationOfTheJournalSaysBoth)
@@ -125,7 +124,7 @@ TEST(ReconcileQuestion, AnOlderGenerationOfTheJournalSaysBoth)
     scene.dirty().powerCycledAt(405.0).evidence.recordProblem =
         QStringLiteral("The journal file x cannot be used: torn");
     EXPECT_THAT(scene.sentences(), Contains("The journal file x cannot be used: torn"));
-    EXPECT_THAT(scene.sentences(), Contains("The journal says 405.0°, 12 min old, written while moving"));
+    EXPECT_THAT(scene.sentences(), Contains("The journal has 405.0°, 12 min old, written in motion"));
 }
 
 TEST(ReconcileQuestion, AnotherDriveWithPowerProposesNothing)
@@ -144,7 +143,7 @@ TEST(ReconcileQuestion, NoTurnWithinTheTravelAsksForTheAngle)
     scene.powerCycledAt(120.0);
     EXPECT_TRUE(scene.question().candidates.empty());
     EXPECT_EQ(scene.sentences().front(),
-              "The drive reports 120.0°, and no turn of that lies within 15° of the travel: enter the angle");
+              "The drive reports 120.0°. No cable wrap of it lies within 15° of the travel. Enter the angle");
 }
 
 TEST(ReconcileQuestion, ManyCandidatesAreAllKept)
@@ -224,7 +223,7 @@ TEST(ReconcileOnlyPlace, ARotorEncoderIsNotEnough)
     const TurnQuestion question = scene.question();
     EXPECT_THAT(inDegrees(question.candidates), ElementsAre(30.0));
     EXPECT_EQ(question.proposed, std::nullopt);
-    EXPECT_EQ(scene.sentences().front(), "The drive reports a place that is possible at 30.0° only");
+    EXPECT_EQ(scene.sentences().front(), "The position that the drive reports is possible only at 30.0°");
 }
 
 // Scenario S10 with a mount of one turn: two places near the end, one elsewhere. Coasted or pushed, an axis stands

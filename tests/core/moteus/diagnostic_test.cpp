@@ -124,7 +124,7 @@ TEST_F(MoteusDiagnostic, AnErrorIsToldInTheDrivesWords)
 {
     const auto answer = run("conf get nothing", "ERR unknown group\r\n");
     ASSERT_FALSE(answer);
-    EXPECT_EQ(answer.error(), (Error{ErrorCode::Refused, QStringLiteral("the drive says: ERR unknown group")}));
+    EXPECT_EQ(answer.error(), (Error{ErrorCode::Refused, QStringLiteral("The drive answers: ERR unknown group")}));
 }
 
 TEST_F(MoteusDiagnostic, LongCommandsTravelInParts)
@@ -182,7 +182,7 @@ TEST_F(MoteusDiagnostic, WithoutFlowControlALostReplyFailsTheCommand)
     const auto answer = run("conf list", std::string(100, 'a') + "\r\nOK\r\n");
     ASSERT_FALSE(answer);
     EXPECT_EQ(answer.error(),
-              (Error{ErrorCode::NoAnswer, QStringLiteral("a part of the answer was lost; repeat the command")}));
+              (Error{ErrorCode::NoAnswer, QStringLiteral("Part of the answer was lost. Repeat the command.")}));
 }
 
 TEST_F(MoteusDiagnostic, ASilentDriveIsGivenUp)
@@ -190,7 +190,7 @@ TEST_F(MoteusDiagnostic, ASilentDriveIsGivenUp)
     isLost = [](int) { return true; };
     const auto answer = run("conf get id.id", "1\r\n");
     ASSERT_FALSE(answer);
-    EXPECT_EQ(answer.error(), (Error{ErrorCode::NoAnswer, QStringLiteral("drive 1 does not answer on its console")}));
+    EXPECT_EQ(answer.error(), (Error{ErrorCode::NoAnswer, QStringLiteral("Drive 1 does not answer on its console.")}));
     EXPECT_EQ(frames, 5);
 }
 
@@ -199,7 +199,7 @@ TEST_F(MoteusDiagnostic, AnAnswerThatNeverComesIsGivenUp)
     const auto answer = run("conf get id.id", "");
     ASSERT_FALSE(answer);
     EXPECT_EQ(answer.error(),
-              (Error{ErrorCode::NoAnswer, QStringLiteral("the drive's console did not answer the command")}));
+              (Error{ErrorCode::NoAnswer, QStringLiteral("The console of the drive did not answer the command.")}));
     EXPECT_EQ(run("conf get id.id", "1\r\n"), Lines{"1"});
 }
 

@@ -156,7 +156,7 @@ TEST(CourseTest, NobodyKnowsWhenAMotionEndsThatGoesNowhere)
     EXPECT_FALSE(Course::of(drive.motion, drive.now));
     CourseRide walled(courseMount(behindAMast(90_deg)), courseAt(290, 10));
     walled.motion.goTo(courseAt(340, 10));
-    EXPECT_FALSE(Course::of(walled.motion, walled.now)) << "there is no way";
+    EXPECT_FALSE(Course::of(walled.motion, walled.now)) << "There is no way";
 }
 
 // A target that moves is met, at least as well as it goes on straight.

@@ -204,7 +204,7 @@ TEST(MotionRegion, SaysWhyThereIsNoWayAndStands)
     EXPECT_TRUE(run.untilRest());
     expectAt(run.motion, 290, 10);
     EXPECT_EQ(run.motion.noWay().toStdString(),
-              "there is no way from 290.0° 10.0° to 340.0° 10.0°: the keep-out \"mast\" is in between");
+              "There is no way from 290.0° 10.0° to 340.0° 10.0°. Between them is the keep-out \"mast\".");
 }
 
 TEST(MotionRegion, AnEdgeDrawnBeforeAMovingMountStopsIt)

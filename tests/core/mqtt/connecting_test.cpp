@@ -141,7 +141,7 @@ void waitForTheUnreachable(const Broker& broker, LoopWatch& watch)
     EXPECT_FALSE(rig.client.nextAttempt());
     rig.letTimePass(Seconds(1));
     ASSERT_TRUE(rig.client.nextAttempt());
-    EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("no answer: check mqtt.host, the network and the firewall")));
+    EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("No answer. Check mqtt.host, the network and the firewall")));
     for (int i = 0; i < 3; ++i) {
         rig.letTimePass(RetryDelay::kLongest);
         EXPECT_FALSE(rig.client.nextAttempt());
@@ -173,7 +173,7 @@ TEST(MqttConnecting, SomebodyWhoSaysNothingIsGivenUp)
             ASSERT_TRUE(somebody.visited());
             EXPECT_LT(watch.turnsIn(std::chrono::milliseconds(300)), 1000) << "the loop runs hot";
             rig.letTimePass(Seconds(10));
-            EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("takes the connection and says nothing")));
+            EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("accepts the connection but does not answer")));
         });
         EXPECT_LT(stall, kLongestStall);
     }
@@ -193,7 +193,7 @@ TEST(MqttConnecting, SomebodyWhoHangsUpIsTold)
             Rig rig;
             rig.client.open(one);
             ASSERT_TRUE(rig.failed());
-            EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("is mqtt.port")));
+            EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("Is mqtt.port")));
         }
     }
 }
@@ -214,7 +214,7 @@ TEST(MqttConnecting, ARefusalIsToldInWords)
 {
     for (const auto& [code, words] : {std::pair{'\1', "refuses MQTT 3.1.1"},
                                       {'\2', "refuses the client id \"b1\""},
-                                      {'\3', "does not serve at the moment"},
+                                      {'\3', "is not available"},
                                       {'\4', "refuses the user"},
                                       {'\5', "refuses the user"},
                                       {'\6', "is not MQTT"}}) {
@@ -239,7 +239,7 @@ TEST(MqttConnecting, WhatIsNotMqttIsTold)
     Rig rig;
     rig.client.open(onLoopback(server.port()));
     ASSERT_TRUE(rig.failed());
-    EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("is mqtt.port")));
+    EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("Is mqtt.port")));
 }
 
 TEST(MqttConnecting, ANameThatIsNoneIsTold)
@@ -247,7 +247,7 @@ TEST(MqttConnecting, ANameThatIsNoneIsTold)
     Rig rig;
     rig.client.open({.host = QStringLiteral("broker..example")});
     ASSERT_TRUE(rig.failed());
-    EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("the name cannot be resolved")));
+    EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("The name cannot be resolved")));
 }
 
 // REQ-MQTT-09

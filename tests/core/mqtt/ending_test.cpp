@@ -43,15 +43,15 @@ TEST(MqttEnding, SaysWhatToDo)
     Broker nobody = kBroker;
     nobody.user.clear();
     EXPECT_EQ(line(EndKind::LoginRefused, nobody),
-              "MQTT broker shack:1883: wants a user name and a password: set mqtt.user and mqtt.password");
+              "MQTT broker shack:1883: A user name and a password are required. Set mqtt.user and mqtt.password");
     EXPECT_EQ(line(EndKind::ConnectionFailed, kBroker, "Connection refused"),
               "MQTT broker shack:1883: no connection (Connection refused): does the broker run there?");
     Broker tls = kBroker;
     tls.encryption = Encryption::Tls;
     tls.host = QStringLiteral("::1");
     EXPECT_EQ(line(EndKind::HungUp, tls),
-              "MQTT broker [::1]:1883: closes the connection before it says anything: is mqtt.port the broker's port "
-              "for TLS?");
+              "MQTT broker [::1]:1883: closes the connection before it says anything: Is mqtt.port the TLS port of the "
+              "broker?");
 }
 
 }  // namespace

@@ -155,7 +155,7 @@ TEST_F(InletTest, SmallPacketsAreReadOneByOne)
     read(publication(1).size());
     EXPECT_TRUE(mayRead());
     read(publication(200).size());
-    EXPECT_FALSE(mayRead()) << "nothing comes";
+    EXPECT_FALSE(mayRead()) << "No data";
     EXPECT_FALSE(wakes());
     EXPECT_EQ(m_inlet.takeDropped(), std::nullopt);
 }

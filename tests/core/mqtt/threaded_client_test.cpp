@@ -178,7 +178,7 @@ TEST_F(MqttThreaded, DoesAllThatAClientDoes)
         broker->kill();
         ASSERT_TRUE(fakes::waitUntil([&] { return rig.client.nextAttempt().has_value(); }));
         EXPECT_FALSE(rig.client.isConnected());
-        EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("the connection is lost")));
+        EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("The connection is lost")));
         ASSERT_TRUE(broker->start());
         ASSERT_TRUE(other.failed());
         other.letTimePass(RetryDelay::kLongest);

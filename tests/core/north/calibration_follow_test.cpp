@@ -229,7 +229,7 @@ TEST(CalibrationFollow, NoPointIsTakenOnceTheMountWasSentElsewhere)
         rig.run(Seconds(5.0));
         const auto taken = rig.ask(request::TakePoint{});
         ASSERT_FALSE(taken) << errand.index();
-        EXPECT_NE(std::string::npos, textOf(taken.error()).find("follow the Sun or the Moon first"));
+        EXPECT_NE(std::string::npos, textOf(taken.error()).find("Track the Sun or the Moon first"));
         EXPECT_FALSE(rig.status().body) << errand.index();
         EXPECT_FALSE(rig.status().pointObstacle.isEmpty());
         follow(rig);

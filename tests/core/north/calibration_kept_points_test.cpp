@@ -37,7 +37,7 @@ TEST(CalibrationPoints, ThePointsOutliveTheConnection)
         ASSERT_TRUE(again.status().proposal);
         const std::vector<QString> warnings = again.status().proposal->warnings;
         for (const QString& warning : warnings) {
-            EXPECT_FALSE(warning.contains(QStringLiteral("told anew"))) << "the turns were known all the time";
+            EXPECT_FALSE(warning.contains(QStringLiteral("entered again"))) << "the turns were known all the time";
         }
         ASSERT_TRUE(again.ask(request::DropAllPoints{}));
     }
@@ -148,7 +148,7 @@ TEST(CalibrationPoints, ThoseThatWereKeptCountWithADriveThatTellsNoUuid)
     again.tick();
     EXPECT_FALSE(again.status()->fit);
     EXPECT_TRUE(again.status()->noFit.contains(QStringLiteral("wait"))) << again.status()->noFit.toStdString();
-    EXPECT_LT(abs(again.status()->points.front().before.across), 1_deg) << "by the model in force";
+    EXPECT_LT(abs(again.status()->points.front().before.across), 1_deg) << "By the model in force";
     survey::DriveFacts nameless = rig.factsOf(Axis::Azimuth);
     nameless.uuid.clear();
     rig.mount.learn(Axis::Azimuth, nameless);

@@ -128,7 +128,7 @@ public:
     [[nodiscard]] Result<> apply()
     {
         return status().proposal ? ask(request::ApplyCalibration{status().proposal->number})
-                                 : failure(ErrorCode::Refused, QStringLiteral("nothing is proposed"));
+                                 : failure(ErrorCode::Refused, QStringLiteral("Nothing is proposed"));
     }
 
     // Of the hidden mount: where the beam looks.

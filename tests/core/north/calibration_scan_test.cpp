@@ -183,7 +183,7 @@ TEST(CalibrationScan, WhereItWasHeldIsNoPoint)
     EXPECT_TRUE(rig.status().progress.failed);
     const auto refused = rig.ask(request::TakePoint{});
     ASSERT_FALSE(refused);
-    EXPECT_NE(std::string::npos, textOf(refused.error()).find("follow the Sun"));
+    EXPECT_NE(std::string::npos, textOf(refused.error()).find("Track the Sun"));
     follow(rig);
     EXPECT_TRUE(rig.ask(request::TakePoint{}));
 }
@@ -240,8 +240,8 @@ TEST(CalibrationScan, IsRefusedWhereItsPlacesAreForbidden)
     ASSERT_FALSE(refused);
     // Story: the reason stood in the middle of a sentence, and is often two sentences itself.
     const std::string why = textOf(refused.error());
-    ASSERT_NE(std::string::npos, why.find("less wide"));
-    EXPECT_LT(why.find("less wide"), why.find("permitted: "));
+    ASSERT_NE(std::string::npos, why.find("smaller width"));
+    EXPECT_LT(why.find("smaller width"), why.find("permitted: "));
     EXPECT_TRUE(rig.ask(request::StartCrossScan{.width = 1_deg, .body = Body::Sun}));
 }
 

@@ -88,7 +88,7 @@ TEST(CalibrationSensor, IsNotAveragedWhileABodyIsFollowed)
     follow(rig);
     const auto refused = rig.ask(request::MeasureSensorOffset{});
     ASSERT_FALSE(refused);
-    EXPECT_EQ("the mount follows the Sun: hold it first", textOf(refused.error()));
+    EXPECT_EQ("The mount tracks the Sun. Press Hold first.", textOf(refused.error()));
     ASSERT_TRUE(rig.ask(request::Hold{}));
     rig.run(Seconds(3.0));
     EXPECT_TRUE(rig.ask(request::MeasureSensorOffset{}));

@@ -21,7 +21,7 @@ TEST(CalibrationSwing, StopEndsItAtOnceAndLatches)
     EXPECT_TRUE(rig.status().progress.failed);
     EXPECT_FALSE(rig.status().proposal);
     EXPECT_EQ(StationState::Stopped, rig.state());
-    EXPECT_TRUE(rig.status().progress.outcome.startsWith(QStringLiteral("STOP ended it")))
+    EXPECT_TRUE(rig.status().progress.outcome.startsWith(QStringLiteral("STOP ended the run")))
         << rig.status().progress.outcome.toStdString();
     EXPECT_LT(abs(rig.axes().azimuth - at.azimuth), 3_deg);
     ASSERT_TRUE(rig.ask(request::ResetStop{}));
@@ -118,7 +118,7 @@ TEST(CalibrationSwing, ASensorThatWasRestartedEndsIt)
     rig.restarts = 1;
     rig.run(Seconds(3.0));
     EXPECT_EQ(CalibrationRun::None, rig.status().progress.run);
-    EXPECT_TRUE(rig.status().progress.outcome.contains(QStringLiteral("started anew")));
+    EXPECT_TRUE(rig.status().progress.outcome.contains(QStringLiteral("The sensor restarted")));
     EXPECT_EQ(StationState::Hold, rig.state());
     EXPECT_TRUE(rig.ask(kSweep));
 }
@@ -158,7 +158,7 @@ TEST(CalibrationSwing, WaitsAtRestForASensorThatFallsSilent)
         rig.run(Seconds(15.0));
         const AxisPosition rest = rig.axes();
         const Seconds left = rig.status().progress.left;
-        EXPECT_TRUE(rig.status().progress.text.startsWith(QStringLiteral("standing still until the sensor is heard")));
+        EXPECT_TRUE(rig.status().progress.text.startsWith(QStringLiteral("waiting for sensor data")));
         rig.run(Seconds(10.0));
         EXPECT_EQ(rest, rig.axes());
         EXPECT_EQ(left, rig.status().progress.left) << "waiting is no progress";

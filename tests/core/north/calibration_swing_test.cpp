@@ -88,12 +88,12 @@ TEST(CalibrationSwing, SaysAsItTurnsHowManyReadingsAreLeftOutAndWhy)
     rig.azimuth.current = 8.0;
     rig.run(Seconds(20.0));
     rig.azimuth.current = 0.0;
-    EXPECT_TRUE(rig.status().progress.text.contains(QStringLiteral("with a motor above 5.0 A")))
+    EXPECT_TRUE(rig.status().progress.text.contains(QStringLiteral("at a motor current above 5.0 A")))
         << rig.status().progress.text.toStdString();
     rig.runOut();
     const std::string outcome = rig.status().progress.outcome.toStdString();
     EXPECT_NE(std::string::npos, outcome.find("left out: ")) << outcome;
-    EXPECT_NE(std::string::npos, outcome.find("with a motor above 5.0 A (sensor.swing_current_a)")) << outcome;
+    EXPECT_NE(std::string::npos, outcome.find("at a motor current above 5.0 A (sensor.swing_current_a)")) << outcome;
 }
 
 // REQ-NORTH-36a
@@ -133,7 +133,7 @@ TEST(CalibrationSwing, KeepsHowFarItIsToBeBelieved)
     ASSERT_TRUE(rig.ask(kSweep));
     rig.runOut();
     const calibration::DeviationCurve found = rig.status().swing->fit.curve;
-    EXPECT_TRUE(rig.status().proposal->text.contains(QStringLiteral("where the elevation axis shows 0°")));
+    EXPECT_TRUE(rig.status().proposal->text.contains(QStringLiteral("At 0° of the elevation axis")));
     ASSERT_TRUE(rig.apply());
     EXPECT_EQ(rig.profile.sensor.deviation.sigma, found.constantSigma);
     EXPECT_NEAR(rig.profile.sensor.deviation.elevation.degrees(), 30.0, 0.1);
@@ -289,7 +289,7 @@ TEST(CalibrationSwing, IsRefusedWithTheBoomTooHigh)
         ASSERT_NEAR(elevation, rig.axes().elevation.degrees(), 0.1);
         const auto swing = rig.ask(kSweep);
         ASSERT_FALSE(swing);
-        EXPECT_NE(std::string::npos, textOf(swing.error()).find("lower it"));
+        EXPECT_NE(std::string::npos, textOf(swing.error()).find("Lower it"));
         EXPECT_FALSE(rig.ask(request::MeasureSensorOffset{}));
     }
 }

@@ -74,7 +74,7 @@ TEST(CalibrationSwing, ANorthThatPointsHaveToldStaysAndTheCurveCanBeHad)
     rig.goTo(200.0, 30.0);
     ASSERT_TRUE(rig.ask(kSweep));
     rig.runOut();
-    EXPECT_TRUE(rig.status().progress.outcome.contains(QStringLiteral("north stays")))
+    EXPECT_TRUE(rig.status().progress.outcome.contains(QStringLiteral("North stays")))
         << rig.status().progress.outcome.toStdString();
     ASSERT_TRUE(rig.apply());
     EXPECT_EQ(told.azimuthOffset, rig.terms().azimuthOffset);
@@ -85,7 +85,7 @@ TEST(CalibrationSwing, ANorthThatPointsHaveToldStaysAndTheCurveCanBeHad)
     // And once more: what was told is not forgotten by it.
     ASSERT_TRUE(rig.ask(kSweep));
     rig.runOut();
-    EXPECT_TRUE(rig.status().progress.outcome.contains(QStringLiteral("north stays")));
+    EXPECT_TRUE(rig.status().progress.outcome.contains(QStringLiteral("North stays")));
 }
 
 // Story: a swing found the tilt to 0.05°, three points left it at 0.045°; the next swing was told that it is known to
@@ -112,7 +112,7 @@ TEST(CalibrationSwing, ATiltThatPointsHaveOnlyHeldIsNoneThatTheyHaveTold)
     ASSERT_NO_FATAL_FAILURE(sweep(rig));
     const QString outcome = rig.status().progress.outcome;
     EXPECT_FALSE(outcome.contains(QStringLiteral("tilt stays"))) << outcome.toStdString();
-    EXPECT_TRUE(outcome.contains(QStringLiteral("north stays"))) << outcome.toStdString();
+    EXPECT_TRUE(outcome.contains(QStringLiteral("North stays"))) << outcome.toStdString();
     EXPECT_NE(held.terms.tiltNorth, rig.status().proposal->terms.at(tilt).proposed);
     EXPECT_TRUE(rig.status().proposal->terms.at(tilt).isOn);
 }

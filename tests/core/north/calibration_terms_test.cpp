@@ -233,8 +233,8 @@ TEST(CalibrationTerms, AProfileThatCouldNotBeLoadedIsRefused)
     rig.tick();
     const auto refused = rig.apply();
     ASSERT_FALSE(refused);
-    EXPECT_THAT(textOf(refused.error()), HasSubstr("park would then be forbidden"));
-    EXPECT_THAT(textOf(refused.error()), HasSubstr("set another one first"));
+    EXPECT_THAT(textOf(refused.error()), HasSubstr("park position would then be forbidden"));
+    EXPECT_THAT(textOf(refused.error()), HasSubstr("Set another one first"));
 }
 
 TEST(CalibrationTerms, TheSensorKeepsItsNorthAndThatIsSaid)
@@ -332,7 +332,7 @@ TEST(CalibrationTerms, ATextThatCannotBeReadIsRefusedWithTheLine)
     const auto refused =
         rig.ask(request::ImportTerms{.name = QStringLiteral("roof.terms"), .text = "azimuth_offset 37,4 deg\n"});
     ASSERT_FALSE(refused);
-    EXPECT_THAT(textOf(refused.error()), HasSubstr("roof.terms:1: \"37,4\" is not a number"));
+    EXPECT_THAT(textOf(refused.error()), HasSubstr("roof.terms:1: \"37,4\" is not a number."));
     rig.tick();
     EXPECT_FALSE(rig.status().proposal);
 }

@@ -45,10 +45,10 @@ std::string refusalOf(const Result<>& result)
 TEST(LiveSensor, ASensorCountsOnceItWasHeard)
 {
     LiveSensorRig rig;
-    EXPECT_EQ("the orientation sensor has said nothing yet", refusalOf(rig.sensor.isHeard()));
+    EXPECT_EQ("The orientation sensor has sent nothing yet.", refusalOf(rig.sensor.isHeard()));
     rig.status.problem = QStringLiteral("no port");
     EXPECT_EQ(nullptr, rig.sensor.take(rig.status));
-    EXPECT_EQ("the orientation sensor has said nothing yet (no port)", refusalOf(rig.sensor.isHeard()));
+    EXPECT_EQ("The orientation sensor has sent nothing yet. (no port)", refusalOf(rig.sensor.isHeard()));
     rig.status.problem.clear();
     EXPECT_TRUE(rig.report());
     EXPECT_TRUE(rig.sensor.isHeard());
@@ -94,7 +94,7 @@ TEST(LiveSensor, AProfileWithoutASensorHasNoEvidence)
     LiveSensorRig rig;
     EXPECT_TRUE(rig.report());
     rig.choose(profile::SensorSource::None);
-    EXPECT_EQ("the profile names no orientation sensor", refusalOf(rig.sensor.isUsable()));
+    EXPECT_EQ("The profile has no orientation sensor.", refusalOf(rig.sensor.isUsable()));
 }
 
 }  // namespace

@@ -63,11 +63,11 @@ TEST(ScanRun, ItSaysWhatItWaitsFor)
 {
     ScanRun scan(8_deg, kStart);
     EXPECT_TRUE(scan.obstacle(scanTime(123.0)).isEmpty());
-    EXPECT_EQ(QStringLiteral("nobody told the power"), scan.obstacle(scanTime(125.0)));
+    EXPECT_EQ(QStringLiteral("No power reading received."), scan.obstacle(scanTime(125.0)));
     scan.moves(scanTime(124.5));
     EXPECT_TRUE(scan.obstacle(scanTime(125.0)).isEmpty()) << "a slow mount may come from the other side of the sky";
     scan.moves(scanTime(600.5));
-    EXPECT_EQ(QStringLiteral("the mount does not come to rest"), scan.obstacle(scanTime(601.0)));
+    EXPECT_EQ(QStringLiteral("The mount does not stand still."), scan.obstacle(scanTime(601.0)));
 }
 
 // Of a weak source half a beam beside the other line half the power is seen, and then nothing is found.
@@ -93,7 +93,7 @@ TEST(ScanRun, EndsAfterTheFirstLineIfThatHasNoPeak)
         EXPECT_TRUE(scan.obstacle(scanTime(5.0 * place)).isEmpty());
         scan.give(-60.0, scanTime(5.0 * (place + 1)));
     }
-    EXPECT_TRUE(scan.obstacle(scanTime(45.0)).startsWith(QStringLiteral("across: the power changes by 0.00 dB only")));
+    EXPECT_TRUE(scan.obstacle(scanTime(45.0)).startsWith(QStringLiteral("across: The power changes by only 0.00 dB")));
 }
 
 TEST(ScanRun, OnTheWayBackNothingIsListenedTo)

@@ -397,10 +397,10 @@ TEST(StationCalibration, ASilentReceiverEndsTheScanWithTheReason)
     EXPECT_TRUE(rig.calibration()->wantsPower);
     EXPECT_FALSE(rig.calibration()->power);
     EXPECT_NEAR(20.0, rig.calibration()->powerLine.age.count(), 0.5);
-    EXPECT_TRUE(rig.calibration()->powerLine.problem.contains(QStringLiteral("nothing comes")));
+    EXPECT_TRUE(rig.calibration()->powerLine.problem.contains(QStringLiteral("No data")));
     rig.run(Seconds(110.0));
     EXPECT_EQ(CalibrationRun::None, rig.calibration()->progress.run);
-    EXPECT_EQ(QStringLiteral("nobody told the power"), rig.calibration()->progress.outcome);
+    EXPECT_EQ(QStringLiteral("No power reading received."), rig.calibration()->progress.outcome);
     int told = 0;
     ASSERT_TRUE(rig.ask(request::AcknowledgeAlarms{}));
     for (const LogEntry& entry : rig.log) {

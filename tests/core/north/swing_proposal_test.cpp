@@ -88,13 +88,13 @@ TEST(SwingProposal, AZeroBeyondWhatAProfileKeepsIsNotProposed)
     const Proposal proposal = proposalOf(saying(13_deg), profile);
     EXPECT_EQ(6_deg, proposal.terms.elevationOffset);
     EXPECT_FALSE(proposal.sigmas[indexOf(Term::ElevationOffset)]);
-    EXPECT_TRUE(proposal.text.contains(QStringLiteral("too much to put right")));
+    EXPECT_TRUE(proposal.text.contains(QStringLiteral("too much to correct")));
     EXPECT_TRUE(warns(proposal));
     EXPECT_TRUE(asSettings(proposal.terms)) << "north and curve can be applied";
     EXPECT_NEAR(37.4, proposal.terms.azimuthOffset.degrees(), 1e-9);
     // A box that lies askew a little stays one, also near the end.
     profile.pointing.elevationOffset = 9.5_deg;
-    EXPECT_TRUE(proposalOf(saying(10.5_deg), profile).text.contains(QStringLiteral("askew on the boom")));
+    EXPECT_TRUE(proposalOf(saying(10.5_deg), profile).text.contains(QStringLiteral("tilted sensor")));
 }
 
 TEST(SwingProposal, WhatCannotBeAnOffsetIsPutRightByHand)
@@ -141,7 +141,7 @@ TEST(SwingProposal, ANorthThatPointsHaveToldBetterStays)
     const Proposal proposal = proposalOf(swung(39.5_deg), profile, northTold(0.11_deg));
     EXPECT_EQ(profile.pointing, proposal.terms);
     EXPECT_FALSE(proposal.sigmas[indexOf(Term::AzimuthOffset)]) << "of it nothing was found out";
-    EXPECT_EQ(QStringLiteral("north stays: it is known to 0.11°, a compass to 2.4°"), proposal.stays);
+    EXPECT_EQ(QStringLiteral("North stays unchanged. It is known to 0.11°, by compass only to 2.4°."), proposal.stays);
     EXPECT_EQ(QStringLiteral("Curve of the compass"), proposal.title);
     EXPECT_TRUE(proposal.warnings.empty()) << proposal.warnings.front().toStdString();
     // What was true azimuth 39.5° + axis for the swing is 37.5° + axis really.
@@ -190,8 +190,7 @@ TEST(SwingProposal, ATiltThatPointsHaveToldBetterStays)
     const Proposal stays = proposalOf(swung(37.4_deg, 0.6_deg), profile, told);
     EXPECT_EQ(0.5_deg, stays.terms.tiltNorth);
     EXPECT_FALSE(stays.sigmas[indexOf(Term::TiltNorth)]) << "else it would count as what the swing has found";
-    EXPECT_EQ(QStringLiteral("north stays: it is known to 0.11°, a compass to 2.4°; tilt stays: it is known to 0.04°, "
-                             "a swing to 0.05°"),
+    EXPECT_EQ(QStringLiteral("North stays unchanged. It is known to 0.11°, by compass only to 2.4°; tilt stays: it is known to 0.04°, a swing to 0.05°."),
               stays.stays);
     // The mast leans otherwise today.
     const Proposal contradicts = proposalOf(swung(37.4_deg, 0.8_deg), profile, told);
@@ -217,7 +216,7 @@ TEST(SensorProposal, ANorthThatPointsHaveToldBetterStays)
     profile.sensor.mounting.azimuthOffset = 2_deg;
     const Proposal proposal = proposalOf(offset, profile, northTold(0.11_deg));
     EXPECT_EQ(profile.pointing, proposal.terms);
-    EXPECT_EQ(QStringLiteral("north stays: it is known to 0.11°, a compass to 6.0°"), proposal.stays);
+    EXPECT_EQ(QStringLiteral("North stays unchanged. It is known to 0.11°, by compass only to 6.0°."), proposal.stays);
     EXPECT_NEAR(-3.5, proposal.sensor->azimuthOffset.degrees(), 1e-9);
     EXPECT_FALSE(proposal.sensor->curve);
     EXPECT_TRUE(proposal.warnings.empty()) << "that north is known badly by it harms nobody";

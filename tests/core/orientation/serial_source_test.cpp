@@ -188,7 +188,7 @@ TEST_F(SerialSourceTest, SaysWhatComesInPlaceOfSentences)
     source.open();
     ASSERT_TRUE(becomes(true));
     timers.elapse(kSilence);
-    EXPECT_TRUE(says("nothing comes"));
+    EXPECT_TRUE(says("No data"));
     terminal.write("Initial begin() failed!\r\n");
     source.close();
     source.open();
@@ -214,14 +214,14 @@ TEST_F(SerialSourceTest, WhatComesInPlaceOfSentencesIsLookedAtAgain)
     source.open();
     ASSERT_TRUE(becomes(true));
     timers.elapse(kSilence);
-    EXPECT_TRUE(says("nothing comes"));
+    EXPECT_TRUE(says("No data"));
     for (int look = 0; look < 2; ++look) {
         chat("Initial begin() failed!");
         timers.elapse(kSilence);
     }
     EXPECT_TRUE(says("Initial begin() failed!"));
     timers.elapse(2 * kSilence);
-    EXPECT_TRUE(says("nothing comes"));
+    EXPECT_TRUE(says("No data"));
 }
 
 TEST_F(SerialSourceTest, ChatterWithANumberInItIsNotToldEachTime)

@@ -166,7 +166,7 @@ TEST(Route, SaysWhatIsInTheWayWhenThereIsNone)
     const auto way = route(wall, at(290, 10), at(340, 5), kSpeed);
     ASSERT_FALSE(way);
     EXPECT_EQ(textOf(way.error()),
-              "there is no way from 290.0° 10.0° to 340.0° 5.0°: the keep-out \"routeMast\" is in between");
+              "There is no way from 290.0° 10.0° to 340.0° 5.0°. Between them is the keep-out \"routeMast\".");
     const auto inside = route(wall, at(290, 10), at(315, 10), kSpeed);
     ASSERT_FALSE(inside);
     EXPECT_EQ(textOf(inside.error()), "315.0° / 10.0° lies in keep-out \"routeMast\"");
@@ -262,7 +262,7 @@ TEST(Route, GivesUpAfterSoManySteps)
     const auto none = route(region, at(290, 10), at(340, 5), kSpeed, Seconds(0.5), 10);
     ASSERT_FALSE(none);
     EXPECT_EQ(textOf(none.error()),
-              "no way from 290.0° 10.0° to 340.0° 5.0° was found in time: there are too many keep-outs");
+              "Boresight found no way from 290.0° 10.0° to 340.0° 5.0° in time. There are too many keep-outs.");
     EXPECT_TRUE(route(region, at(290, 10), at(300, 60), kSpeed, Seconds(0.5), 0)) << "a direct way needs no search";
     EXPECT_TRUE(route(region, at(290, 10), at(340, 5), kSpeed, Seconds(0.5), 1000));
 }

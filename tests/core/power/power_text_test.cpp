@@ -83,11 +83,11 @@ TEST(PowerText, WhatIsNotSureIsRefused)
 // REQ-POWER-02
 TEST(PowerText, TheReasonIsTold)
 {
-    EXPECT_EQ("there is no number in it", textOf(parsePower("S7").error()));
-    EXPECT_EQ("which of its numbers is the power is not sure", textOf(parsePower("14.074 -73").error()));
+    EXPECT_EQ("it contains no number", textOf(parsePower("S7").error()));
+    EXPECT_EQ("it contains several numbers, and none is clearly the power", textOf(parsePower("14.074 -73").error()));
     EXPECT_EQ("its unit is not dB", textOf(parsePower("5 mW").error()));
-    EXPECT_EQ("its number cannot be read for sure", textOf(parsePower("- 73").error()));
-    EXPECT_EQ("more than 500 dB is no power", textOf(parsePower("14074000").error()));
+    EXPECT_EQ("its number is ambiguous", textOf(parsePower("- 73").error()));
+    EXPECT_EQ("a power above 500 dB is not possible", textOf(parsePower("14074000").error()));
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ TEST(ThreadedLine, IsServedWhileItsOwnerDoesNotRun)
     EXPECT_EQ(values[0].arrival, clock.now());
     EXPECT_EQ(line.state().values, 2U);
     clock.advance(Seconds(6.0));
-    EXPECT_TRUE(line.problem().contains(QStringLiteral("nothing comes"))) << "by the clock of now";
+    EXPECT_TRUE(line.problem().contains(QStringLiteral("No data"))) << "by the clock of now";
 }
 
 TEST(ThreadedLine, TellsItsTroubles)
@@ -60,7 +60,7 @@ TEST(ThreadedLine, TellsItsTroubles)
     const ThreadedLine line(settingsOf(Transport::Tcp, freePort()), clock);
     EXPECT_TRUE(line.problem().isEmpty());
     ASSERT_TRUE(fakes::waitUntil([&] { return !line.problem().isEmpty(); }));
-    EXPECT_TRUE(line.problem().contains(QStringLiteral("no connection to the receiver's program")));
+    EXPECT_TRUE(line.problem().contains(QStringLiteral("No connection to the program of the receiver")));
 }
 
 // Its owner takes no report meanwhile.

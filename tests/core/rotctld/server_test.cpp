@@ -220,7 +220,7 @@ TEST(RotctldServer, DeliversRepliesBeforeItCloses)
     const auto peer = fixture.connect();
     peer->send("p\nS\nq\nP 10 5\nand much more\n");
     EXPECT_EQ(peer->receiveUntilClosed(), "0.00\n0.00\nRPRT 0\n");
-    EXPECT_EQ(fixture.goneReason(), "said goodbye");
+    EXPECT_EQ(fixture.goneReason(), "ended the session");
     EXPECT_FALSE(fixture.rotator.lastRequest.has_value());
 }
 
@@ -324,14 +324,14 @@ TEST(RotctldServer, TurnsAwayWhoMayNotConnect)
     const auto stranger = fixture.connect();
     EXPECT_EQ(stranger->receiveUntilClosed(), "");
     EXPECT_EQ(fixture.rotator.remarks,
-              std::vector<std::string>{"refused: its address is not among those that may connect"});
+              std::vector<std::string>{"refused: its address is not permitted (rotctld.allow)"});
     EXPECT_TRUE(fixture.rotator.connected.empty());
     fixture.server->setAllowed({"10.0.0.0/8", "127.0.0.1"});
     const auto friendly = fixture.connect();
     EXPECT_EQ(friendly->ask("p\n", 2), "0.00\n0.00\n");
     fixture.server->setAllowed({"192.168.0.0/16"});
     EXPECT_EQ(friendly->receiveUntilClosed(), "");
-    EXPECT_EQ(fixture.goneReason(), "its address may not connect any more");
+    EXPECT_EQ(fixture.goneReason(), "its address is no longer permitted (rotctld.allow)");
     fixture.server->setAllowed({});
     EXPECT_EQ(fixture.connect()->ask("p\n", 2), "0.00\n0.00\n");
 }
@@ -418,7 +418,7 @@ TEST(RotctldServer, SurvivesDescriptorShortage)
     const auto waiting = fixture.connect();
     ASSERT_TRUE(waiting->connected());
     ServerFixture::turn();
-    EXPECT_EQ(fixture.rotator.remarks, std::vector<std::string>{"no descriptor left: new clients wait"});
+    EXPECT_EQ(fixture.rotator.remarks, std::vector<std::string>{"no file descriptor is free, so new clients wait"});
     EXPECT_EQ(one->ask("p\n", 2), "0.00\n0.00\n");
     fixture.elapse(1s);
     EXPECT_EQ(fixture.rotator.remarks.size(), 1U);
@@ -443,7 +443,7 @@ TEST(RotctldServer, LeavesDescriptorsForTheJournal)
         peers.push_back(fixture.connect());
         ServerFixture::turn();
     }
-    EXPECT_EQ(fixture.rotator.remarks, std::vector<std::string>{"no descriptor left: new clients wait"});
+    EXPECT_EQ(fixture.rotator.remarks, std::vector<std::string>{"no file descriptor is free, so new clients wait"});
     EXPECT_GE(low.rlim_cur - static_cast<rlim_t>(lowestFree()), 30U);
     EXPECT_EQ(peers.front()->ask("p\n", 2), "0.00\n0.00\n");
     ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &usual), 0);

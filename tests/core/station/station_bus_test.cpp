@@ -74,7 +74,7 @@ TEST(Station, AMountThatAnotherProgramControlsIsLeftAlone)
     second.openAll();
     ASSERT_EQ(started.size(), 1);
     EXPECT_TRUE(started[0][0].toString().isEmpty());
-    EXPECT_TRUE(started[0][1].toString().contains(QStringLiteral("controls this mount already")));
+    EXPECT_TRUE(started[0][1].toString().contains(QStringLiteral("already controls this mount")));
     for (int i = 0; i < 100; ++i) {
         first.clock.advance(Seconds(0.02));
         second.tick();

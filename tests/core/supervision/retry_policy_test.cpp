@@ -188,7 +188,7 @@ TEST_F(ClearRefusal, ABoardMustCoolDownByFiveDegrees)
 {
     const DriveConditions hot{.voltage = 24.0, .boardTemperature = 76.0};
     EXPECT_EQ(refusal(LossClass::OverTemperature, hot, {.voltage = 24.0, .boardTemperature = 70.6}),
-              "the drive board is still at 71 °C; it must cool down to 70 °C");
+              "The drive board is still at 71 °C. It must cool down to 70 °C.");
     EXPECT_EQ(refusal(LossClass::OverTemperature, hot, {.voltage = 24.0, .boardTemperature = 70.0}), "");
     // A drive whose own limit is lower, and no sensor in the motor.
     const DriveConditions strict{.voltage = 24.0, .boardTemperature = 60.0};
@@ -202,7 +202,7 @@ TEST_F(ClearRefusal, AMotorMustCoolDownIfItWasTheMotor)
     const DriveConditions hot{.voltage = 24.0, .boardTemperature = 32.0, .motorTemperature = 90.0};
     EXPECT_EQ(
         refusal(LossClass::OverTemperature, hot, {.voltage = 24.0, .boardTemperature = 32.0, .motorTemperature = 86.0}),
-        "the motor is still at 86 °C; it must cool down to 80 °C");
+        "The motor is still at 86 °C. It must cool down to 80 °C.");
     EXPECT_EQ(
         refusal(LossClass::OverTemperature, hot, {.voltage = 24.0, .boardTemperature = 33.0, .motorTemperature = 79.9}),
         "");
@@ -210,7 +210,7 @@ TEST_F(ClearRefusal, AMotorMustCoolDownIfItWasTheMotor)
     const DriveConditions small{.voltage = 24.0, .boardTemperature = 32.0, .motorTemperature = 70.0};
     EXPECT_EQ(refusal(LossClass::OverTemperature, small,
                       {.voltage = 24.0, .boardTemperature = 32.0, .motorTemperature = 66.0}),
-              "the motor is still at 66 °C; it must cool down to 65 °C");
+              "The motor is still at 66 °C. It must cool down to 65 °C.");
 }
 
 // Story: a motor at 95 °C went on warming up after its drive had switched off, and was re-armed as if that was over.
@@ -219,7 +219,7 @@ TEST_F(ClearRefusal, AMotorThatIsHotNowIsNotReArmed)
     const DriveConditions both{.voltage = 24.0, .boardTemperature = 76.0, .motorTemperature = 78.0};
     EXPECT_EQ(refusal(LossClass::OverTemperature, both,
                       {.voltage = 24.0, .boardTemperature = 60.0, .motorTemperature = 95.0}),
-              "the motor is still at 95 °C; it must cool down to 80 °C");
+              "The motor is still at 95 °C. It must cool down to 80 °C.");
     EXPECT_EQ(refusal(LossClass::OverTemperature, both,
                       {.voltage = 24.0, .boardTemperature = 60.0, .motorTemperature = 79.0}),
               "");
@@ -229,7 +229,7 @@ TEST_F(ClearRefusal, AMotorThatIsHotNowIsNotReArmed)
 TEST_F(ClearRefusal, ASupplyThatStoppedTheMountMustBeBackWhateverTheLossWasCalled)
 {
     const DriveConditions low{.voltage = 11.8, .boardTemperature = 30.0};
-    EXPECT_EQ(refusal(LossClass::Motion, low, {.voltage = 14.0}), "the supply is still at 14.0 V; 20.0 V are needed");
+    EXPECT_EQ(refusal(LossClass::Motion, low, {.voltage = 14.0}), "The supply is still at 14.0 V. It must reach 20.0 V.");
     EXPECT_EQ(refusal(LossClass::Motion, low, {.voltage = 20.5}), "");
     EXPECT_EQ(refusal(LossClass::Motion, {.voltage = 15.0}, {.voltage = 14.0}), "") << "that did not stop it";
 }
@@ -243,9 +243,9 @@ TEST_F(ClearRefusal, ABoardThatReportsToBeCoolNeedNotCoolDown)
 TEST_F(ClearRefusal, TheSupplyMustBeBack)
 {
     const DriveConditions cut{.voltage = 3.0, .boardTemperature = 30.0};
-    EXPECT_EQ(refusal(LossClass::Supply, cut, {.voltage = 11.0}), "the supply is still at 11.0 V; 20.0 V are needed");
+    EXPECT_EQ(refusal(LossClass::Supply, cut, {.voltage = 11.0}), "The supply is still at 11.0 V. It must reach 20.0 V.");
     EXPECT_EQ(refusal(LossClass::Supply, cut, {.voltage = 46.0}),
-              "the supply is still at 46.0 V; at most 42.0 V are permitted");
+              "The supply is still at 46.0 V. It must fall to 42.0 V.");
     EXPECT_EQ(refusal(LossClass::Supply, cut, {.voltage = 24.0}), "");
 }
 
@@ -253,16 +253,15 @@ TEST_F(ClearRefusal, TheSupplyMustBeBack)
 TEST_F(ClearRefusal, WhatIsNotToldIsNotCool)
 {
     const DriveConditions hot{.voltage = 24.0, .boardTemperature = 76.0, .motorTemperature = 90.0};
-    const std::string untold = "the drive does not report its temperature";
+    const std::string untold = "The drive does not report its temperature.";
     EXPECT_EQ(refusal(LossClass::OverTemperature, hot, {.voltage = 24.0}), untold);
     const DriveConditions motor{.voltage = 24.0, .boardTemperature = 40.0, .motorTemperature = 90.0};
     EXPECT_EQ(refusal(LossClass::OverTemperature, motor, {.voltage = 24.0, .boardTemperature = 40.0}),
-              "the motor was at 90 °C and does not tell its temperature any more: mend its sensor, or let it cool down "
-              "and start Boresight anew");
+              "The motor was at 90 °C and no longer reports its temperature. Repair its sensor, or let the motor cool down and restart Boresight.");
     const DriveConditions cool{.voltage = 24.0, .boardTemperature = 40.0, .motorTemperature = 40.0};
     EXPECT_EQ(refusal(LossClass::OverTemperature, hot, cool), "");
     EXPECT_NE(refusal(LossClass::OverTemperature, {}, {.boardTemperature = 74.0}), "") << "nor was it told at the loss";
-    EXPECT_EQ(refusal(LossClass::Supply, {.voltage = 3.0}, {}), "the drive does not report its supply voltage");
+    EXPECT_EQ(refusal(LossClass::Supply, {.voltage = 3.0}, {}), "The drive does not report its supply voltage.");
 }
 
 TEST_F(ClearRefusal, OtherLossesHaveNothingToWaitFor)
@@ -281,8 +280,8 @@ TEST(StandingRefusal, WhatWouldStopTheMountAgainAtOnce)
     const auto refusal = [&](const DriveConditions& now) { return standingRefusal(settings, now).toStdString(); };
     EXPECT_EQ(refusal({.voltage = 24.0, .boardTemperature = 74.0}), "");
     EXPECT_EQ(refusal({.voltage = 24.0, .boardTemperature = 77.0}),
-              "the drive board is still at 77 °C; it must cool down to 70 °C");
-    EXPECT_EQ(refusal({.voltage = 11.9, .boardTemperature = 30.0}), "the supply is still at 11.9 V; 12.0 V are needed");
+              "The drive board is still at 77 °C. It must cool down to 70 °C.");
+    EXPECT_EQ(refusal({.voltage = 11.9, .boardTemperature = 30.0}), "The supply is still at 11.9 V. It must reach 12.0 V.");
     EXPECT_EQ(refusal({.voltage = 13.0, .boardTemperature = 30.0}), "");
     EXPECT_EQ(refusal({}), "") << "a drive that does not tell them";
 }

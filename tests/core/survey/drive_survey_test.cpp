@@ -289,7 +289,7 @@ TEST(DriveSurvey, ADriveThatFallsSilentEndsTheReadingUntilItIsBack)
     EXPECT_EQ(rig.drives.state(), SurveyState::NotDone);
     EXPECT_THAT(causes(rig.drives), ElementsAre("drives.unread.elevation"));
     EXPECT_THAT(obstacle(rig.drives), HasSubstr("the check of elevation ended early"));
-    EXPECT_THAT(obstacle(rig.drives), HasSubstr("drive 2 does not answer on its console"));
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("Drive 2 does not answer on its console."));
     EXPECT_TRUE(rig.reaches(SurveyState::Done));
     EXPECT_EQ(obstacle(rig.drives), "");
 }

@@ -50,12 +50,12 @@ TEST(SensorWatch, LateThenLostThenBack)
     EXPECT_EQ(rig.watch.status().presence, Presence::Late);
     EXPECT_TRUE(rig.watch.status().direction);
     EXPECT_EQ(rig.alarmText(), "");
-    rig.watch.show({.open = false, .problem = QStringLiteral("/dev/ttyUSB0 is gone: plug the sensor in again")});
+    rig.watch.show({.open = false, .problem = QStringLiteral("/dev/ttyUSB0 is gone. Plug the sensor in again")});
     rig.run(2.0);
     EXPECT_EQ(rig.watch.status().presence, Presence::Lost);
     EXPECT_FALSE(rig.watch.status().direction);
     EXPECT_EQ(rig.watch.evidence(), SensorEvidence());
-    EXPECT_THAT(rig.alarmText(), HasSubstr("is gone: plug the sensor in again"));
+    EXPECT_THAT(rig.alarmText(), HasSubstr("is gone. Plug the sensor in again"));
     rig.speaking = true;
     rig.run(2.0);
     EXPECT_EQ(rig.alarmText(), "");
@@ -283,7 +283,7 @@ TEST(SensorWatch, TellsRestartsAndUnknownFieldsOnce)
     rig.run(5.0);
     const std::string log = rig.logText();
     EXPECT_THAT(log, HasSubstr("hold more than is known here: 12.5,hPa"));
-    EXPECT_THAT(log, HasSubstr("has been restarted"));
+    EXPECT_THAT(log, HasSubstr("sensor restarted"));
     EXPECT_EQ(std::ranges::count(log, '\n'), 3) << log;
 }
 

@@ -131,7 +131,7 @@ TEST_F(ChartsTest, OneTicksPeakIsPaintedInEveryWindow)
 TEST_F(ChartsTest, PauseHoldsThePictureAndCollectsOn)
 {
     tick(10.0, 10.0, 500);
-    press("Hold the picture; the data are collected on (Space in the charts)");
+    press("Freeze the charts. Boresight still records the data (Space in the charts)");
     tick(10.0, 10.0, 10);  // of the moment of pausing: a column is less than 0.2 s
     const std::int64_t first = strip(Strip::Position).frame().firstColumn;
     const QImage before = strip(Strip::Position).grab().toImage();
@@ -139,7 +139,7 @@ TEST_F(ChartsTest, PauseHoldsThePictureAndCollectsOn)
     EXPECT_EQ(strip(Strip::Position).frame().firstColumn, first);
     EXPECT_EQ(strip(Strip::Position).grab().toImage(), before);
     EXPECT_EQ(text("Remark on the charts"), QStringLiteral("PAUSED"));
-    press("Hold the picture; the data are collected on (Space in the charts)");
+    press("Freeze the charts. Boresight still records the data (Space in the charts)");
     EXPECT_GT(strip(Strip::Position).frame().firstColumn, first);
     EXPECT_FLOAT_EQ(greatest(trace(Strip::Position, 1)), 12.0F);
     EXPECT_EQ(text("Remark on the charts"), QString());
@@ -263,7 +263,7 @@ TEST_F(ChartsTest, AnUnknownTurnIsSaid)
 {
     give(samples::update(samples::asking(Axis::Azimuth, 3, 180_deg, true)));
     openPanel('2');
-    EXPECT_TRUE(text("Remark on the charts").startsWith(QStringLiteral("Turn not known")));
+    EXPECT_TRUE(text("Remark on the charts").startsWith(QStringLiteral("Wrap unknown")));
     EXPECT_EQ(named<ValueLabel>("Remark on the charts")->symbol(), Symbol::Warning);
     press("Charts of the elevation");
     EXPECT_EQ(text("Remark on the charts"), QString());

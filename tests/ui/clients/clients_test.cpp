@@ -65,7 +65,7 @@ TEST_F(ClientsPanelTest, ShowsWhoIsThereAndWhatEachMayDo)
     EXPECT_EQ(cell(0, ClientModel::Rate).toStdString(), "1.3");
     EXPECT_EQ(cell(0, ClientModel::LastCommand).toStdString(), "P 339.50 57.00");
     EXPECT_EQ(cell(0, ClientModel::Role).toStdString(), "● drives");
-    EXPECT_EQ(cell(1, ClientModel::Role).toStdString(), "▲ wants to");
+    EXPECT_EQ(cell(1, ClientModel::Role).toStdString(), "▲ waiting");
     EXPECT_EQ(cell(2, ClientModel::Role).toStdString(), "read-only");
     EXPECT_EQ(cell(2, ClientModel::Program).toStdString(), "unknown");
     EXPECT_TRUE(text("About the selected client").contains(QStringLiteral("Set Threshold to 0.1")));
@@ -92,7 +92,7 @@ TEST_F(ClientsPanelTest, NothingCanBeDoneAboutNobody)
 {
     for (const char* const name : {"Give control", "Read-only", "Disconnect", "Lock"}) {
         EXPECT_FALSE(named<QPushButton>(name)->isEnabled()) << name;
-        EXPECT_TRUE(named<QPushButton>(name)->toolTip().endsWith(QStringLiteral("select a client first"))) << name;
+        EXPECT_TRUE(named<QPushButton>(name)->toolTip().endsWith(QStringLiteral("Select a client first."))) << name;
         click(name);
     }
     EXPECT_TRUE(requests.empty());
@@ -170,12 +170,13 @@ TEST_F(ClientsPanelTest, TheRuleFollowsTheStatusNotTheClick)
     ASSERT_EQ(applied.size(), 1U);
     EXPECT_EQ(applied[0].profile.rotctld.lead, profile::Lead::Last);
     EXPECT_TRUE(
-        named<ChoiceButton>("The first client moves the mount until it has asked for no motion for 10 s, or left")
+        named<ChoiceButton>("The first client moves the mount until it disconnects or commands no motion for 10 s")
             ->isChecked());
     StationUpdate answer = with(profile::Lead::Last, "", "whoever sends last moves the mount");
     answer.answers.push_back({requests.back().id, std::nullopt});
     give(answer);
-    EXPECT_TRUE(named<ChoiceButton>("Whoever sent the last target moves the mount, as with Hamlib")->isChecked());
+    EXPECT_TRUE(
+        named<ChoiceButton>("The client that sent the last target moves the mount, as with Hamlib")->isChecked());
     select(1);
     EXPECT_FALSE(named<QPushButton>("Give control")->isEnabled()) << "whoever sends last moves it";
 }
@@ -186,7 +187,7 @@ TEST_F(ClientsPanelTest, ARefusedRuleSaysWhyAndLeavesNoEdit)
     give(samples::refusal(samples::fighting(), requests.back().id, "the mount moves"));
     bool said = false;
     for (const ValueLabel* const label : window.findChildren<ValueLabel*>()) {
-        said = said || label->text() == QStringLiteral("Who moves: the mount moves");
+        said = said || label->text() == QStringLiteral("Control goes to: the mount moves");
     }
     EXPECT_TRUE(said);
     requests.clear();
@@ -221,7 +222,7 @@ TEST_F(ClientsPanelTest, CopiesWhatGpredictMustBeTold)
 
 TEST_F(ClientsPanelTest, ShowsWhoMayConnect)
 {
-    EXPECT_EQ(text("Who may connect").toStdString(), "Whoever can reach 0.0.0.0:4533 may connect");
+    EXPECT_EQ(text("Who may connect").toStdString(), "Every computer that reaches 0.0.0.0:4533 may connect");
     StationStatus status = samples::fighting();
     profile::Profile profile = *status.profile;
     profile.rotctld.allow = {"127.0.0.1", "10.0.0.0/8"};
@@ -244,8 +245,8 @@ protected:
 TEST_F(LeadPromptTest, AsksOverThePlotWhateverPanelIsOpen)
 {
     EXPECT_TRUE(prompt().isVisible());
-    EXPECT_EQ(text("A client wants to drive").toStdString(), "192.168.100.109 wants to drive");
-    EXPECT_FALSE(named<ValueLabel>("A client wants to drive")->isElided());
+    EXPECT_EQ(text("A client asks for control").toStdString(), "192.168.100.109 asks for control");
+    EXPECT_FALSE(named<ValueLabel>("A client asks for control")->isElided());
     click("Give");
     ASSERT_EQ(asked<request::GiveLead>().size(), 1U);
     EXPECT_EQ(asked<request::GiveLead>()[0].clientId, 2U);
@@ -271,7 +272,7 @@ TEST_F(LeadPromptTest, AsksAboutOneUntilThatIsAnswered)
     two.clients[0].wanting = true;  // an earlier one wants it, too
     two.clients[0].address = QStringLiteral("192.168.100.109:40001");
     give(samples::update(two));
-    EXPECT_EQ(text("A client wants to drive").toStdString(), "Port 50112 wants to drive");
+    EXPECT_EQ(text("A client asks for control").toStdString(), "Port 50112 asks for control");
     click("Give");
     ASSERT_EQ(asked<request::GiveLead>().size(), 1U);
     EXPECT_EQ(asked<request::GiveLead>()[0].clientId, 2U);

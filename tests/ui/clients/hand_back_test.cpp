@@ -59,7 +59,7 @@ TEST_F(HandBackTest, ASlewSaysWhenItIsThere)
     StationStatus status = samples::operatorMoving();
     status.slew = SlewProgress{.remaining = Seconds(8.3), .done = 0.25};
     give(samples::update(status));
-    EXPECT_EQ(text("Target and who gave it"), QStringLiteral("Go to 113.0° 10.0°, there in 9 s, by operator"));
+    EXPECT_EQ(text("Target and its source"), QStringLiteral("Go to 113.0° 10.0°, there in 9 s, by operator"));
     EXPECT_EQ(window.findChild<ProgressLine*>()->done(), 0.25);
     status.slew.reset();
     give(samples::update(status));
@@ -80,15 +80,15 @@ TEST_F(HandBackTest, TheHeaderNamesWhoHasTheControlAndHowManyWait)
     status.clients[0].program = QStringLiteral("A program with a longer name");
     status.clients[2].wanting = true;
     give(samples::update(status));
-    EXPECT_TRUE(text("Who may move the mount").startsWith(QStringLiteral("A prog"))) << "at 1024 px";
-    EXPECT_TRUE(text("Who may move the mount").endsWith(QStringLiteral("…, +1")));
+    EXPECT_TRUE(text("Who has control").startsWith(QStringLiteral("A prog"))) << "at 1024 px";
+    EXPECT_TRUE(text("Who has control").endsWith(QStringLiteral("…, +1")));
     window.resize(1600, 900);
     status.clients[0].program = QStringLiteral("Gpredict");
     give(samples::update(status));
-    EXPECT_EQ(text("Who may move the mount"), QStringLiteral("Control: Gpredict, 1 waiting"));
+    EXPECT_EQ(text("Who has control"), QStringLiteral("Control: Gpredict, 1 waiting"));
     status.listening.clear();
     give(samples::update(status));
-    EXPECT_EQ(text("Who may move the mount"), QStringLiteral("Clients cannot connect"));
+    EXPECT_EQ(text("Who has control"), QStringLiteral("Clients cannot connect"));
 }
 
 }  // namespace

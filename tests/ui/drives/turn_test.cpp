@@ -305,7 +305,7 @@ TEST_F(TurnTest, WorseThanAnUnknownTurnIsSaidFirst)
     status.azimuth.state = AxisState::Moving;
     give(samples::update(status));
     EXPECT_EQ(text("State of azimuth"), QStringLiteral("MOVING"));
-    EXPECT_EQ(text("Detail of azimuth"), QStringLiteral("the turn is not known"));
+    EXPECT_EQ(text("Detail of azimuth"), QStringLiteral("the cable wrap is unknown"));
 }
 
 // REQ-UI-12

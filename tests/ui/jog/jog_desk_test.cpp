@@ -234,7 +234,7 @@ TEST_F(JogDeskTest, AnEmptyFieldKeepsItsAxis)
     elevation->setText(QStringLiteral("1o"));
     click("Go");
     EXPECT_TRUE(requests.empty());
-    EXPECT_TRUE(text("Refused direction").contains(QStringLiteral("The elevation is not a number")));
+    EXPECT_TRUE(text("Refused direction").contains(QStringLiteral("The elevation is not a number.")));
     QTest::keyClicks(elevation, QStringLiteral("0"));
     EXPECT_EQ(text("Refused direction"), QString()) << "it was about what stood there before";
 }

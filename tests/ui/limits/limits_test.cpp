@@ -257,13 +257,13 @@ TEST_F(LimitsTest, ATextThatIsNoValueIsRefusedWithTheReason)
     auto* const horizon = named<QTableView>("Horizon");
     QAbstractItemModel& model = *horizon->model();
     EXPECT_FALSE(model.setData(model.index(2, 1), QStringLiteral("1O"), Qt::EditRole));
-    EXPECT_TRUE(text("Why the text was not taken").contains(QStringLiteral("not a number")));
+    EXPECT_TRUE(text("Why the entry was refused").contains(QStringLiteral("not a number")));
     EXPECT_FALSE(model.setData(model.index(2, 0), QStringLiteral("400"), Qt::EditRole));
     EXPECT_FALSE(model.setData(model.index(2, 0), QStringLiteral("110"), Qt::EditRole));
-    EXPECT_TRUE(text("Why the text was not taken").contains(QStringLiteral("already")));
+    EXPECT_TRUE(text("Why the entry was refused").contains(QStringLiteral("already")));
     EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled());
     EXPECT_TRUE(model.setData(model.index(2, 1), QStringLiteral("23.5°"), Qt::EditRole));
-    EXPECT_EQ(text("Why the text was not taken"), QString());
+    EXPECT_EQ(text("Why the entry was refused"), QString());
     EXPECT_EQ(applied().horizon.at(2).elevation, 23.5_deg);
 }
 
@@ -376,7 +376,7 @@ TEST_F(LimitsTest, TheMenuOpensWithoutAnAnswerAfterHalfASecond)
     const auto entry = std::ranges::find_if(
         actions, [](const QAction* action) { return action->text().startsWith(QStringLiteral("Go here")); });
     ASSERT_NE(entry, actions.end());
-    EXPECT_EQ((*entry)->text(), QStringLiteral("Go here (the station does not answer)"));
+    EXPECT_EQ((*entry)->text(), QStringLiteral("Go here (The station does not answer.)"));
     EXPECT_FALSE((*entry)->isEnabled());
     give(samples::update(samples::bounded()));
     EXPECT_EQ(plot().findChildren<QMenu*>().size(), 1) << "the answer comes too late";
@@ -393,7 +393,7 @@ TEST_F(LimitsTest, AHorizonGoesOutAsTextAndComesBack)
     EXPECT_TRUE(named<CommandButton>("Apply")->isEnabled());
     panel.importHorizon(path);
     EXPECT_EQ(model.index(2, 1).data().toString(), QStringLiteral("22.0"));
-    EXPECT_TRUE(text("Why the text was not taken").contains(QStringLiteral("points read")));
+    EXPECT_TRUE(text("Why the entry was refused").contains(QStringLiteral("points read")));
 }
 
 // REQ-UI-22
@@ -406,10 +406,10 @@ TEST_F(LimitsTest, AHorizonFileThatCannotBeReadChangesNothingAndSaysWhichLine)
     file.close();
     auto& panel = *window.findChild<LimitsPanel*>();
     panel.importHorizon(file.fileName());
-    EXPECT_TRUE(text("Why the text was not taken").contains(QStringLiteral("bad.txt:2")));
+    EXPECT_TRUE(text("Why the entry was refused").contains(QStringLiteral("bad.txt:2")));
     EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled());
     panel.importHorizon(folder.filePath(QStringLiteral("none.txt")));
-    EXPECT_FALSE(text("Why the text was not taken").isEmpty());
+    EXPECT_FALSE(text("Why the entry was refused").isEmpty());
     EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled());
 }
 

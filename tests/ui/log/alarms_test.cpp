@@ -53,7 +53,7 @@ protected:
     }
     CommandButton& acknowledge() { return *named<CommandButton>("Acknowledge the selected alarm"); }
 
-    static constexpr const char* kChoice = "Alarms of now and since the start of the window";
+    static constexpr const char* kChoice = "Active alarms, and all alarms since the start of the window";
 };
 
 // REQ-UI-28: Every alarm is shown whole (what happened, what Boresight did, what to do), until its end, and kept for
@@ -92,7 +92,7 @@ TEST_F(AlarmsTest, AcknowledgesTheSelectedOne)
     QTest::keyClick(&table(), Qt::Key_Home, Qt::ControlModifier);
     EXPECT_EQ(state(0), QStringLiteral("active yes"));
     EXPECT_FALSE(acknowledge().isEnabled());
-    EXPECT_TRUE(acknowledge().toolTip().contains(QStringLiteral("it is acknowledged")));
+    EXPECT_TRUE(acknowledge().toolTip().contains(QStringLiteral("This alarm is acknowledged.")));
     QTest::keyClick(&table(), Qt::Key_Down);
     ASSERT_TRUE(acknowledge().isEnabled());
     acknowledge().setFocus();

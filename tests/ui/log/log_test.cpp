@@ -227,12 +227,12 @@ TEST_F(LogTest, SavesTheShownLinesToAFileOrSaysWhyNot)
 // REQ-UI-27
 TEST_F(LogTest, KeepsEveryLineInItsOrderWhenANewStationCountsFromOneAgain)
 {
-    panel.append({samples::logEntry(1, Severity::Advisory, QStringLiteral("station"), QStringLiteral("begins anew")),
+    panel.append({samples::logEntry(1, Severity::Advisory, QStringLiteral("station"), QStringLiteral("begins again")),
                   samples::logEntry(2, Severity::Advisory, QStringLiteral("operator"), QStringLiteral("park"))});
     ASSERT_EQ(rows(), 6);
     EXPECT_EQ(cell(0, LogModel::Text), QStringLiteral("park"));
     EXPECT_TRUE(cell(3, LogModel::Text).contains(QStringLiteral("dropped")));
-    EXPECT_EQ(cell(4, LogModel::Text), QStringLiteral("begins anew"));
+    EXPECT_EQ(cell(4, LogModel::Text), QStringLiteral("begins again"));
     EXPECT_EQ(cell(5, LogModel::Text), QStringLiteral("park"));
 }
 

@@ -22,7 +22,7 @@ TEST_F(NorthTest, AsLongAsTheSunIsMeantTheWarningStandsThere)
     choose("Points by the Moon");
     EXPECT_TRUE(text("Eyes and feed").isEmpty());
     give(samples::update(samples::followingSun()));
-    EXPECT_TRUE(text("Eyes and feed").startsWith(QLatin1String("The beam looks into the Sun")))
+    EXPECT_TRUE(text("Eyes and feed").startsWith(QLatin1String("The antenna points at the Sun")))
         << "while the beam is there, whatever is looked at";
     choose("Points by the Sun");
     EXPECT_FALSE(text("Eyes and feed").isEmpty());
@@ -31,16 +31,16 @@ TEST_F(NorthTest, AsLongAsTheSunIsMeantTheWarningStandsThere)
 TEST_F(NorthTest, SunAndMoonAreFollowedWithTheRefractionChosen)
 {
     show(CalibrationStep::Body, samples::sixPoints());
-    EXPECT_TRUE(text("Where the body is").startsWith(QStringLiteral("az 143.2°  el 52.1°, sets 20:39Z")));
+    EXPECT_TRUE(text("Position of the body").startsWith(QStringLiteral("az 143.2°  el 52.1°, sets 20:39Z")));
     auto* const refraction = named<TouchCombo>("Refraction");
     refraction->setFocus();
     QTest::keyClick(refraction, Qt::Key_Down);
-    click("Follow Sun");
+    click("Track Sun");
     ASSERT_EQ(wanted<request::FollowBody>().size(), 1u);
     EXPECT_EQ(wanted<request::FollowBody>().front().body, ephemeris::Body::Sun);
     EXPECT_EQ(wanted<request::FollowBody>().front().refraction, ephemeris::Refraction::Radio);
     choose("Points by the Moon");
-    EXPECT_TRUE(text("Where the body is").contains(QLatin1String("below the horizon, rises 22:43Z")));
+    EXPECT_TRUE(text("Position of the body").contains(QLatin1String("below the horizon, rises 22:43Z")));
     expectBlocked("Follow Moon", "below the lowest elevation");
 }
 
@@ -56,7 +56,7 @@ TEST_F(NorthTest, OverTheTopIsOfferedToABoomThatGoesThere)
     ASSERT_TRUE(overTheTop->isVisible());
     overTheTop->setFocus();
     QTest::keyClick(overTheTop, Qt::Key_Space);
-    click("Follow Sun");
+    click("Track Sun");
     ASSERT_EQ(wanted<request::FollowBody>().size(), 1u);
     EXPECT_TRUE(wanted<request::FollowBody>().front().overTheTop);
     choose("Points by the Moon");
@@ -64,11 +64,11 @@ TEST_F(NorthTest, OverTheTopIsOfferedToABoomThatGoesThere)
 
     give(samples::update(samples::followingOverTheTop()));
     choose("Points by the Sun");
-    EXPECT_TRUE(text("Where the body is").contains(QLatin1String("followed over the top, trim")));
+    EXPECT_TRUE(text("Position of the body").contains(QLatin1String("tracked over the top, trim")));
     EXPECT_TRUE(overTheTop->isChecked());
     EXPECT_FALSE(overTheTop->isEnabled()) << "for the next time it is followed";
     give(samples::update(samples::sixPoints()));  // the travel was narrowed
-    click("Follow Sun");
+    click("Track Sun");
     EXPECT_FALSE(wanted<request::FollowBody>().back().overTheTop);
 }
 
@@ -91,15 +91,15 @@ TEST_F(NorthTest, AFollowedBodyIsTrimmedByThePadAndTakenAsAPoint)
     EXPECT_NEAR(asked<request::Nudge>().back().elevation.degrees(), 0.01, 1e-9);
     click("Take point");
     EXPECT_EQ(wanted<request::TakePoint>().size(), 1u);
-    EXPECT_TRUE(text("Where the body is").contains(QLatin1String("points taken: 3")));
-    click("Hold, follow the Sun no more");
+    EXPECT_TRUE(text("Position of the body").contains(QLatin1String("points taken: 3")));
+    click("Hold and stop tracking the Sun");
     EXPECT_EQ(asked<request::Hold>().size(), 1u);
 }
 
 TEST_F(NorthTest, APointCanNotBeTakenBeforeTheBodyIsFollowed)
 {
     show(CalibrationStep::Body, samples::beforeCalibration());
-    expectBlocked("Take point", "follow the Sun first");
+    expectBlocked("Take point", "Track the Sun first.");
 }
 
 TEST_F(NorthTest, ALandmarkIsTakenWithItsNameAndDirection)
@@ -128,7 +128,7 @@ TEST_F(NorthTest, ALandmarkThatNobodyHasToldIsNotTaken)
 {
     show(CalibrationStep::Body, samples::sixPoints());
     choose("A landmark whose direction is known");
-    expectBlocked("Take the landmark as a point", "type the direction");
+    expectBlocked("Take the landmark as a point", "Type the direction");
     QTest::keyClicks(named<QLineEdit>("Name of the landmark"), QStringLiteral("mast in the north"));
     click("Take the landmark as a point");
     ASSERT_EQ(wanted<request::TakeKnownPoint>().size(), 1u);
@@ -139,7 +139,7 @@ TEST_F(NorthTest, TheScanWaitsForTypedPowersAndTakesNumbersOnly)
 {
     show(CalibrationStep::Body, samples::followingSun());
     choose("The peak of the received power, by a cross scan");
-    expectBlocked("Give dB", "no scan waits");
+    expectBlocked("Give dB", "No scan waits");
     named<QDoubleSpinBox>("Width of the scan")->setValue(8.0);
     click("Scan Sun");
     ASSERT_EQ(wanted<request::StartCrossScan>().size(), 1u);
@@ -204,11 +204,11 @@ TEST_F(NorthTest, HowFarTheBeamIsBesideTheBodyIsTold)
     beside.elevation += 3.24_deg;
     status.actual = beside;
     give(samples::update(status));
-    EXPECT_TRUE(text("Where the body is").contains(QStringLiteral("not followed, beam 3.2° beside it")))
-        << qPrintable(text("Where the body is"));
+    EXPECT_TRUE(text("Position of the body").contains(QStringLiteral("not tracked, beam 3.2° off")))
+        << qPrintable(text("Position of the body"));
     status.actual.reset();
     give(samples::update(status));
-    EXPECT_TRUE(text("Where the body is").contains(QLatin1String("\nnot followed\n")));
+    EXPECT_TRUE(text("Position of the body").contains(QLatin1String("\nnot followed\n")));
 }
 
 // It always said 6°, three beams of one operator's dish, and nothing was found.
@@ -265,14 +265,14 @@ TEST_F(NorthTest, TheScanTellsWhatTheReceiverSays)
         give(samples::update(status));
     };
     tell({.name = QStringLiteral("UDP 127.0.0.1:4540")});
-    EXPECT_EQ(text("Power of the receiver"), QStringLiteral("UDP 127.0.0.1:4540: nothing has come yet"));
+    EXPECT_EQ(text("Power of the receiver"), QStringLiteral("UDP 127.0.0.1:4540: no data yet"));
     tell({.name = QStringLiteral("UDP 127.0.0.1:4540"), .decibels = -73.25, .age = Seconds(2.2)});
     EXPECT_EQ(text("Power of the receiver"), QStringLiteral("UDP 127.0.0.1:4540: -73.3 dB, 2 s old"));
     tell({.name = QStringLiteral("UDP 127.0.0.1:4540"),
-          .problem = QStringLiteral("nothing comes"),
+          .problem = QStringLiteral("No data"),
           .decibels = -73.25,
           .age = Seconds(9.0)});
-    EXPECT_EQ(text("Power of the receiver"), QStringLiteral("nothing comes"));
+    EXPECT_EQ(text("Power of the receiver"), QStringLiteral("No data"));
     EXPECT_EQ(named<ValueLabel>("Power of the receiver")->symbol(), Symbol::Warning);
 }
 

@@ -63,10 +63,10 @@ TEST_F(NorthTest, WithoutACalibrationDeskNothingIsOffered)
     }
     EXPECT_EQ(text("Proposed calibration"), QStringLiteral("Nothing proposed yet"));
     EXPECT_EQ(text("What Apply changes"), QStringLiteral("Steps 1 to 3 find north"));
-    expectBlocked("Apply north", "nothing is proposed yet");
-    expectBlocked("Discard what is proposed", "nothing is proposed yet");
-    expectBlocked("Undo the calibration", "there is no calibration to take back");
-    expectBlocked("Follow Sun", "it is not known where the Sun is");
+    expectBlocked("Apply north", "Nothing is proposed yet.");
+    expectBlocked("Discard the proposal", "Nothing is proposed yet.");
+    expectBlocked("Undo the calibration", "There is no calibration to undo.");
+    expectBlocked("Track Sun", "The position of the Sun is unknown.");
 }
 
 // REQ-UI-40: Finding north: each step asks only what its control says, and shows beside it why it cannot. What Apply
@@ -95,7 +95,7 @@ TEST_F(NorthTest, DiscardSendsTheProposalThatWasSeenWhenItWasPressed)
 {
     StationStatus status = samples::swung();
     show(CalibrationStep::Swing, status);
-    click("Discard what is proposed");
+    click("Discard the proposal");
     ASSERT_EQ(wanted<request::DiscardCalibration>().size(), 1u);
     EXPECT_EQ(wanted<request::DiscardCalibration>().front().proposal, 7u);
 }
@@ -105,7 +105,7 @@ TEST_F(NorthTest, ASecondPressOfAButtonThatIsDoneIsNotTheNextOnes)
 {
     StationStatus status = samples::sixPoints();
     show(CalibrationStep::Model, status);
-    auto* const discard = named<CommandButton>("Discard what is proposed");
+    auto* const discard = named<CommandButton>("Discard the proposal");
     discard->setFocus();
     QTest::keyClick(discard, Qt::Key_Space);
     CalibrationStatus without = *status.calibration;
@@ -125,7 +125,7 @@ TEST_F(NorthTest, UndoAndRedoAreOfferedWhereThereIsSomethingAndTheHistoryWarnsOf
     EXPECT_EQ(text("Calibration in force"), QStringLiteral("In force: North from the compass swing"));
     click("Undo the calibration");
     EXPECT_EQ(wanted<request::UndoCalibration>().size(), 1u);
-    expectBlocked("Redo the calibration", "there is no calibration to bring back");
+    expectBlocked("Redo the calibration", "There is no calibration to redo.");
     auto* const table = named<QTableView>("Calibrations that were applied");
     ASSERT_EQ(table->model()->rowCount(), 2);
     QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(table->model()->index(1, 1)).center());
@@ -135,7 +135,7 @@ TEST_F(NorthTest, UndoAndRedoAreOfferedWhereThereIsSomethingAndTheHistoryWarnsOf
     std::swap(undone.history.front().inForce, undone.history.back().inForce);
     status.calibration = std::make_shared<const CalibrationStatus>(undone);
     give(samples::update(status));
-    EXPECT_TRUE(text("Calibration in force").contains(QLatin1String("other drives or elsewhere")));
+    EXPECT_TRUE(text("Calibration in force").contains(QLatin1String("other drives or another site")));
     click("Redo the calibration");
     EXPECT_EQ(wanted<request::RedoCalibration>().size(), 1u);
 }

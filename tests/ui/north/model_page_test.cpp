@@ -58,7 +58,7 @@ TEST_F(NorthTest, WhatIsTypedIsShownWithWhatThePointsSayOfIt)
     EXPECT_EQ(text("Proposed calibration"), QStringLiteral("Typed terms, points: rms 0.912° → 0.500°"));
     const QAbstractItemModel& terms = *named<QTableView>("Terms of the pointing model")->model();
     EXPECT_EQ(terms.data(terms.index(0, 4)).toString(), QStringLiteral("● typed"));
-    calibration.proposal->warnings = {QStringLiteral("the text is of another mount"), QStringLiteral("and site")};
+    calibration.proposal->warnings = {QStringLiteral("The text belongs to another mount"), QStringLiteral("and site")};
     status.calibration = std::make_shared<const CalibrationStatus>(calibration);
     give(samples::update(status));
     EXPECT_TRUE(named<QPlainTextEdit>("Remarks on the fit")
@@ -165,7 +165,7 @@ TEST_F(NorthTest, WhatIsOnlyHeldIsSaidSo)
     show(CalibrationStep::Model, status);
     const QAbstractItemModel& terms = *named<QTableView>("Terms of the pointing model")->model();
     EXPECT_EQ(terms.data(terms.index(0, 4)).toString(), QStringLiteral("● found"));
-    EXPECT_EQ(terms.data(terms.index(5, 4)).toString(), QStringLiteral("as it was"));
+    EXPECT_EQ(terms.data(terms.index(5, 4)).toString(), QStringLiteral("unchanged"));
     EXPECT_EQ(terms.data(terms.index(6, 4)).toString(), QStringLiteral("◐ held"));
 }
 
@@ -210,8 +210,8 @@ TEST_F(NorthTest, TermsAreNotTakenWhileACalibrationRuns)
 {
     show(CalibrationStep::Model, samples::scanning());
     choose("Type the terms, or exchange them with a file");
-    expectBlocked("Propose the typed terms", "a calibration is running");
-    expectBlocked("Import terms", "a calibration is running");
+    expectBlocked("Propose the typed terms", "A calibration is running");
+    expectBlocked("Import terms", "A calibration is running");
     EXPECT_TRUE(named<CommandButton>("Export terms")->isEnabled());
 }
 
@@ -227,7 +227,7 @@ TEST_F(NorthTest, TheModelShowsEachTermInForceAndProposed)
     EXPECT_EQ(cell(0, 2), QStringLiteral("37.412°"));
     EXPECT_EQ(cell(0, 3), QStringLiteral("± 0.021°"));
     EXPECT_EQ(cell(0, 4), QStringLiteral("● found"));
-    EXPECT_EQ(cell(6, 4), QStringLiteral("as it was"));
+    EXPECT_EQ(cell(6, 4), QStringLiteral("unchanged"));
     EXPECT_TRUE(
         text("How well the model fits").startsWith(QStringLiteral("5 of 6 points, 5 terms: rms 0.912° → 0.031°")));
 }
@@ -236,7 +236,7 @@ TEST_F(NorthTest, APointIsLeftOutUsedAgainAndDropped)
 {
     show(CalibrationStep::Model, samples::sixPoints());
     choose("The points, and how far each is off");
-    expectBlocked("Leave out", "select a point first");
+    expectBlocked("Leave out", "Select a point first.");
     auto* const table = named<QTableView>("Calibration points");
     QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(table->model()->index(1, 0)).center());
     click("Leave out");

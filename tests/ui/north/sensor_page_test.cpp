@@ -37,7 +37,7 @@ TEST_F(NorthTest, TheSimulatedMountWithoutASensorOffersItsOwn)
     StationStatus status = samples::idle();
     status.simulated = true;
     CalibrationStatus without;
-    without.sensorObstacle = QStringLiteral("the profile names no orientation sensor");
+    without.sensorObstacle = QStringLiteral("The profile has no orientation sensor.");
     status.calibration = std::make_shared<const CalibrationStatus>(without);
     show(CalibrationStep::Sensor, status);
     click("Use the sensor");
@@ -50,7 +50,7 @@ TEST_F(NorthTest, TheSimulatedMountWithoutASensorOffersItsOwn)
 
     status.simulated = false;
     give(samples::update(status));
-    expectBlocked("Average", "the profile names no orientation sensor");
+    expectBlocked("Average", "The profile has no orientation sensor.");
 }
 
 TEST_F(NorthTest, TheNeedlesAreWhatIsReadAndTheBarsSayWhatRaisesThem)
@@ -69,12 +69,12 @@ TEST_F(NorthTest, TheNeedlesAreWhatIsReadAndTheBarsSayWhatRaisesThem)
     give(samples::update(status));
     EXPECT_NEAR(dial.sensor()->angle().degrees(), 57.4, 1e-9);
     EXPECT_NEAR(dial.axis()->degrees(), 20.0, 1e-9);
-    EXPECT_EQ(text("Sensor less axis"), QStringLiteral("+37.40°"));
+    EXPECT_EQ(text("Sensor minus axis"), QStringLiteral("+37.40°"));
     EXPECT_EQ(named<LevelBar>("Gyro calibration")->level(), 3);
     EXPECT_EQ(named<LevelBar>("Compass calibration")->level(), 0);
-    EXPECT_EQ(text("Compass: what raises it"), QStringLiteral("figure of eight, away from iron"));
-    EXPECT_EQ(named<ValueLabel>("Compass: what raises it")->symbol(), Symbol::Warning);
-    EXPECT_EQ(text("Gyro: what raises it"), QStringLiteral("good"));
+    EXPECT_EQ(text("Compass: how to raise it"), QStringLiteral("figure of eight, away from iron"));
+    EXPECT_EQ(named<ValueLabel>("Compass: how to raise it")->symbol(), Symbol::Warning);
+    EXPECT_EQ(text("Gyro: how to raise it"), QStringLiteral("good"));
     status.sensor.presence = orientation::Presence::Lost;
     give(samples::update(status));
     EXPECT_FALSE(dial.sensor().has_value()) << "an old heading is not shown as a live one";
@@ -130,8 +130,8 @@ TEST_F(NorthTest, ASwingThatRunsShowsHowFarItIsAndCanBeEnded)
     EXPECT_TRUE(text("Compass swing").contains(QLatin1String("2 min left")));
     click("End swing");
     EXPECT_EQ(wanted<request::EndCalibration>().size(), 1u);
-    expectBlocked("Average", "a calibration is running");
-    expectBlocked("Follow Sun", "a calibration is running");
+    expectBlocked("Average", "A calibration is running");
+    expectBlocked("Track Sun", "A calibration is running");
 }
 
 // REQ-UI-42: The deviation curve lies where Qwt's own scale puts it. The ways of turning, what was left out and
@@ -162,7 +162,7 @@ TEST_F(NorthTest, TheDeviationCurveLiesWhereItsSamplesAreAndShowsBothWays)
             EXPECT_GE(one.error.degrees(), plot.lowest());
         }
     }
-    const QString found = named<QPlainTextEdit>("What the swing has found")->toPlainText();
+    const QString found = named<QPlainTextEdit>("Result of the swing")->toPlainText();
     EXPECT_TRUE(found.startsWith(QStringLiteral("North ")));
     EXPECT_TRUE(found.contains(QStringLiteral("leans by 0.60° ± 0.05°")));
 }
@@ -170,7 +170,7 @@ TEST_F(NorthTest, TheDeviationCurveLiesWhereItsSamplesAreAndShowsBothWays)
 TEST_F(NorthTest, AHopelessPlaceIsSaidFirstAndNothingOfItCanBeApplied)
 {
     show(CalibrationStep::Swing, samples::swungInVain());
-    const QString found = named<QPlainTextEdit>("What the swing has found")->toPlainText();
+    const QString found = named<QPlainTextEdit>("Result of the swing")->toPlainText();
     EXPECT_TRUE(found.startsWith(QStringLiteral("▲ the needle is off")));
     EXPECT_TRUE(found.contains(QStringLiteral("No tilt: the boom was below 10°")));
     expectBlocked("Apply north", "a hopeless swing is not applied");

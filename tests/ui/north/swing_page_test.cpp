@@ -31,7 +31,7 @@ protected:
         const auto buttons = window.findChildren<QPushButton*>();
         return std::ranges::any_of(buttons, [&](QPushButton* one) { return one->isVisible() && one->text() == words; });
     }
-    QString found() { return named<QPlainTextEdit>("What the swing has found")->toPlainText(); }
+    QString found() { return named<QPlainTextEdit>("Result of the swing")->toPlainText(); }
 };
 
 // How many of the dots have something painted at their place.
@@ -54,7 +54,7 @@ TEST_F(NorthPagesTest, TheReadingsOfASwingAreDrawnAsTheyCome)
     show(CalibrationStep::Swing, status);
     auto& plot = *window.findChild<DeviationPlot*>();
     EXPECT_GT(painted(plot, dots), static_cast<int>(dots.size() * 9 / 10));
-    EXPECT_TRUE(found().startsWith(QStringLiteral("The readings as they come"))) << found().toStdString();
+    EXPECT_TRUE(found().startsWith(QStringLiteral("Readings around their mean"))) << found().toStdString();
     EXPECT_LE(plot.lowest(), -10.0);
     EXPECT_GE(plot.highest(), 10.0) << "the first readings lie within a degree: the scale does not jump";
 
@@ -119,7 +119,7 @@ TEST_F(NorthPagesTest, ThePlotTellsAsManyReadingsAsTheRun)
 TEST_F(NorthPagesTest, WhatIsSaidWhileItTurnsIsSaidOnce)
 {
     show(CalibrationStep::Swing, samples::swinging());
-    const QSignalSpy said(named<QPlainTextEdit>("What the swing has found"), &QPlainTextEdit::textChanged);
+    const QSignalSpy said(named<QPlainTextEdit>("Result of the swing"), &QPlainTextEdit::textChanged);
     show(CalibrationStep::Swing, samples::swinging());
     EXPECT_EQ(0, said.count());
 }
@@ -183,7 +183,7 @@ TEST_F(NorthPagesTest, AnAverageIsToldBesideWhatIsInForce)
     calibration.sheet.sigmas[0] = 0.11_deg;
     status.calibration = std::make_shared<const CalibrationStatus>(calibration);
     show(CalibrationStep::Sensor, status);
-    EXPECT_EQ(QStringLiteral("Last average: axis +39.93° ± 6.02°; in force: +37.50° ± 0.11°"),
+    EXPECT_EQ(QStringLiteral("Last average: axis +39.93° ± 6.02°, in force +37.50° ± 0.11°"),
               text("North from the sensor"));
     calibration.sheet.sigmas[0].reset();
     status.calibration = std::make_shared<const CalibrationStatus>(calibration);
@@ -206,7 +206,7 @@ TEST_F(NorthPagesTest, TheDeclinationIsToldWithItsModelAndWhatIsWrongWithIt)
 {
     StationStatus status = samples::heard();
     show(CalibrationStep::Sensor, status);
-    ValueLabel& line = *named<ValueLabel>("Who adds the declination");
+    ValueLabel& line = *named<ValueLabel>("Where the declination is applied");
     EXPECT_TRUE(line.text().endsWith(QStringLiteral("(WMM-2025, 2025.0 to 2030.0)"))) << line.text().toStdString();
     EXPECT_EQ(Tone::Secondary, line.tone());
     EXPECT_FALSE(line.isElided());
@@ -234,11 +234,11 @@ TEST_F(NorthPagesTest, WhatWasTakenBackAndReplacedIsToldAsSuch)
     status.calibration = std::make_shared<const CalibrationStatus>(calibration);
     show(CalibrationStep::History, status);
     auto& table = *named<QTableView>("Calibrations that were applied");
-    EXPECT_TRUE(table.model()->index(1, 1).data().toString().endsWith(QStringLiteral("(taken back)")));
+    EXPECT_TRUE(table.model()->index(1, 1).data().toString().endsWith(QStringLiteral("(undone)")));
     table.selectRow(1);
     EXPECT_TRUE(named<QPlainTextEdit>("The selected calibration")
                     ->toPlainText()
-                    .contains(QStringLiteral("another was applied since")));
+                    .contains(QStringLiteral("another calibration was applied later")));
 }
 
 }  // namespace

@@ -134,7 +134,7 @@ TEST_F(ProfilePageTest, TheBeamWidthComesFromDishOrGain)
 TEST_F(ProfilePageTest, WhatIsNoValueIsRefusedAndWhatClashesIsMarked)
 {
     edit("azimuth.max_speed", "fast");
-    EXPECT_TRUE(says("Top speed: \"fast\" is not a number"));
+    EXPECT_TRUE(says("Top speed: \"fast\" is not a number."));
     EXPECT_EQ(firstCell(SettingTree::Value), QStringLiteral("10.0 °/s"));
     edit("park.elevation", "95");
     EXPECT_TRUE(firstCell(SettingTree::Value).startsWith(QStringLiteral("▲ 95.0 °")))

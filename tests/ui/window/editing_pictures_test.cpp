@@ -46,8 +46,9 @@ TEST_P(EditingPictures, AreTakenOfTheViewsOfTheLog)
                                            QStringLiteral("moves the mount from 10.00° 20.00°: P 339.50° 57.00°")));
     update.log.back().kind = LogKind::MotionStart;
     give(update);
-    for (const auto& [scene, choice] : {std::pair("log-alarms", "Alarms of now and since the start of the window"),
-                                        std::pair("log-motions", "Who moved the mount, and why")}) {
+    for (const auto& [scene, choice] :
+         {std::pair("log-alarms", "Active alarms, and all alarms since the start of the window"),
+          std::pair("log-motions", "Who moved the mount, and why")}) {
         QTest::mouseClick(named<ChoiceButton>(choice), Qt::LeftButton);
         take(QLatin1String(scene));
     }

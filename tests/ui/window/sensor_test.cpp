@@ -50,18 +50,18 @@ TEST(SensorReadout, ALostOneShowsNoNumber)
     SensorStatus lost = calibrated();
     lost.presence = orientation::Presence::Lost;
     lost.direction.reset();
-    lost.problem = QStringLiteral("/dev/ttyUSB0 is gone: plug the sensor in again");
+    lost.problem = QStringLiteral("/dev/ttyUSB0 is gone. Plug the sensor in again");
     SensorReadout readout;
     readout.showStatus(lost);
     EXPECT_FALSE(shown(readout, "Direction by the sensor").contains(QLatin1String("334")));
     EXPECT_EQ(shown(readout, "Sensor against the axes"), lost.problem);
-    EXPECT_EQ(readout.findChild<CalibrationBars*>()->accessibleName(), QStringLiteral("Calibration: not told"));
+    EXPECT_EQ(readout.findChild<CalibrationBars*>()->accessibleName(), QStringLiteral("Calibration: not reported"));
 }
 
 TEST(CalibrationBars, SayTheirDigits)
 {
     CalibrationBars bars;
-    EXPECT_EQ(bars.accessibleName(), QStringLiteral("Calibration: not told"));
+    EXPECT_EQ(bars.accessibleName(), QStringLiteral("Calibration: not reported"));
     bars.showCalibration(orientation::Calibration{.system = 0, .gyro = 3, .accelerometer = 1, .magnetometer = 2});
     EXPECT_EQ(bars.accessibleName(),
               QStringLiteral("Calibration: system 0, gyro 3, accelerometer 1, magnetometer 2 of 3"));

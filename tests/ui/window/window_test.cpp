@@ -44,8 +44,8 @@ TEST_F(WindowTest, ShowsStateTargetSourceLinksAndTime)
 {
     give(samples::update(samples::operatorMoving()));
     EXPECT_EQ(text("Station state"), QStringLiteral("SLEW"));
-    EXPECT_EQ(text("Target and who gave it"), QStringLiteral("Go to 113.0° 10.0°, by operator"));
-    EXPECT_EQ(text("Who may move the mount"), QStringLiteral("Control: you"));
+    EXPECT_EQ(text("Target and its source"), QStringLiteral("Go to 113.0° 10.0°, by operator"));
+    EXPECT_EQ(text("Who has control"), QStringLiteral("Control: you"));
     EXPECT_EQ(text("UTC"), QStringLiteral("17:06:19Z"));
     EXPECT_EQ(text("Simulated mount"), QStringLiteral("SIMULATED"));
     EXPECT_EQ(text("Actual azimuth"), QStringLiteral("62.00°"));
@@ -60,7 +60,7 @@ TEST_F(WindowTest, ShowsStateTargetSourceLinksAndTime)
 TEST_F(WindowTest, TheClientListIsInTheTooltip)
 {
     give(samples::update(samples::withClients(samples::tracking(1), 3)));
-    const QString help = named<ValueLabel>("Who may move the mount")->toolTip();
+    const QString help = named<ValueLabel>("Who has control")->toolTip();
     EXPECT_TRUE(help.contains(QLatin1String("listens on 127.0.0.1:4533")));
     EXPECT_TRUE(help.contains(QLatin1String("127.0.0.1:51236")));
     EXPECT_TRUE(help.contains(QLatin1String("Gpredict")));
