@@ -66,10 +66,6 @@
 <context>
     <name>CalibrationWords</name>
     <message>
-        <source>North %1: %2 of it from the readings, %3 that no swing can see.</source>
-        <translation>Norte %1: %2 vêm das leituras, %3 que nenhum giro vê.</translation>
-    </message>
-    <message>
         <source>Hard iron %1, soft iron %2, readings scatter by %3.</source>
         <translation>Ferro duro %1, ferro macio %2, dispersão das leituras %3.</translation>
     </message>
@@ -134,14 +130,6 @@
         <translation>nenhum termo muda 0.01°</translation>
     </message>
     <message>
-        <source>Turning clockwise the sensor says %1 more than turning back.</source>
-        <translation>No sentido horário o sensor diz mais %1 do que na volta.</translation>
-    </message>
-    <message>
-        <source>No points yet: step 3 takes them</source>
-        <translation>Ainda não há pontos: o passo 3 toma-os</translation>
-    </message>
-    <message>
         <source>No fit of these points</source>
         <translation>Sem ajuste destes pontos</translation>
     </message>
@@ -152,10 +140,6 @@
     <message>
         <source>, χ² %1</source>
         <translation>, χ² %1</translation>
-    </message>
-    <message>
-        <source>Never look into the Sun, nor along a sight tube. A dish burns its feed: watch the shadow, be quick.</source>
-        <translation>Nunca olhe para o Sol, nem por um tubo de mira. Um prato queima o alimentador: siga a sombra, seja rápido.</translation>
     </message>
     <message>
         <source>%1 of %2 points</source>
@@ -186,10 +170,6 @@
         <translation>, pontos: rms %1 → %2</translation>
     </message>
     <message>
-        <source>The azimuth axis leans by %1 ± %2 towards %3. Where the elevation axis shows 0° the sensor says %4.</source>
-        <translation>O eixo de azimute inclina-se %1 ± %2 para %3. Onde o eixo de elevação mostra 0° o sensor diz %4.</translation>
-    </message>
-    <message>
         <source>north stays</source>
         <translation>o norte mantém-se</translation>
     </message>
@@ -208,6 +188,26 @@
     <message>
         <source>No fit: %1</source>
         <translation>Sem ajuste: %1</translation>
+    </message>
+    <message>
+        <source>North %1. Of the uncertainty %2 are from the readings, %3 are invisible to a swing.</source>
+        <translation>Norte %1: %2 vêm das leituras, %3 que nenhum giro vê.</translation>
+    </message>
+    <message>
+        <source>The azimuth axis leans by %1 ± %2 towards %3. At 0° of the elevation axis the sensor reports %4.</source>
+        <translation>O eixo de azimute inclina-se %1 ± %2 para %3. Onde o eixo de elevação mostra 0° o sensor diz %4.</translation>
+    </message>
+    <message>
+        <source>No points yet. Take them in step 3</source>
+        <translation>Ainda não há pontos: o passo 3 toma-os</translation>
+    </message>
+    <message>
+        <source>Turning clockwise, the sensor reads %1 more than turning back.</source>
+        <translation>No sentido horário o sensor diz mais %1 do que na volta.</translation>
+    </message>
+    <message>
+        <source>Never look into the Sun or along a sight tube. The Sun can burn the feed of a dish. Use the shadow and be quick.</source>
+        <translation>Nunca olhe para o Sol, nem por um tubo de mira. Um prato queima o alimentador: siga a sombra, seja rápido.</translation>
     </message>
 </context>
 <context>
@@ -410,15 +410,15 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
 <context>
     <name>HorizonFiles</name>
     <message>
-        <source>the file is too long for a horizon</source>
-        <translation>o arquivo é longo demais para um horizonte</translation>
-    </message>
-    <message>
         <source>%1 points read</source>
         <translation>%1 pontos lidos</translation>
     </message>
     <message>
-        <source>%1 points read, %2 more at an azimuth that has a higher one left out</source>
+        <source>The file is too long for a horizon.</source>
+        <translation>o arquivo é longo demais para um horizonte</translation>
+    </message>
+    <message>
+        <source>%1 points read. %2 lower points at the same azimuth were left out</source>
         <translation>%1 pontos lidos, mais %2 omitidos num azimute que tem outro mais alto</translation>
     </message>
 </context>
@@ -816,10 +816,6 @@ até %1</translation>
         <translation>Os acionamentos não foram lidos</translation>
     </message>
     <message>
-        <source>Nothing moves until it is taken back; then the drives are read anew</source>
-        <translation>Nada se move até ele ser retomado; então os acionamentos são lidos de novo</translation>
-    </message>
-    <message>
         <source>Nothing may move: %1</source>
         <translation>Nada pode mover-se: %1</translation>
     </message>
@@ -830,6 +826,10 @@ até %1</translation>
     <message>
         <source>Fit to move, drives switched off</source>
         <translation>Apto a mover, acionamentos desligados</translation>
+    </message>
+    <message>
+        <source>Nothing moves until you take it back. Then Boresight reads the drives again</source>
+        <translation>Nada se move até ele ser retomado; então os acionamentos são lidos de novo</translation>
     </message>
 </context>
 <context>
@@ -1447,14 +1447,6 @@ até %1</translation>
         <translation>horizonte</translation>
     </message>
     <message>
-        <source>what is forbidden</source>
-        <translation>o que é proibido</translation>
-    </message>
-    <message>
-        <source>there is no way from %1 to %2: %3 is in between</source>
-        <translation>não há caminho de %1 para %2: no meio está %3</translation>
-    </message>
-    <message>
         <source>1 or -1 is expected</source>
         <translation>espera-se 1 ou -1</translation>
     </message>
@@ -1703,10 +1695,6 @@ até %1</translation>
         <translation>%1: é maior que 4 MB</translation>
     </message>
     <message>
-        <source>a place is not on the globe</source>
-        <translation>um lugar não está no globo</translation>
-    </message>
-    <message>
         <source>an argument is longer than %1 characters</source>
         <translation>um argumento tem mais de %1 caracteres</translation>
     </message>
@@ -1727,20 +1715,8 @@ até %1</translation>
         <translation>o servidor foi encerrado</translation>
     </message>
     <message>
-        <source>refused: its address is not among those that may connect</source>
-        <translation>recusado: o seu endereço não está entre os que podem conectar-se</translation>
-    </message>
-    <message>
         <source>refused: %1 clients are connected</source>
         <translation>recusado: %1 clientes estão conectados</translation>
-    </message>
-    <message>
-        <source>its address may not connect any more</source>
-        <translation>o seu endereço já não pode conectar-se</translation>
-    </message>
-    <message>
-        <source>no descriptor left: new clients wait</source>
-        <translation>não restam descritores: novos clientes esperam</translation>
     </message>
     <message>
         <source>lost: %1</source>
@@ -1779,16 +1755,8 @@ até %1</translation>
         <translation>enviou %1 bytes sem fim de linha</translation>
     </message>
     <message>
-        <source>is no rotctld client (%1)</source>
-        <translation>não é um cliente rotctld (%1)</translation>
-    </message>
-    <message>
         <source>closed the connection</source>
         <translation>fechou a conexão</translation>
-    </message>
-    <message>
-        <source>said goodbye</source>
-        <translation>despediu-se</translation>
     </message>
     <message>
         <source>&quot;%1&quot; refused: %2</source>
@@ -1813,10 +1781,6 @@ até %1</translation>
     <message>
         <source>limits are set in the profile, not by clients</source>
         <translation>os limites definem-se no perfil, não pelos clientes</translation>
-    </message>
-    <message>
-        <source>raw commands have no way to the drives</source>
-        <translation>comandos diretos não têm caminho até aos acionamentos</translation>
     </message>
     <message>
         <source>there is no function &quot;%1&quot;</source>
@@ -2027,10 +1991,6 @@ até %1</translation>
         <translation>termina o movimento: %1</translation>
     </message>
     <message>
-        <source>a trim beyond %1° is not a correction any more</source>
-        <translation>uma compensação acima de %1° já não é uma correção</translation>
-    </message>
-    <message>
         <source>at the end of the travel</source>
         <translation>no fim de curso</translation>
     </message>
@@ -2057,10 +2017,6 @@ até %1</translation>
     <message>
         <source>connected</source>
         <translation>conectado</translation>
-    </message>
-    <message>
-        <source>gone: %1</source>
-        <translation>saiu: %1</translation>
     </message>
     <message>
         <source>every drive must answer</source>
@@ -2275,22 +2231,6 @@ até %1</translation>
     <message>
         <source>Look for wind, ice, friction or a load out of balance.</source>
         <translation>Procure vento, gelo, atrito ou uma carga desequilibrada.</translation>
-    </message>
-    <message>
-        <source>the motor is still at %1 °C; it must cool down to %2 °C</source>
-        <translation>o motor ainda está a %1 °C; tem de esfriar até %2 °C</translation>
-    </message>
-    <message>
-        <source>the drive board is still at %1 °C; it must cool down to %2 °C</source>
-        <translation>a placa do acionamento ainda está a %1 °C; tem de esfriar até %2 °C</translation>
-    </message>
-    <message>
-        <source>the supply is still at %1 V; %2 V are needed</source>
-        <translation>a alimentação ainda está em %1 V; são precisos %2 V</translation>
-    </message>
-    <message>
-        <source>the supply is still at %1 V; at most %2 V are permitted</source>
-        <translation>a alimentação ainda está em %1 V; são permitidos no máximo %2 V</translation>
     </message>
     <message>
         <source>writing the settings of %1 was interrupted: some are in force but not stored</source>
@@ -2557,24 +2497,8 @@ até %1</translation>
         <translation>desconhecido deste firmware</translation>
     </message>
     <message>
-        <source>it is too large for the memory of a mount</source>
-        <translation>é grande demais para a memória de uma montagem</translation>
-    </message>
-    <message>
         <source>The journal file %1 is missing</source>
         <translation>Falta o arquivo do diário %1</translation>
-    </message>
-    <message>
-        <source>The journal file %1 cannot be used: %2; it is kept as %3</source>
-        <translation>O arquivo do diário %1 não pode ser usado: %2; fica guardado como %3</translation>
-    </message>
-    <message>
-        <source>The journal file %1 cannot be used: %2; it could not be put aside</source>
-        <translation>O arquivo do diário %1 não pode ser usado: %2; não foi possível pô-lo de lado</translation>
-    </message>
-    <message>
-        <source>the one before it was taken: %1</source>
-        <translation>foi usado o anterior: %1</translation>
     </message>
     <message>
         <source>%1 is not finite</source>
@@ -2609,64 +2533,12 @@ até %1</translation>
         <translation>está vazio</translation>
     </message>
     <message>
-        <source>it is torn or damaged at byte %1: %2</source>
-        <translation>está cortado ou danificado no byte %1: %2</translation>
-    </message>
-    <message>
-        <source>it is not the memory of a mount</source>
-        <translation>não é a memória de uma montagem</translation>
-    </message>
-    <message>
-        <source>its version %1 is not known to this program, which reads version %2</source>
-        <translation>este programa não conhece a sua versão %1; lê a versão %2</translation>
-    </message>
-    <message>
-        <source>its checksum is wrong: it was changed or damaged</source>
-        <translation>a sua soma de verificação está errada: foi alterado ou danificado</translation>
-    </message>
-    <message>
-        <source>The journal is dated %1 in the future: this computer&apos;s clock was put back</source>
-        <translation>O diário tem data de %1 no futuro: o relógio deste computador foi atrasado</translation>
-    </message>
-    <message>
-        <source>The journal proves no turn any more: a doubt arose after it was written</source>
-        <translation>O diário já não prova nenhuma volta: surgiu uma dúvida depois de ser escrito</translation>
-    </message>
-    <message>
-        <source>This computer was restarted since, and no time server vouches for its clock: whether the drive kept its power cannot be told</source>
-        <translation>Este computador foi reiniciado desde então, e nenhum servidor de tempo responde pelo seu relógio: não se pode dizer se o acionamento manteve a alimentação</translation>
-    </message>
-    <message>
-        <source>The drive&apos;s clock starts again every 49.7 days: whether the drive kept its power cannot be told</source>
-        <translation>O relógio do acionamento recomeça a cada 49.7 dias: não se pode dizer se o acionamento manteve a alimentação</translation>
-    </message>
-    <message>
         <source>The drive was restarted %1 ago</source>
         <translation>O acionamento foi reiniciado há %1</translation>
     </message>
     <message>
-        <source>The clocks of the drive and of this computer disagree about the time since the journal: whether the drive kept its power cannot be told</source>
-        <translation>Os relógios do acionamento e deste computador não concordam sobre o tempo desde o diário: não se pode dizer se o acionamento manteve a alimentação</translation>
-    </message>
-    <message>
-        <source>The drive did not tell whether its position was set since</source>
-        <translation>O acionamento não disse se a sua posição foi definida desde então</translation>
-    </message>
-    <message>
-        <source>The drive&apos;s encoder settings were changed since: it counts anew</source>
-        <translation>Os parâmetros do encoder do acionamento foram alterados desde então: ele conta de novo</translation>
-    </message>
-    <message>
-        <source>The drive&apos;s position was set since: what it reports is no motion</source>
-        <translation>A posição do acionamento foi definida desde então: o que ele relata não é movimento</translation>
-    </message>
-    <message>
         <source>The journal is of another drive (%1)</source>
         <translation>O diário é de outro acionamento (%1)</translation>
-    </message>
-    <message>
-        <source>Zero, direction or gear of the axis were changed since the journal was written</source>
-        <translation>O zero, o sentido ou a redução do eixo foram alterados desde que o diário foi escrito</translation>
     </message>
     <message>
         <source>The profile trusts the drive&apos;s position</source>
@@ -2677,68 +2549,12 @@ até %1</translation>
         <translation>O acionamento manteve a alimentação desde que o diário foi escrito</translation>
     </message>
     <message>
-        <source>The sensor says %1</source>
-        <translation>O sensor diz %1</translation>
-    </message>
-    <message>
         <source>There is no sensor to compare with</source>
         <translation>Não há sensor com que comparar</translation>
     </message>
     <message>
-        <source>The drive does not know where the axis is: enter the angle</source>
-        <translation>O acionamento não sabe onde está o eixo: escreva o ângulo</translation>
-    </message>
-    <message>
-        <source>The drive reports %1, and no turn of that lies within %2° of the travel: enter the angle</source>
-        <translation>O acionamento relata %1, e nenhuma volta disso fica a menos de %2° do curso: escreva o ângulo</translation>
-    </message>
-    <message>
-        <source>The drive reports a place that is possible at %1 only</source>
-        <translation>O acionamento relata um lugar que só é possível em %1</translation>
-    </message>
-    <message>
-        <source>The angle is known to a multiple of %1 only: %2 places from %3 to %4 are possible</source>
-        <translation>O ângulo só se conhece a menos de um múltiplo de %1: são possíveis %2 lugares de %3 a %4</translation>
-    </message>
-    <message>
-        <source>Direction %1 is known, the turn is not: %2 are possible</source>
-        <translation>A direção %1 é conhecida, a volta não: são possíveis %2</translation>
-    </message>
-    <message>
-        <source>The angle is known to a multiple of %1 only: %2 are possible</source>
-        <translation>O ângulo só se conhece a menos de um múltiplo de %1: são possíveis %2</translation>
-    </message>
-    <message>
         <source>%1 or %2</source>
         <translation>%1 ou %2</translation>
-    </message>
-    <message>
-        <source>The journal says nothing about this axis</source>
-        <translation>O diário não diz nada sobre este eixo</translation>
-    </message>
-    <message>
-        <source>The journal says %1, written while moving</source>
-        <translation>O diário diz %1, escrito em movimento</translation>
-    </message>
-    <message>
-        <source>The journal says %1, written at rest</source>
-        <translation>O diário diz %1, escrito em repouso</translation>
-    </message>
-    <message>
-        <source>The journal says %1, %2 old, written while moving</source>
-        <translation>O diário diz %1, escrito em movimento há %2</translation>
-    </message>
-    <message>
-        <source>The journal says %1, %2 old, written at rest</source>
-        <translation>O diário diz %1, escrito em repouso há %2</translation>
-    </message>
-    <message>
-        <source>The nearest of them is %1 from the journal: the axis was moved meanwhile</source>
-        <translation>O mais próximo deles fica a %1 do diário: o eixo foi movido entretanto</translation>
-    </message>
-    <message>
-        <source>The axis may have moved on since, and places %1 apart look the same to the drive: the journal cannot tell which</source>
-        <translation>O eixo pode ter continuado a mover-se desde então, e lugares a %1 um do outro parecem iguais ao acionamento: o diário não sabe dizer qual</translation>
     </message>
     <message>
         <source>%1 days</source>
@@ -2769,30 +2585,6 @@ até %1</translation>
         <translation>%1 está em %2: %3</translation>
     </message>
     <message>
-        <source>the drive&apos;s console does not stop talking; send &quot;tel stop&quot;</source>
-        <translation>o console do acionamento não para de falar; envie &quot;tel stop&quot;</translation>
-    </message>
-    <message>
-        <source>the drive&apos;s console did not answer the command</source>
-        <translation>o console do acionamento não respondeu ao comando</translation>
-    </message>
-    <message>
-        <source>the drive says: %1</source>
-        <translation>o acionamento diz: %1</translation>
-    </message>
-    <message>
-        <source>drive %1 does not answer on its console</source>
-        <translation>o acionamento %1 não responde no seu console</translation>
-    </message>
-    <message>
-        <source>a part of the answer was lost; repeat the command</source>
-        <translation>perdeu-se uma parte da resposta; repita o comando</translation>
-    </message>
-    <message>
-        <source>another bus is being looked at: wait a moment</source>
-        <translation>outro barramento está sendo examinado: espere um momento</translation>
-    </message>
-    <message>
         <source>USB serial port</source>
         <translation>Porta serial USB</translation>
     </message>
@@ -2813,10 +2605,6 @@ até %1</translation>
         <translation>embutida, para experimentar tudo sem montagem</translation>
     </message>
     <message>
-        <source>The drive&apos;s zero was set or lost since the journal was written</source>
-        <translation>O zero do acionamento foi definido ou perdido desde que o diário foi escrito</translation>
-    </message>
-    <message>
         <source>The drive&apos;s position was set by another tool</source>
         <translation>A posição do acionamento foi definida por outra ferramenta</translation>
     </message>
@@ -2825,68 +2613,12 @@ até %1</translation>
         <translation>%1: sem permissão. Entre no grupo dialout com `sudo usermod -aG dialout $USER`, depois inicie a sessão de novo</translation>
     </message>
     <message>
-        <source>%1: nothing comes: has the sensor power, and its WiFi (without it, it is silent)?</source>
-        <translation>%1: não chega nada: o sensor tem energia e a sua rede WiFi (sem ela, fica em silêncio)?</translation>
-    </message>
-    <message>
-        <source>%1: what comes is damaged or no sentence of the sensor: is sensor.baud (%2) right?</source>
-        <translation>%1: o que chega está danificado ou não é sentença do sensor: sensor.baud (%2) está certo?</translation>
-    </message>
-    <message>
-        <source>%1: what comes is no sentence of the sensor, but: &quot;%2&quot;</source>
-        <translation>%1: o que chega não é sentença do sensor, mas: &quot;%2&quot;</translation>
-    </message>
-    <message>
-        <source>%1 is gone: plug the sensor in again</source>
-        <translation>%1 desapareceu: volte a conectar o sensor</translation>
-    </message>
-    <message>
-        <source>%1 is gone: plug the sensor in again; it is found in any socket as %2</source>
-        <translation>%1 desapareceu: volte a conectar o sensor; é encontrado em qualquer tomada como %2</translation>
-    </message>
-    <message>
         <source>%1 cannot be read: %2</source>
         <translation>não se pode ler %1: %2</translation>
     </message>
     <message>
-        <source>%1 is too large for the coefficients of a World Magnetic Model</source>
-        <translation>%1 é grande demais para os coeficientes de um World Magnetic Model</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>the term n = %1, m = %2 is missing</source>
-        <translation>falta o termo n = %1, m = %2</translation>
-    </message>
-    <message>
-        <source>a line of nines is expected after degree %1</source>
-        <translation>depois do grau %1 espera-se uma linha de noves</translation>
-    </message>
-    <message>
-        <source>the file ends without its line of nines</source>
-        <translation>o arquivo termina sem a sua linha de noves</translation>
-    </message>
-    <message>
-        <source>this is no header of a magnetic model, which is an epoch, a name and a date</source>
-        <translation>isto não é o cabeçalho de um modelo magnético, que é uma época, um nome e uma data</translation>
-    </message>
-    <message>
-        <source>%1 numbers instead of 6: n m g h and the changes of g and h</source>
-        <translation>%1 números em vez de 6: n m g h e as variações de g e h</translation>
-    </message>
-    <message>
-        <source>the term n = %1, m = %2 is expected</source>
-        <translation>espera-se o termo n = %1, m = %2</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no number</source>
-        <translation>&quot;%1&quot; não é um número</translation>
-    </message>
-    <message>
-        <source>h of a term with m = 0 is not 0</source>
-        <translation>h de um termo com m = 0 não é 0</translation>
     </message>
     <message>
         <source>line %1: %2</source>
@@ -2937,112 +2669,12 @@ até %1</translation>
         <translation>sem motivo indicado</translation>
     </message>
     <message>
-        <source>wants a user name and a password: set mqtt.user and mqtt.password</source>
-        <translation>exige nome de usuário e senha: defina mqtt.user e mqtt.password</translation>
-    </message>
-    <message>
-        <source>refuses the user &quot;%1&quot; or the password: check mqtt.user and mqtt.password</source>
-        <translation>recusa o usuário &quot;%1&quot; ou a senha: verifique mqtt.user e mqtt.password</translation>
-    </message>
-    <message>
-        <source>is mqtt.port the broker&apos;s port for TLS?</source>
-        <translation>mqtt.port é a porta TLS do broker?</translation>
-    </message>
-    <message>
-        <source>is mqtt.port right, and does this port want TLS?</source>
-        <translation>mqtt.port está certa, e esta porta exige TLS?</translation>
-    </message>
-    <message>
-        <source>the encryption could not be agreed on (%1): %2</source>
-        <translation>não houve acordo sobre a cifra (%1): %2</translation>
-    </message>
-    <message>
-        <source>is not trusted: %1</source>
-        <translation>não merece confiança: %1</translation>
-    </message>
-    <message>
-        <source>refuses MQTT 3.1.1: a newer broker is needed</source>
-        <translation>recusa MQTT 3.1.1: é preciso um broker mais novo</translation>
-    </message>
-    <message>
-        <source>refuses the client id &quot;%1&quot;: change mqtt.client_id</source>
-        <translation>recusa o identificador de cliente &quot;%1&quot;: mude mqtt.client_id</translation>
-    </message>
-    <message>
-        <source>says that it does not serve at the moment</source>
-        <translation>diz que não atende no momento</translation>
-    </message>
-    <message>
-        <source>the name cannot be resolved (%1): check mqtt.host and the network</source>
-        <translation>não se encontra o nome (%1): verifique mqtt.host e a rede</translation>
-    </message>
-    <message>
-        <source>no connection (%1): does the broker run there?</source>
-        <translation>sem conexão (%1): o broker funciona ali?</translation>
-    </message>
-    <message>
-        <source>no answer: check mqtt.host, the network and the firewall</source>
-        <translation>sem resposta: verifique mqtt.host, a rede e o firewall</translation>
-    </message>
-    <message>
-        <source>takes the connection and says nothing: %1</source>
-        <translation>aceita a conexão e não diz nada: %1</translation>
-    </message>
-    <message>
-        <source>closes the connection before it says anything: %1</source>
-        <translation>fecha a conexão antes de dizer algo: %1</translation>
-    </message>
-    <message>
-        <source>the connection is lost (%1)</source>
-        <translation>a conexão foi perdida (%1)</translation>
-    </message>
-    <message>
-        <source>the connection is lost (nothing was heard any more)</source>
-        <translation>a conexão foi perdida (não se ouviu mais nada)</translation>
-    </message>
-    <message>
-        <source>says something that is not MQTT: %1</source>
-        <translation>diz algo que não é MQTT: %1</translation>
-    </message>
-    <message>
         <source>MQTT broker %1: %2</source>
         <translation>broker MQTT %1: %2</translation>
     </message>
     <message>
         <source>closed by the broker</source>
         <translation>fechada pelo broker</translation>
-    </message>
-    <message>
-        <source>encryption cannot be set up: %1</source>
-        <translation>não se pode preparar a cifra: %1</translation>
-    </message>
-    <message>
-        <source>no certificate of an authority can be read from %1 (%2): check mqtt.ca_file</source>
-        <translation>não se pode ler de %1 nenhum certificado de autoridade (%2): verifique mqtt.ca_file</translation>
-    </message>
-    <message>
-        <source>its certificate has expired, or this computer&apos;s clock is wrong</source>
-        <translation>o seu certificado expirou, ou o relógio deste computador está errado</translation>
-    </message>
-    <message>
-        <source>its certificate is not valid yet, or this computer&apos;s clock is wrong</source>
-        <translation>o seu certificado ainda não é válido, ou o relógio deste computador está errado</translation>
-    </message>
-    <message>
-        <source>its certificate is not made for &quot;%1&quot;: check mqtt.host</source>
-        <translation>o seu certificado não é para &quot;%1&quot;: verifique mqtt.host</translation>
-    </message>
-    <message>
-        <source>its certificate is signed by nobody this computer knows: set mqtt.ca_file</source>
-        <translation>o seu certificado não é assinado por ninguém que este computador conheça: defina mqtt.ca_file</translation>
-    </message>
-    <message>
-        <source>its certificate is not signed by the authority in %1: check mqtt.ca_file</source>
-        <translation>o seu certificado não é assinado pela autoridade em %1: verifique mqtt.ca_file</translation>
-    </message>
-    <message>
-        <source>%1: what comes on %2 is no message of the sensor (%3)</source>
-        <translation>%1: o que chega em %2 não é mensagem do sensor (%3)</translation>
     </message>
     <message>
         <source>one line of at most 200 bytes is expected</source>
@@ -3065,104 +2697,12 @@ até %1</translation>
         <translation>conectado ao broker %1</translation>
     </message>
     <message>
-        <source>%1 (tried again and again)</source>
-        <translation>%1 (tenta-se de novo repetidamente)</translation>
-    </message>
-    <message>
-        <source>lets us in and hangs up soon after: was it stopped, or does another program use the client id &quot;%1&quot;?</source>
-        <translation>deixa entrar e desliga logo depois: foi parado, ou outro programa usa o identificador de cliente &quot;%1&quot;?</translation>
-    </message>
-    <message>
-        <source>a reading is not a number</source>
-        <translation>uma leitura não é um número</translation>
-    </message>
-    <message>
-        <source>the tilt is read with the boom between %1 and %2</source>
-        <translation>a inclinação lê-se com a lança entre %1 e %2</translation>
-    </message>
-    <message>
-        <source>the tilt needs readings over %1 of azimuth at least</source>
-        <translation>a inclinação precisa de leituras em pelo menos %1 de azimute</translation>
-    </message>
-    <message>
-        <source>%1 readings are too few for the tilt</source>
-        <translation>%1 leituras são poucas para a inclinação</translation>
-    </message>
-    <message>
-        <source>%1 samples could be used: too few for a swing</source>
-        <translation>só %1 amostras serviram: poucas para a volta da bússola</translation>
-    </message>
-    <message>
-        <source>where the mount stood for sample %1 is not known</source>
-        <translation>não se sabe onde estava a montagem na amostra %1</translation>
-    </message>
-    <message>
-        <source>the sensor&apos;s heading does not follow the mount, neither clockwise nor counter-clockwise</source>
-        <translation>o rumo do sensor não acompanha a montagem, nem no sentido horário nem no anti-horário</translation>
-    </message>
-    <message>
-        <source>the power has no peak along this line</source>
-        <translation>a potência não tem pico ao longo desta linha</translation>
-    </message>
-    <message>
-        <source>the power changes by %1 dB only along this line</source>
-        <translation>a potência varia apenas %1 dB ao longo desta linha</translation>
-    </message>
-    <message>
-        <source>the peak is uncertain by %1: the readings scatter too much</source>
-        <translation>o pico é incerto em %1: as leituras dispersam-se demais</translation>
-    </message>
-    <message>
-        <source>too near to the zenith: azimuth says nothing there</source>
-        <translation>perto demais do zênite: ali o azimute nada diz</translation>
-    </message>
-    <message>
         <source>across: %1</source>
         <translation>de través: %1</translation>
     </message>
     <message>
         <source>in elevation: %1</source>
         <translation>em elevação: %1</translation>
-    </message>
-    <message>
-        <source>the points do not determine the azimuth&apos;s offset</source>
-        <translation>os pontos não determinam o desvio do azimute</translation>
-    </message>
-    <message>
-        <source>point %1 is not a number, or without a sigma</source>
-        <translation>o ponto %1 não é um número, ou não tem sigma</translation>
-    </message>
-    <message>
-        <source>there is no point</source>
-        <translation>não há nenhum ponto</translation>
-    </message>
-    <message>
-        <source>near what was known of it, until there are %1 points</source>
-        <translation>perto do que dele se sabia, até haver %1 pontos</translation>
-    </message>
-    <message>
-        <source>as it was known, until there are %1 points</source>
-        <translation>como se conhecia, até haver %1 pontos</translation>
-    </message>
-    <message>
-        <source>what was known of it counts as much as the points</source>
-        <translation>o que dele se sabia pesa tanto quanto os pontos</translation>
-    </message>
-    <message>
-        <source>the points do not ask for it</source>
-        <translation>os pontos não o pedem</translation>
-    </message>
-    <message>
-        <source>point %1 is %2 from where the other points say it should be</source>
-        <translation>o ponto %1 está a %2 de onde os outros pontos dizem que deveria estar</translation>
-    </message>
-    <message>
-        <source>the points scatter %1 times as much as their sigmas say</source>
-        <translation>os pontos dispersam-se %1 vezes mais do que dizem os seus sigmas</translation>
-    </message>
-    <message>
-        <source>all points lie within %1 of azimuth: the tilt is seen from one side only</source>
-        <translation>todos os pontos cabem em %1 de azimute: a inclinação só é vista de um lado</translation>
     </message>
     <message>
         <source>%1 is not within %2…%3</source>
@@ -3189,96 +2729,8 @@ até %1</translation>
         <translation>falta</translation>
     </message>
     <message>
-        <source>the magnetometer&apos;s calibration is %1 of 3, and %2 is needed: move the sensor in figures of eight, away from iron</source>
-        <translation>a calibração do magnetômetro é %1 de 3, e é preciso %2: mova o sensor em forma de oito, longe de ferro</translation>
-    </message>
-    <message>
-        <source>the sensor&apos;s system calibration is %1 of 3, and %2 is needed: its heading is not yet tied to magnetic north</source>
-        <translation>a calibração do sistema do sensor é %1 de 3, e é preciso %2: o rumo ainda não está ligado ao norte magnético</translation>
-    </message>
-    <message>
-        <source>the mount is moving: it has to stand still</source>
-        <translation>a montagem move-se: tem de estar parada</translation>
-    </message>
-    <message>
-        <source>where the mount stands is not known</source>
-        <translation>não se sabe onde está a montagem</translation>
-    </message>
-    <message>
-        <source>there are %1 readings, and %2 are needed</source>
-        <translation>há %1 leituras, e são precisas %2</translation>
-    </message>
-    <message>
-        <source>the readings drift together: take them for a longer time</source>
-        <translation>as leituras derivam juntas: recolha-as por mais tempo</translation>
-    </message>
-    <message>
-        <source>the readings disagree: they scatter by %1, and %2 of %3 are far off</source>
-        <translation>as leituras discordam: dispersam-se em %1, e %2 de %3 estão muito longe</translation>
-    </message>
-    <message>
-        <source>the readings scatter by %1 about the curve</source>
-        <translation>as leituras dispersam-se em %1 em torno da curva</translation>
-    </message>
-    <message>
-        <source>iron near the sensor deflects the needle by %1: it is nearly as strong as the Earth&apos;s field</source>
-        <translation>ferro perto do sensor desvia a agulha em %1: é quase tão forte quanto o campo da Terra</translation>
-    </message>
-    <message>
-        <source>%1 of %2 readings are far off the curve</source>
-        <translation>%1 de %2 leituras estão muito longe da curva</translation>
-    </message>
-    <message>
-        <source>%1 of the circle are unreliable</source>
-        <translation>%1 do círculo não são de confiança</translation>
-    </message>
-    <message>
-        <source>only %1 of 12 sectors were seen, with a gap of %2: soft iron (twice round the circle) could not be told</source>
-        <translation>só foram vistos %1 de 12 setores, com uma lacuna de %2: não se pôde reconhecer o ferro doce (duas vezes por volta)</translation>
-    </message>
-    <message>
-        <source>the azimuths are unequally filled: some sectors have few readings</source>
-        <translation>os azimutes estão desigualmente preenchidos: alguns setores têm poucas leituras</translation>
-    </message>
-    <message>
-        <source>it turned one way only: latency and hysteresis are not seen</source>
-        <translation>girou só para um lado: não se veem a latência nem a histerese</translation>
-    </message>
-    <message>
-        <source>from %1 to %2 the compass is off by %3: unreliable there</source>
-        <translation>de %1 a %2 a bússola erra em %3: ali não é de confiança</translation>
-    </message>
-    <message>
-        <source>the compass follows the motors&apos; current by %1</source>
-        <translation>a bússola segue a corrente dos motores em %1</translation>
-    </message>
-    <message>
-        <source>in %1 of %2 readings the magnetometer&apos;s calibration is below %3: move the sensor in figures of eight, away from iron, then swing again</source>
-        <translation>em %1 de %2 leituras a calibração do magnetômetro está abaixo de %3: mova o sensor em forma de oito, longe de ferro, e dê a volta outra vez</translation>
-    </message>
-    <message>
-        <source>%1 of 12 sectors were seen, with a gap of %2: a swing has to see more of the circle; take north from the still mount instead</source>
-        <translation>foram vistos %1 de 12 setores, com uma lacuna de %2: a volta tem de ver mais do círculo; tome antes o norte com a montagem parada</translation>
-    </message>
-    <message>
-        <source>the sensor does not tell how well its compass is calibrated</source>
-        <translation>o sensor não diz quão bem a sua bússola está calibrada</translation>
-    </message>
-    <message>
         <source>its compass is not calibrated (magnetometer %1, system %2 of 3)</source>
         <translation>a sua bússola não está calibrada (magnetômetro %1, sistema %2 de 3)</translation>
-    </message>
-    <message>
-        <source>the orientation sensor is heard: %1</source>
-        <translation>o sensor de orientação é recebido: %1</translation>
-    </message>
-    <message>
-        <source>the orientation sensor has been restarted: its calibration begins anew</source>
-        <translation>o sensor de orientação reiniciou: a sua calibração recomeça</translation>
-    </message>
-    <message>
-        <source>its messages hold more than is known here: %1</source>
-        <translation>as suas mensagens contêm mais do que aqui se conhece: %1</translation>
     </message>
     <message>
         <source>The orientation sensor and the axes differ by %1 in azimuth</source>
@@ -3329,80 +2781,16 @@ até %1</translation>
         <translation>O feixe pode estar a menos de %1° do Sol, porque a montagem só tem um eixo</translation>
     </message>
     <message>
-        <source>the readings do not determine the tilt: read it at more azimuths</source>
-        <translation>as leituras não determinam a inclinação: leia-a em mais azimutes</translation>
-    </message>
-    <message>
-        <source>the peak is not inside this line: move its middle by %1 or more and scan again</source>
-        <translation>o pico não está dentro desta linha: desloque o meio dela em %1 ou mais e varra de novo</translation>
-    </message>
-    <message>
-        <source>no mount fits these points: does each tell the direction of what the beam was on?</source>
-        <translation>nenhuma montagem se ajusta a estes pontos: cada um diz a direção daquilo para que o feixe apontava?</translation>
-    </message>
-    <message>
-        <source>the sensor repeats one value to the last digit: switch it off and on</source>
-        <translation>o sensor repete um valor até o último dígito: desligue-o e ligue-o</translation>
-    </message>
-    <message>
-        <source>%1 readings are too few, or do not agree: take more</source>
-        <translation>%1 leituras são poucas, ou não concordam: faça mais</translation>
-    </message>
-    <message>
-        <source>the deviation is so steep that different directions give the same reading, or nearly so</source>
-        <translation>o desvio é tão íngreme que direções diferentes dão a mesma leitura, ou quase</translation>
-    </message>
-    <message>
-        <source>the two ways of turning differ by %1: sensor.latency_s is not right, or something has play; north is the mean of both</source>
-        <translation>os dois sentidos de giro diferem em %1: sensor.latency_s não está certo, ou algo tem folga; o norte é a média dos dois</translation>
-    </message>
-    <message>
-        <source>the curve holds with the boom at %1: %2 higher or lower it is uncertain by %3</source>
-        <translation>a curva vale com a lança a %1: %2 acima ou abaixo ela é incerta em %3</translation>
-    </message>
-    <message>
-        <source>the points do not determine the azimuth&apos;s offset: take one away from the zenith</source>
-        <translation>os pontos não determinam o desvio do azimute: tome um longe do zênite</translation>
-    </message>
-    <message>
-        <source>the magnetic model %1 is valid from %2 to %3, not in %4: a file of the present one is needed (World Magnetic Model, .COF); type the declination meanwhile</source>
-        <translation>o modelo magnético %1 vale de %2 a %3, não em %4: é preciso um arquivo do atual (World Magnetic Model, .COF); enquanto isso, digite a declinação</translation>
-    </message>
-    <message>
         <source>the profile does not say where the mount stands: Sun and Moon need the site</source>
         <translation>o perfil não diz onde está a montagem: Sol e Lua precisam do local</translation>
-    </message>
-    <message>
-        <source>the %1 is below the horizon</source>
-        <translation>%1 está abaixo do horizonte</translation>
     </message>
     <message>
         <source>the profile keeps the beam away from the Sun: if feed and receiver bear it, switch sun.keep_away off first</source>
         <translation>o perfil mantém o feixe afastado do Sol: se o alimentador e o receptor o suportarem, desligue primeiro sun.keep_away</translation>
     </message>
     <message>
-        <source>the %1 is not followed any more: the mount was told otherwise</source>
-        <translation>%1 já não é seguido: a montagem recebeu outra ordem</translation>
-    </message>
-    <message>
-        <source>the %1 is not followed any more</source>
-        <translation>%1 já não é seguido</translation>
-    </message>
-    <message>
         <source>the mount still moves</source>
         <translation>a montagem ainda se move</translation>
-    </message>
-    <message>
-        <source>there are %1 points already: drop some</source>
-        <translation>já há %1 pontos: descarte alguns</translation>
-    </message>
-    <message>
-        <source>follow the Sun or the Moon first, and centre it</source>
-        <translation>siga primeiro o Sol ou a Lua, e centre-o</translation>
-    </message>
-    <message>
-        <source>an azimuth within 360° and an elevation within 90° are expected</source>
-        <translation>espera-se um azimute até 360° e uma elevação até 90°</translation>
     </message>
     <message>
         <source>landmark</source>
@@ -3417,52 +2805,16 @@ até %1</translation>
         <translation>gira a bússola: %1</translation>
     </message>
     <message>
-        <source>a scan is %1° to %2° wide</source>
-        <translation>uma varredura tem de %1° a %2° de largura</translation>
-    </message>
-    <message>
-        <source>this is no power in dB</source>
-        <translation>isto não é uma potência em dB</translation>
-    </message>
-    <message>
         <source>ended by the operator</source>
         <translation>terminado pelo operador</translation>
-    </message>
-    <message>
-        <source>with this the profile would not make sense, %1: change that first</source>
-        <translation>com isto o perfil não faria sentido, %1: altere isso primeiro</translation>
-    </message>
-    <message>
-        <source>this is not what is proposed any more: look at it again first</source>
-        <translation>já não é isto que se propõe: veja-o primeiro de novo</translation>
     </message>
     <message>
         <source>applies &quot;%1&quot;: %2</source>
         <translation>aplica &quot;%1&quot;: %2</translation>
     </message>
     <message>
-        <source>there is no calibration to take back</source>
-        <translation>não há calibração para desfazer</translation>
-    </message>
-    <message>
-        <source>takes back &quot;%1&quot;</source>
-        <translation>desfaz &quot;%1&quot;</translation>
-    </message>
-    <message>
-        <source>there is no calibration to bring back</source>
-        <translation>não há calibração para refazer</translation>
-    </message>
-    <message>
         <source>applies &quot;%1&quot; again</source>
         <translation>aplica &quot;%1&quot; de novo</translation>
-    </message>
-    <message>
-        <source>the calibrations of before cannot be read, and new ones are kept in memory only: %1</source>
-        <translation>as calibrações anteriores não podem ser lidas, e as novas ficam só na memória: %1</translation>
-    </message>
-    <message>
-        <source>the calibrations could not be written: %1</source>
-        <translation>não foi possível gravar as calibrações: %1</translation>
     </message>
     <message>
         <source>azimuth offset</source>
@@ -3493,18 +2845,6 @@ até %1</translation>
         <translation>flexão em elevação</translation>
     </message>
     <message>
-        <source>the azimuth axis shows 0° at a true azimuth of %1 ± %2</source>
-        <translation>o eixo de azimute mostra 0° num azimute verdadeiro de %1 ± %2</translation>
-    </message>
-    <message>
-        <source>north is known to %1 only: Sun or Moon will tell it better</source>
-        <translation>o norte só se conhece a %1: o Sol ou a Lua dizem-no melhor</translation>
-    </message>
-    <message>
-        <source>; the azimuth axis leans by %1 ± %2 towards %3</source>
-        <translation>; o eixo de azimute inclina-se %1 ± %2 para %3</translation>
-    </message>
-    <message>
         <source>North from the sensor</source>
         <translation>Norte pelo sensor</translation>
     </message>
@@ -3529,56 +2869,8 @@ até %1</translation>
         <translation>com outro acionamento</translation>
     </message>
     <message>
-        <source>The beam looks into the Sun: nobody looks along it, nor through a sight tube without a solar filter; mind the heat in the feed</source>
-        <translation>O feixe aponta ao Sol: ninguém olhe ao longo dele, nem por um tubo de visada sem filtro solar; cuidado com o calor no alimentador</translation>
-    </message>
-    <message>
-        <source>a calibration is running: end it first</source>
-        <translation>há uma calibração em curso: termine-a primeiro</translation>
-    </message>
-    <message>
-        <source>the profile names no orientation sensor</source>
-        <translation>o perfil não indica nenhum sensor de orientação</translation>
-    </message>
-    <message>
-        <source>the orientation sensor has said nothing yet</source>
-        <translation>o sensor de orientação ainda não disse nada</translation>
-    </message>
-    <message>
-        <source>the orientation sensor has said nothing for %1 s</source>
-        <translation>o sensor de orientação não diz nada há %1 s</translation>
-    </message>
-    <message>
-        <source>the magnetometer is calibrated to %1 of 3 only, it needs %2: move the sensor in figures of eight</source>
-        <translation>o magnetômetro só está calibrado a %1 de 3, precisa de %2: mova o sensor em forma de oito</translation>
-    </message>
-    <message>
-        <source>the clients have the control: take it before the mount is swung</source>
-        <translation>os clientes têm o controle: assuma-o antes de girar a montagem</translation>
-    </message>
-    <message>
         <source>done, from %1 readings</source>
         <translation>feito, de %1 leituras</translation>
-    </message>
-    <message>
-        <source>where the mount stands is not known any more</source>
-        <translation>já não se sabe onde está a montagem</translation>
-    </message>
-    <message>
-        <source>the mount does not get on: something holds it</source>
-        <translation>a montagem não avança: algo a retém</translation>
-    </message>
-    <message>
-        <source>a compass is of no use here: %1</source>
-        <translation>aqui uma bússola não serve: %1</translation>
-    </message>
-    <message>
-        <source>nobody told the power</source>
-        <translation>ninguém indicou a potência</translation>
-    </message>
-    <message>
-        <source>done: the peak is a point now</source>
-        <translation>feito: o pico é agora um ponto</translation>
     </message>
     <message>
         <source>%1, peak</source>
@@ -3587,10 +2879,6 @@ até %1</translation>
     <message>
         <source>ends without a result: %1</source>
         <translation>termina sem resultado: %1</translation>
-    </message>
-    <message>
-        <source>there is no point %1</source>
-        <translation>não há ponto %1</translation>
     </message>
     <message>
         <source>back to the middle</source>
@@ -3613,18 +2901,6 @@ até %1</translation>
         <translation>calibração</translation>
     </message>
     <message>
-        <source>a swing turns at %1 to %2°/s</source>
-        <translation>um giro faz-se a %1 até %2°/s</translation>
-    </message>
-    <message>
-        <source>a swing stops at %1 to %2 headings, or at none</source>
-        <translation>um giro para em %1 a %2 rumos, ou em nenhum</translation>
-    </message>
-    <message>
-        <source>only %1 of azimuth are free at this elevation, a swing needs %2: raise the boom</source>
-        <translation>só há %1 de azimute livres nesta elevação, um giro precisa de %2: levante a lança</translation>
-    </message>
-    <message>
         <source>azimuth axis from %1 to %2 and back, elevation stays at %3</source>
         <translation>eixo de azimute de %1 a %2 e de volta, a elevação fica em %3</translation>
     </message>
@@ -3637,20 +2913,8 @@ até %1</translation>
         <translation>com %1 paradas em cada sentido</translation>
     </message>
     <message>
-        <source>no tilt at this elevation: it is read between %1 and %2, best at 30°</source>
-        <translation>sem inclinação nesta elevação: lê-se entre %1 e %2, o melhor é 30°</translation>
-    </message>
-    <message>
         <source>about %1 min %2 s</source>
         <translation>cerca de %1 min %2 s</translation>
-    </message>
-    <message>
-        <source>the boom stands in what is forbidden: drive it out first</source>
-        <translation>a lança está no que é proibido: tire-a primeiro de lá</translation>
-    </message>
-    <message>
-        <source>going to where the swing begins</source>
-        <translation>indo para onde o giro começa</translation>
     </message>
     <message>
         <source>turning clockwise</source>
@@ -3659,50 +2923,6 @@ até %1</translation>
     <message>
         <source>turning counter-clockwise</source>
         <translation>girando no sentido anti-horário</translation>
-    </message>
-    <message>
-        <source>%1 is missing: every term is expected, also those of 0</source>
-        <translation>falta %1: espera-se cada termo, também os que são 0</translation>
-    </message>
-    <message>
-        <source>%1 is no date like 2026-11-21T21:34:00Z</source>
-        <translation>%1 não é uma data como 2026-11-21T21:34:00Z</translation>
-    </message>
-    <message>
-        <source>%1 is no site: latitude, longitude and height are expected, like 48.2 16.37 200</source>
-        <translation>%1 não é um local: espera-se latitude, longitude e altura, como 48.2 16.37 200</translation>
-    </message>
-    <message>
-        <source>unknown term %1</source>
-        <translation>termo desconhecido %1</translation>
-    </message>
-    <message>
-        <source>%1 stands in line %2 already</source>
-        <translation>%1 já está na linha %2</translation>
-    </message>
-    <message>
-        <source>the value of %1 is missing</source>
-        <translation>falta o valor de %1</translation>
-    </message>
-    <message>
-        <source>the unit of %1 is missing: deg, arcmin or arcsec</source>
-        <translation>falta a unidade de %1: deg, arcmin ou arcsec</translation>
-    </message>
-    <message>
-        <source>unknown unit %1: deg, arcmin or arcsec is expected</source>
-        <translation>unidade desconhecida %1: espera-se deg, arcmin ou arcsec</translation>
-    </message>
-    <message>
-        <source>%1 is too much: name, value, unit and sigma are expected</source>
-        <translation>%1 está a mais: espera-se nome, valor, unidade e sigma</translation>
-    </message>
-    <message>
-        <source>%1 is no sigma: a number above 0 is expected, or - where it is not known</source>
-        <translation>%1 não é um sigma: espera-se um número acima de 0, ou - onde não é conhecido</translation>
-    </message>
-    <message>
-        <source>%1 is too long for the terms of a pointing model</source>
-        <translation>%1 é longo demais para os termos de um modelo de apontamento</translation>
     </message>
     <message>
         <source>a host name or address is expected, without port, brackets or ://</source>
@@ -3733,26 +2953,6 @@ até %1</translation>
         <translation>pontos</translation>
     </message>
     <message>
-        <source>the sensor keeps the north of its swing: sensor and axes will then differ by about %1</source>
-        <translation>o sensor mantém o norte do seu giro: sensor e eixos vão então diferir em cerca de %1</translation>
-    </message>
-    <message>
-        <source>the text is of another mount: &quot;%1&quot;</source>
-        <translation>o texto é de outra montagem: &quot;%1&quot;</translation>
-    </message>
-    <message>
-        <source>the text is of another azimuth drive: where its axis shows 0° may differ</source>
-        <translation>o texto é de outro acionamento de azimute: onde o eixo mostra 0° pode diferir</translation>
-    </message>
-    <message>
-        <source>the text is of another elevation drive: where its axis shows 0° may differ</source>
-        <translation>o texto é de outro acionamento de elevação: onde o eixo mostra 0° pode diferir</translation>
-    </message>
-    <message>
-        <source>the text is of another site: north and tilt may differ</source>
-        <translation>o texto é de outro local: norte e inclinação podem diferir</translation>
-    </message>
-    <message>
         <source>Typed terms</source>
         <translation>Termos digitados</translation>
     </message>
@@ -3765,10 +2965,6 @@ até %1</translation>
         <translation>Termos de %1</translation>
     </message>
     <message>
-        <source>these are the terms that are in force already</source>
-        <translation>estes são os termos que já estão em vigor</translation>
-    </message>
-    <message>
         <source>The pointing model in force (&quot;%1&quot;, %2) was applied with another drive</source>
         <translation>O modelo de apontamento em vigor (&quot;%1&quot;, %2) foi aplicado com outro acionamento</translation>
     </message>
@@ -3777,104 +2973,16 @@ até %1</translation>
         <translation>O modelo de apontamento em vigor (&quot;%1&quot;, %2) foi aplicado em outro local</translation>
     </message>
     <message>
-        <source>%1 is a list of many authorities: name the one that signed the broker&apos;s certificate, or leave mqtt.ca_file empty to trust those this computer knows</source>
-        <translation>%1 é uma lista de muitas autoridades: indique a que assinou o certificado do broker, ou deixe mqtt.ca_file vazio para confiar nas que este computador conhece</translation>
-    </message>
-    <message>
         <source>arcs of headings from 0 to 360° are expected, like &quot;40-80, 350-20&quot;</source>
         <translation>esperam-se arcos de rumos de 0 a 360°, como &quot;40-80, 350-20&quot;</translation>
-    </message>
-    <message>
-        <source>the sensor is heard again: the swing goes on</source>
-        <translation>o sensor volta a ouvir-se: o giro da bússola continua</translation>
-    </message>
-    <message>
-        <source>the swing stands still for %1 s at most: %2</source>
-        <translation>o giro da bússola fica parado %1 s no máximo: %2</translation>
-    </message>
-    <message>
-        <source>steel steers its compass around %1: the swing found it unreliable there</source>
-        <translation>o aço conduz a bússola dele perto de %1: o giro mostrou que aí não é de fiar</translation>
-    </message>
-    <message>
-        <source>standing still until the sensor is heard again, %1 s more at most</source>
-        <translation>parado até o sensor voltar a ouvir-se, mais %1 s no máximo</translation>
-    </message>
-    <message>
-        <source>%1 cannot be listened at: %2</source>
-        <translation>não é possível escutar em %1: %2</translation>
-    </message>
-    <message>
-        <source>%1: no connection to the receiver&apos;s program: %2</source>
-        <translation>%1: sem conexão com o programa do receptor: %2</translation>
-    </message>
-    <message>
-        <source>%1: nothing comes: is the receiver&apos;s program running, and does it send here?</source>
-        <translation>%1: nada chega: o programa do receptor está em execução, e envia para cá?</translation>
-    </message>
-    <message>
-        <source>%1: what comes is no power in dB: %2</source>
-        <translation>%1: o que chega não é uma potência em dB: %2</translation>
-    </message>
-    <message>
-        <source>there is no number in it</source>
-        <translation>não há um número nela</translation>
-    </message>
-    <message>
-        <source>which of its numbers is the power is not sure</source>
-        <translation>não é certo qual dos seus números é a potência</translation>
-    </message>
-    <message>
-        <source>its number cannot be read for sure</source>
-        <translation>o seu número não pode ser lido com certeza</translation>
-    </message>
-    <message>
-        <source>more than %1 dB is no power</source>
-        <translation>mais de %1 dB não é uma potência</translation>
     </message>
     <message>
         <source>its unit is not dB</source>
         <translation>a sua unidade não é dB</translation>
     </message>
     <message>
-        <source>the mount does not come to rest</source>
-        <translation>a montagem não chega ao repouso</translation>
-    </message>
-    <message>
-        <source>The sensor was heard all the time since the turn was known, and has seen it turn to about %1 (± %2)</source>
-        <translation>O sensor foi ouvido o tempo todo desde que a volta era conhecida, e viu-o girar até cerca de %1 (± %2)</translation>
-    </message>
-    <message>
-        <source>: that speaks against %1, so nothing is proposed: look at the cable</source>
-        <translation>: isso contradiz %1, por isso nada se propõe: olhe para o cabo</translation>
-    </message>
-    <message>
-        <source>: that agrees with what is proposed</source>
-        <translation>: isso concorda com o que se propõe</translation>
-    </message>
-    <message>
-        <source>: none of the places is near that</source>
-        <translation>: nenhum dos lugares fica perto disso</translation>
-    </message>
-    <message>
         <source>readings: %1</source>
         <translation>leituras: %1</translation>
-    </message>
-    <message>
-        <source>STOP ended it: there is no result</source>
-        <translation>STOP terminou-o: não há resultado</translation>
-    </message>
-    <message>
-        <source>a fault ended it: there is no result</source>
-        <translation>uma falha terminou-o: não há resultado</translation>
-    </message>
-    <message>
-        <source>another command to the mount ended it: there is no result</source>
-        <translation>outro comando à montagem terminou-o: não há resultado</translation>
-    </message>
-    <message>
-        <source>the place to park would then be forbidden, %1: set another one first (tab Mount, Profile, &quot;park&quot;), then apply</source>
-        <translation>o lugar de estacionar ficaria então proibido, %1: defina outro primeiro (separador Montagem, Perfil, &quot;park&quot;), depois aplique</translation>
     </message>
     <message>
         <source>Scan less wide, or when the %1 stands elsewhere. Not every place around it is permitted: %2</source>
@@ -3885,88 +2993,12 @@ até %1</translation>
         <translation>%1 está de repente noutro lugar: o relógio deste computador ou o local foi mudado; a montagem mantém-se parada, siga de novo se isso estiver certo</translation>
     </message>
     <message>
-        <source>the terms or the sensor in the profile were changed</source>
-        <translation>os termos ou o sensor no perfil foram mudados</translation>
-    </message>
-    <message>
-        <source>the sensor was started anew meanwhile: its compass may count otherwise now</source>
-        <translation>o sensor foi reiniciado entretanto: a sua bússola pode agora contar de outro modo</translation>
-    </message>
-    <message>
-        <source>the sensor was silent meanwhile and does not tell how it is calibrated: if it was started anew, repeat the swing</source>
-        <translation>o sensor esteve em silêncio entretanto e não diz como está calibrado: se foi reiniciado, repita o giro</translation>
-    </message>
-    <message>
-        <source>the beam was shifted by hand in the middle of the scan</source>
-        <translation>o feixe foi deslocado à mão no meio da varredura</translation>
-    </message>
-    <message>
-        <source>the beam does not get to a place of the scan: %1</source>
-        <translation>o feixe não chega a um lugar da varredura: %1</translation>
-    </message>
-    <message>
-        <source>with the boom at %1 the compass says nothing: lower it to %2 or less, best to 30°</source>
-        <translation>com a lança a %1 a bússola nada diz: baixe-a a %2 ou menos, o melhor é 30°</translation>
-    </message>
-    <message>
-        <source>%1: on %2 there is only what the broker has kept from before, nothing live: has the sensor power and WiFi?</source>
-        <translation>%1: em %2 só há o que o broker guardou de antes, nada ao vivo: o sensor tem energia e WiFi?</translation>
-    </message>
-    <message>
-        <source>the pointing model was changed since, %1, and that would be lost: take it back on the page Profile first, or type the terms that you want</source>
-        <translation>o modelo de apontamento foi alterado desde então, %1, e isso perder-se-ia: anule-o primeiro na página Perfil, ou escreva os termos que quer</translation>
-    </message>
-    <message>
-        <source>the sensor&apos;s mounting or deviation was changed since, and that would be lost: take it back on the page Profile first</source>
-        <translation>a montagem do sensor ou o desvio foi alterado desde então, e isso perder-se-ia: anule-o primeiro na página Perfil</translation>
-    </message>
-    <message>
-        <source>the settings of the sensor or the declination have changed: what was found with the former is not proposed any more; measure again</source>
-        <translation>as definições do sensor ou a declinação mudaram: o que se encontrou com as anteriores já não é proposto; meça de novo</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; was applied with another drive or at another site: see where north is before you rely on what comes into force</source>
-        <translation>&quot;%1&quot; foi aplicado com outro acionamento ou noutro local: veja onde fica o norte antes de confiar no que entra em vigor</translation>
-    </message>
-    <message>
-        <source>the turn of an axis had to be told anew since the first of these points: if it was told otherwise than it stood before, the points do not fit together; drop those from before</source>
-        <translation>a volta de um eixo teve de ser indicada de novo desde o primeiro destes pontos: se foi indicada de outro modo do que estava, os pontos não combinam; retire os de antes</translation>
-    </message>
-    <message>
-        <source>%1: the broker refuses to let us read %2: permit it in the broker&apos;s access list (ACL), or set mqtt.user and mqtt.password</source>
-        <translation>%1: o broker não nos deixa ler %2: permita-o na lista de acesso (ACL) do broker ou defina mqtt.user e mqtt.password</translation>
-    </message>
-    <message>
-        <source>%1: the broker refuses to let us read %2: permit it in the broker&apos;s access list (ACL) to the user &quot;%3&quot;</source>
-        <translation>%1: o broker não nos deixa ler %2: permita-o na lista de acesso (ACL) do broker ao usuário &quot;%3&quot;</translation>
-    </message>
-    <message>
-        <source>%1: nothing comes on %2: has the sensor power and WiFi, is this its topic, and does the broker&apos;s access list let us read it?</source>
-        <translation>%1: não chega nada em %2: o sensor tem energia e WiFi, este é o tópico dele e a lista de acesso do broker nos deixa lê-lo?</translation>
-    </message>
-    <message>
-        <source>a motor draws %1 A, and above %2 A (sensor.still_current_a) it would turn the needle: let the mount rest</source>
-        <translation>um motor consome %1 A, e acima de %2 A (sensor.still_current_a) desviaria a agulha: deixe a montagem em repouso</translation>
-    </message>
-    <message>
         <source>far off the curve</source>
         <translation>muito longe da curva</translation>
     </message>
     <message>
-        <source>with the magnetometer&apos;s calibration below %1</source>
-        <translation>com a calibração do magnetômetro abaixo de %1</translation>
-    </message>
-    <message>
-        <source>with a motor above %1 A (sensor.swing_current_a)</source>
-        <translation>com um motor acima de %1 A (sensor.swing_current_a)</translation>
-    </message>
-    <message>
         <source>turning faster than %1°/s</source>
         <translation>girando a mais de %1°/s</translation>
-    </message>
-    <message>
-        <source>%1 of %2 readings were left out: %3</source>
-        <translation>%1 de %2 leituras ficaram de fora: %3</translation>
     </message>
     <message>
         <source>done, from %1 of %2 readings; left out: %3</source>
@@ -3981,68 +3013,8 @@ até %1</translation>
         <translation>%1, ficaram de fora: %2</translation>
     </message>
     <message>
-        <source>in %1 of %2 readings a motor draws more than %3 A (sensor.swing_current_a): see what holds the mount, or raise that limit</source>
-        <translation>em %1 de %2 leituras um motor consome mais de %3 A (sensor.swing_current_a): veja o que prende a montagem, ou aumente esse limite</translation>
-    </message>
-    <message>
-        <source>too much to put right: see how the box sits on the boom, and what the elevation axis shows</source>
-        <translation>demais para corrigir: veja como a caixa está no braço e o que o eixo de elevação mostra</translation>
-    </message>
-    <message>
-        <source>sensor and elevation axis differ by %1</source>
-        <translation>sensor e eixo de elevação diferem %1</translation>
-    </message>
-    <message>
-        <source>taken as a box that lies askew on the boom, the elevation of the beam stays</source>
-        <translation>tomado como uma caixa torta no braço, a elevação do feixe fica</translation>
-    </message>
-    <message>
-        <source>more than a box lies askew: the zero of the elevation axis is off</source>
-        <translation>mais do que uma caixa fica torta: o zero do eixo de elevação está errado</translation>
-    </message>
-    <message>
-        <source>the zero of elevation moves by %1: see first that the box lies along the boom</source>
-        <translation>o zero da elevação muda %1: veja antes se a caixa está alinhada com o braço</translation>
-    </message>
-    <message>
-        <source>; where the elevation axis shows 0° the sensor says %1 ± %2: %3</source>
-        <translation>; onde o eixo de elevação mostra 0° o sensor diz %1 ± %2: %3</translation>
-    </message>
-    <message>
-        <source>%1 points that were taken before are here again; they count when every drive has reported its identity</source>
-        <translation>%1 pontos tomados antes estão de novo aqui; contam quando todos os acionamentos tiverem indicado a sua identidade</translation>
-    </message>
-    <message>
-        <source>all points are about as high: the azimuth&apos;s offset and the collimation cannot be told apart; take one much higher or lower, or one over the top</source>
-        <translation>todos os pontos têm quase a mesma altura: não se distinguem o desvio do azimute e a colimação; tome um bem mais alto ou mais baixo, ou um passando pelo zênite</translation>
-    </message>
-    <message>
-        <source>by the model in force the beam is %1° beside it: if it was not centred, drop point %2</source>
-        <translation>pelo modelo em vigor, o feixe está a %1° dele: se não estava centrado, descarte o ponto %2</translation>
-    </message>
-    <message>
-        <source>the compass contradicts the north in force by %1, more than both may err: apply this if the mount was moved or has slipped; if iron came near, take it away and measure again</source>
-        <translation>a bússola contradiz o norte em vigor em %1, mais do que ambos podem errar: aplique isto se a montagem foi movida ou escorregou; se ferro se aproximou, afaste-o e meça de novo</translation>
-    </message>
-    <message>
-        <source>north stays: it is known to %1, a compass to %2</source>
-        <translation>o norte mantém-se: conhece-se a %1, por uma bússola a %2</translation>
-    </message>
-    <message>
-        <source>tilt stays: it is known to %1, a swing to %2</source>
-        <translation>a inclinação mantém-se: conhece-se a %1, por um giro a %2</translation>
-    </message>
-    <message>
-        <source>the mast leans otherwise than the tilt in force says, by %1: see that it stands firm</source>
-        <translation>o mastro inclina-se de outro modo do que diz a inclinação em vigor, em %1: veja se está firme</translation>
-    </message>
-    <message>
         <source>Offset of the sensor</source>
         <translation>Desvio do sensor</translation>
-    </message>
-    <message>
-        <source>the sensor is made to agree at this one heading: a new swing does it at all of them</source>
-        <translation>o sensor é posto de acordo só neste rumo: um novo giro fá-lo em todos</translation>
     </message>
     <message>
         <source>Curve of the compass</source>
@@ -4051,22 +3023,6 @@ até %1</translation>
     <message>
         <source>mounting or curve of the sensor</source>
         <translation>montagem ou curva do sensor</translation>
-    </message>
-    <message>
-        <source>the mount follows the %1: hold it first</source>
-        <translation>a montagem segue: %1; retenha-a primeiro</translation>
-    </message>
-    <message>
-        <source>better raise the boom to 30° first: there it reads tilt and curve best</source>
-        <translation>melhor levantar antes a lança a 30°: ali leem-se melhor a inclinação e a curva</translation>
-    </message>
-    <message>
-        <source>%1 readings are too few: a peak needs %2</source>
-        <translation>%1 leituras são poucas: um pico precisa de %2</translation>
-    </message>
-    <message>
-        <source>the peak is narrower than the steps: scan less wide</source>
-        <translation>o pico é mais estreito que os passos: faça uma varredura menos larga</translation>
     </message>
     <message>
         <source>%1, changed by hand since</source>
@@ -4089,10 +3045,6 @@ até %1</translation>
         <translation>O Boresight está a ser fechado: a montagem é parada</translation>
     </message>
     <message>
-        <source>these points wait until every drive has reported its identity</source>
-        <translation>estes pontos esperam até que todos os acionamentos tenham indicado a sua identidade</translation>
-    </message>
-    <message>
         <source>another program</source>
         <translation>outro programa</translation>
     </message>
@@ -4107,14 +3059,6 @@ até %1</translation>
     <message>
         <source>it is not a regular file</source>
         <translation>não é um arquivo comum</translation>
-    </message>
-    <message>
-        <source>%1 controls this mount already: its journal %2 is in use</source>
-        <translation>%1 já controla esta montagem: o diário %2 desta está em uso</translation>
-    </message>
-    <message>
-        <source>no way from %1 to %2 was found in time: there are too many keep-outs</source>
-        <translation>não se achou a tempo um caminho de %1 para %2: há zonas proibidas a mais</translation>
     </message>
     <message>
         <source>Sun at any time: the clock is not synchronised</source>
@@ -4189,14 +3133,6 @@ até %1</translation>
         <translation>o perfil foi lido de novo e está em vigor</translation>
     </message>
     <message>
-        <source>the profile was read again; these settings wait for a restart: %1</source>
-        <translation>o perfil foi lido de novo; estes parâmetros esperam por um reinício: %1</translation>
-    </message>
-    <message>
-        <source>MQTT broker %1: a message of %2 kB was dropped; the limit is %3 kB</source>
-        <translation>broker MQTT %1: foi descartada uma mensagem de %2 kB; o limite é %3 kB</translation>
-    </message>
-    <message>
         <source>The %1 stands at %2, outside its travel (%3 to %4). Jog it back slowly.</source>
         <translation>O %1 está em %2, fora do seu curso (%3 a %4). Traga-o de volta devagar com movimento manual.</translation>
     </message>
@@ -4245,20 +3181,12 @@ até %1</translation>
         <translation>o %1 não se move: está a %2 da sua referência com %3 Nm dos %4 Nm permitidos, há %5</translation>
     </message>
     <message>
-        <source>%1 is to reach %2°/s within %3 s: the %4 Nm allowed are enough for a moment of inertia of %5 kg·m² at most, without friction and wind</source>
-        <translation>o %1 deve atingir %2°/s em %3 s: os %4 Nm permitidos chegam no máximo para um momento de inércia de %5 kg·m², sem atrito nem vento</translation>
-    </message>
-    <message>
         <source>%1 lines were lost: the disk did not store them in time</source>
         <translation>perderam-se %1 linhas: o disco não as guardou a tempo</translation>
     </message>
     <message>
         <source>Real-time scheduling: given back after 0.1 s of work without a pause.</source>
         <translation>Escalonamento em tempo real: devolvido após 0.1 s de trabalho sem pausa.</translation>
-    </message>
-    <message>
-        <source>the profile was not applied, the previous profile stays in force: %1</source>
-        <translation>o perfil não foi aplicado, o perfil anterior continua em vigor: %1</translation>
     </message>
     <message>
         <source>With &quot;synchronised&quot; Boresight computes the Sun only from a clock that NTP or GPS set in the last 24 h. With &quot;trusted&quot; it uses the clock of this computer without that check.</source>
@@ -4269,24 +3197,12 @@ até %1</translation>
         <translation>Reduza max_acceleration_deg_s2 (%1) ou aumente max_torque_nm.</translation>
     </message>
     <message>
-        <source>the drive does not report its supply voltage</source>
-        <translation>o acionamento não informa a tensão de alimentação</translation>
-    </message>
-    <message>
-        <source>the drive does not report its temperature</source>
-        <translation>o acionamento não informa a temperatura</translation>
-    </message>
-    <message>
         <source>fault %2: %3</source>
         <translation>falha %2: %3</translation>
     </message>
     <message>
         <source>%1 cannot be locked (%2). A program of another user may control this mount. Start Boresight as that user, or with another --state-dir</source>
         <translation>%1 não pode ser bloqueado (%2). Um programa de outro usuário talvez controle esta montagem. Inicie o Boresight como esse usuário, ou com outro --state-dir</translation>
-    </message>
-    <message>
-        <source>the motor was at %1 °C and does not tell its temperature any more: mend its sensor, or let it cool down and start Boresight anew</source>
-        <translation>o motor estava a %1 °C e não informa mais a temperatura: repare o sensor, ou deixe-o esfriar e inicie o Boresight de novo</translation>
     </message>
     <message>
         <source>the drives are being read</source>
@@ -4301,26 +3217,6 @@ até %1</translation>
         <translation>no limite inferior %1</translation>
     </message>
     <message>
-        <source>it is not known where the %1 is</source>
-        <translation>não se sabe onde está: %1</translation>
-    </message>
-    <message>
-        <source>follow the %1 first</source>
-        <translation>primeiro é preciso seguir: %1</translation>
-    </message>
-    <message>
-        <source>nothing is proposed yet</source>
-        <translation>ainda não há nada proposto</translation>
-    </message>
-    <message>
-        <source>no scan waits for a power now</source>
-        <translation>nenhuma varredura espera agora por uma potência</translation>
-    </message>
-    <message>
-        <source>there are no points</source>
-        <translation>não há pontos</translation>
-    </message>
-    <message>
         <source>every setting is right</source>
         <translation>todos os parâmetros estão certos</translation>
     </message>
@@ -4331,10 +3227,6 @@ até %1</translation>
     <message>
         <source>moteus mode %1, fault %2</source>
         <translation>modo moteus %1, falha %2</translation>
-    </message>
-    <message>
-        <source>nothing is known of the station yet</source>
-        <translation>ainda não se sabe nada da estação</translation>
     </message>
     <message>
         <source>no source of motion takes this request</source>
@@ -5028,10 +3920,6 @@ até %1</translation>
     <message>
         <source>%1 is beyond the bounds of the drive, which would pull the axis back at once. Support the elevation and switch the drives off first.</source>
         <translation>%1 está além dos limites do acionamento, que puxaria logo o eixo de volta. Apoie a elevação e desligue primeiro os acionamentos.</translation>
-    </message>
-    <message>
-        <source>is gone, and its motion ends</source>
-        <translation>foi-se, e o seu movimento termina</translation>
     </message>
     <message>
         <source>jog ends because its keep-alive did not come</source>
@@ -6918,6 +5806,10 @@ até %1</translation>
         <translation>os ganhos de %1 estão guardados no acionamento</translation>
     </message>
     <message>
+        <source>Stored. The drive keeps them without power.</source>
+        <translation>Guardado. O acionamento mantém-nos sem alimentação.</translation>
+    </message>
+    <message>
         <source>Two boards with the id %1 are still connected. Disconnect one of them. Nothing was changed.</source>
         <translation>Ainda estão ligadas duas placas com o id %1. Desligue uma delas. Nada foi alterado.</translation>
     </message>
@@ -7054,8 +5946,16 @@ até %1</translation>
         <translation>A placa %1 tem agora o id %2. Foi relido e guardado. Desligue a alimentação, volte a ligar a outra placa e ligue a alimentação.</translation>
     </message>
     <message>
+        <source>setting the id of board %1 to %2, before %3</source>
+        <translation>a dar à placa %1 o id %2, tinha %3</translation>
+    </message>
+    <message>
         <source>The gear ratio of the %1 drive is %2 now. Boresight read it back and stored it, with the gains that depend on it. Press Fix next to write limits and speeds. Then check the tuning.</source>
         <translation>A redução do acionamento de %1 é agora %2. O Boresight releu-a e guardou-a, com os ganhos que dependem dela. Prima Corrigir a seguir para escrever limites e velocidades. Depois verifique a afinação.</translation>
+    </message>
+    <message>
+        <source>Limits, speeds and gains of the drive count turns of the axis. Boresight multiplies kp, ki and kd by %1, so the motor stays as stiff as before. Press Fix afterwards to write limits and speeds. Boresight asks for the cable wrap again.</source>
+        <translation>Limites, velocidades e ganhos do acionamento contam voltas do eixo. O Boresight multiplica kp, ki e kd por %1, para o motor ficar tão rígido como antes. Prima Corrigir depois para escrever limites e velocidades. O Boresight volta a perguntar a volta do cabo.</translation>
     </message>
     <message>
         <source>The drive check interrupted this. Read the gains again.</source>
@@ -7142,6 +6042,10 @@ até %1</translation>
         <translation>De um quarto a quatro vezes o valor guardado. Uma alteração maior é provavelmente um engano.</translation>
     </message>
     <message>
+        <source>At least ten times the bandwidth of the position control. Below it the measured speed is too late for the damping.</source>
+        <translation>Dez vezes a largura de banda do controlo de posição ou mais: abaixo disso a velocidade medida chega tarde demais para o amortecimento.</translation>
+    </message>
+    <message>
         <source>At most ten times kp, or four times the stored value. A faster integral makes the axis oscillate.</source>
         <translation>Dez vezes kp, ou quatro vezes o valor guardado. Um integral mais rápido faz o eixo oscilar sozinho.</translation>
     </message>
@@ -7160,6 +6064,10 @@ até %1</translation>
     <message>
         <source>Exchange the ids in the profile. If you exchanged the boards, end Boresight. Move the .memory.json files of the mount out of the state folder. Start Boresight again.</source>
         <translation>Troque os ids no perfil. Se as placas foram trocadas, termine o Boresight, tire os ficheiros .memory.json da montagem da pasta de estado e inicie de novo.</translation>
+    </message>
+    <message>
+        <source>The gear ratio of the profile (gear_ratio, gear_in). With another ratio every angle is wrong. Press Set gear to write it. The gains change with its square.</source>
+        <translation>a redução como está no perfil (gear_ratio, gear_in): com outra, todos os ângulos estão errados. Definir redução escreve-a: os ganhos mudam com o quadrado dela</translation>
     </message>
     <message>
         <source>The drive reported no torque, so there is no result.</source>
@@ -7294,24 +6202,1104 @@ até %1</translation>
         <translation>O eixo não se move. Algo o bloqueia, ou um limite prende-o</translation>
     </message>
     <message>
-        <source>setting the id of board %1 to %2. The old id is %3</source>
-        <translation>a definir o id da placa %1 para %2. O id antigo é %3</translation>
+        <source>Boresight is scanning another bus. Wait a moment.</source>
+        <translation>outro barramento está sendo examinado: espere um momento</translation>
     </message>
     <message>
-        <source>The limits, speeds and gains of the drive count turns of the axis. Boresight multiplies kp, ki and kd by %1. The motor stays as stiff as before. Press Fix afterwards to write limits and speeds. Boresight asks for the cable wrap again.</source>
-        <translation>Os limites, velocidades e ganhos do acionamento contam voltas do eixo. O Boresight multiplica kp, ki e kd por %1. O motor fica tão rígido como antes. Depois prima Corrigir para escrever limites e velocidades. O Boresight volta a perguntar a volta do cabo.</translation>
+        <source>A reading is not a number.</source>
+        <translation>uma leitura não é um número</translation>
     </message>
     <message>
-        <source>The gains are stored. The drive keeps them after a power cycle.</source>
-        <translation>Os ganhos estão guardados. O acionamento mantém-nos depois de desligado e ligado.</translation>
+        <source>The tilt is measured with the boom between %1 and %2.</source>
+        <translation>a inclinação lê-se com a lança entre %1 e %2</translation>
     </message>
     <message>
-        <source>Set at least ten times the bandwidth of the position control. With less, the measured speed is too late for the damping.</source>
-        <translation>Defina pelo menos dez vezes a largura de banda do controlo de posição. Com menos, a velocidade medida chega tarde demais para o amortecimento.</translation>
+        <source>The tilt needs readings over at least %1 of azimuth.</source>
+        <translation>a inclinação precisa de leituras em pelo menos %1 de azimute</translation>
     </message>
     <message>
-        <source>The gear ratio of the profile (gear_ratio, gear_in). With another ratio every angle is wrong. Press Set gear to write the ratio of the profile. Boresight also changes the gains.</source>
-        <translation>A relação de transmissão do perfil (gear_ratio, gear_in). Com outra relação todos os ângulos estão errados. Prima Definir redução para escrever a relação do perfil. O Boresight altera também os ganhos.</translation>
+        <source>%1 readings are not enough for the tilt.</source>
+        <translation>%1 leituras são poucas para a inclinação</translation>
+    </message>
+    <message>
+        <source>The readings do not determine the tilt. Take readings at more azimuths.</source>
+        <translation>as leituras não determinam a inclinação: leia-a em mais azimutes</translation>
+    </message>
+    <message>
+        <source>Only %1 samples can be used. That is not enough for a swing.</source>
+        <translation>só %1 amostras serviram: poucas para a volta da bússola</translation>
+    </message>
+    <message>
+        <source>The position of the mount at sample %1 is unknown.</source>
+        <translation>não se sabe onde estava a montagem na amostra %1</translation>
+    </message>
+    <message>
+        <source>The heading of the sensor does not follow the mount in either direction.</source>
+        <translation>o rumo do sensor não acompanha a montagem, nem no sentido horário nem no anti-horário</translation>
+    </message>
+    <message>
+        <source>%1 readings are not enough. A peak needs %2.</source>
+        <translation>%1 leituras são poucas: um pico precisa de %2</translation>
+    </message>
+    <message>
+        <source>The power has no peak along this line.</source>
+        <translation>a potência não tem pico ao longo desta linha</translation>
+    </message>
+    <message>
+        <source>The peak is outside this line. Move the middle of the scan by at least %1 and scan again.</source>
+        <translation>o pico não está dentro desta linha: desloque o meio dela em %1 ou mais e varra de novo</translation>
+    </message>
+    <message>
+        <source>The peak is narrower than the steps. Scan a smaller width.</source>
+        <translation>o pico é mais estreito que os passos: faça uma varredura menos larga</translation>
+    </message>
+    <message>
+        <source>The peak is uncertain by %1, because the readings scatter too much.</source>
+        <translation>o pico é incerto em %1: as leituras dispersam-se demais</translation>
+    </message>
+    <message>
+        <source>The power changes by only %1 dB along this line.</source>
+        <translation>a potência varia apenas %1 dB ao longo desta linha</translation>
+    </message>
+    <message>
+        <source>The beam is too near to the zenith. The azimuth has no meaning there.</source>
+        <translation>perto demais do zênite: ali o azimute nada diz</translation>
+    </message>
+    <message>
+        <source>Point %1 is not a number or has no sigma.</source>
+        <translation>o ponto %1 não é um número, ou não tem sigma</translation>
+    </message>
+    <message>
+        <source>There is no point.</source>
+        <translation>não há nenhum ponto</translation>
+    </message>
+    <message>
+        <source>kept near its known value until there are %1 points</source>
+        <translation>perto do que dele se sabia, até haver %1 pontos</translation>
+    </message>
+    <message>
+        <source>kept at its known value until there are %1 points</source>
+        <translation>como se conhecia, até haver %1 pontos</translation>
+    </message>
+    <message>
+        <source>its known value counts as much as the points</source>
+        <translation>o que dele se sabia pesa tanto quanto os pontos</translation>
+    </message>
+    <message>
+        <source>the points do not need it</source>
+        <translation>os pontos não o pedem</translation>
+    </message>
+    <message>
+        <source>Point %1 is %2 away from its place by the other points.</source>
+        <translation>o ponto %1 está a %2 de onde os outros pontos dizem que deveria estar</translation>
+    </message>
+    <message>
+        <source>The points scatter %1 times more than their sigmas.</source>
+        <translation>os pontos dispersam-se %1 vezes mais do que dizem os seus sigmas</translation>
+    </message>
+    <message>
+        <source>All points have nearly the same elevation, so azimuth offset and collimation cannot be separated. Take one point much higher or lower, or one over the top.</source>
+        <translation>todos os pontos têm quase a mesma altura: não se distinguem o desvio do azimute e a colimação; tome um bem mais alto ou mais baixo, ou um passando pelo zênite</translation>
+    </message>
+    <message>
+        <source>All points lie within %1 of azimuth. They show the tilt from one side only.</source>
+        <translation>todos os pontos cabem em %1 de azimute: a inclinação só é vista de um lado</translation>
+    </message>
+    <message>
+        <source>The points do not determine the azimuth offset.</source>
+        <translation>os pontos não determinam o desvio do azimute</translation>
+    </message>
+    <message>
+        <source>No model fits these points. Check the direction of each point.</source>
+        <translation>nenhuma montagem se ajusta a estes pontos: cada um diz a direção daquilo para que o feixe apontava?</translation>
+    </message>
+    <message>
+        <source>Magnetometer calibration is %1 of 3, but %2 is needed. Move the sensor in figures of eight, away from iron.</source>
+        <translation>a calibração do magnetômetro é %1 de 3, e é preciso %2: mova o sensor em forma de oito, longe de ferro</translation>
+    </message>
+    <message>
+        <source>System calibration of the sensor is %1 of 3, but %2 is needed. Its heading is not tied to magnetic north yet.</source>
+        <translation>a calibração do sistema do sensor é %1 de 3, e é preciso %2: o rumo ainda não está ligado ao norte magnético</translation>
+    </message>
+    <message>
+        <source>The sensor repeats one value to the last digit. Switch it off and on.</source>
+        <translation>o sensor repete um valor até o último dígito: desligue-o e ligue-o</translation>
+    </message>
+    <message>
+        <source>Motor current %1 A disturbs the compass (limit %2 A, sensor.still_current_a). Wait a moment and try again.</source>
+        <translation>um motor consome %1 A, e acima de %2 A (sensor.still_current_a) desviaria a agulha: deixe a montagem em repouso</translation>
+    </message>
+    <message>
+        <source>The mount is moving. It must stand still.</source>
+        <translation>a montagem move-se: tem de estar parada</translation>
+    </message>
+    <message>
+        <source>The position of the mount is unknown.</source>
+        <translation>não se sabe onde está a montagem</translation>
+    </message>
+    <message>
+        <source>There are %1 readings, but %2 are needed.</source>
+        <translation>há %1 leituras, e são precisas %2</translation>
+    </message>
+    <message>
+        <source>%1 readings are not enough, or they disagree. Take more.</source>
+        <translation>%1 leituras são poucas, ou não concordam: faça mais</translation>
+    </message>
+    <message>
+        <source>The readings drift. Take readings for a longer time.</source>
+        <translation>as leituras derivam juntas: recolha-as por mais tempo</translation>
+    </message>
+    <message>
+        <source>The readings disagree. They scatter by %1, and %2 of %3 are far off.</source>
+        <translation>as leituras discordam: dispersam-se em %1, e %2 de %3 estão muito longe</translation>
+    </message>
+    <message>
+        <source>with magnetometer calibration below %1</source>
+        <translation>com a calibração do magnetômetro abaixo de %1</translation>
+    </message>
+    <message>
+        <source>at a motor current above %1 A (sensor.swing_current_a)</source>
+        <translation>com um motor acima de %1 A (sensor.swing_current_a)</translation>
+    </message>
+    <message>
+        <source>The readings scatter by %1 about the curve.</source>
+        <translation>as leituras dispersam-se em %1 em torno da curva</translation>
+    </message>
+    <message>
+        <source>Iron near the sensor deflects the compass by %1. It is nearly as strong as the field of the Earth.</source>
+        <translation>ferro perto do sensor desvia a agulha em %1: é quase tão forte quanto o campo da Terra</translation>
+    </message>
+    <message>
+        <source>The compass error is so steep that different directions give nearly the same reading.</source>
+        <translation>o desvio é tão íngreme que direções diferentes dão a mesma leitura, ou quase</translation>
+    </message>
+    <message>
+        <source>%1 of %2 readings are far off the curve.</source>
+        <translation>%1 de %2 leituras estão muito longe da curva</translation>
+    </message>
+    <message>
+        <source>%1 of the circle is unreliable.</source>
+        <translation>%1 do círculo não são de confiança</translation>
+    </message>
+    <message>
+        <source>%1 of %2 readings were left out: %3.</source>
+        <translation>%1 de %2 leituras ficaram de fora: %3</translation>
+    </message>
+    <message>
+        <source>Only %1 of 12 sectors have readings, with a gap of %2. Soft iron could not be determined.</source>
+        <translation>só foram vistos %1 de 12 setores, com uma lacuna de %2: não se pôde reconhecer o ferro doce (duas vezes por volta)</translation>
+    </message>
+    <message>
+        <source>Some sectors have few readings.</source>
+        <translation>os azimutes estão desigualmente preenchidos: alguns setores têm poucas leituras</translation>
+    </message>
+    <message>
+        <source>The mount turned in one direction only. Latency and hysteresis are unknown.</source>
+        <translation>girou só para um lado: não se veem a latência nem a histerese</translation>
+    </message>
+    <message>
+        <source>The two directions of turning differ by %1. Either sensor.latency_s is wrong or the mount has play. North is the mean of both.</source>
+        <translation>os dois sentidos de giro diferem em %1: sensor.latency_s não está certo, ou algo tem folga; o norte é a média dos dois</translation>
+    </message>
+    <message>
+        <source>The curve is valid with the boom at %1. At %2 higher or lower it is uncertain by %3.</source>
+        <translation>a curva vale com a lança a %1: %2 acima ou abaixo ela é incerta em %3</translation>
+    </message>
+    <message>
+        <source>From %1 to %2 the compass is off by %3. It is unreliable there.</source>
+        <translation>de %1 a %2 a bússola erra em %3: ali não é de confiança</translation>
+    </message>
+    <message>
+        <source>The motor current turns the compass by %1.</source>
+        <translation>a bússola segue a corrente dos motores em %1</translation>
+    </message>
+    <message>
+        <source>In %1 of %2 readings the magnetometer calibration is below %3. Move the sensor in figures of eight, away from iron. Then swing again.</source>
+        <translation>em %1 de %2 leituras a calibração do magnetômetro está abaixo de %3: mova o sensor em forma de oito, longe de ferro, e dê a volta outra vez</translation>
+    </message>
+    <message>
+        <source>In %1 of %2 readings the motor current is above %3 A (sensor.swing_current_a). Look for what blocks the mount, or raise this limit.</source>
+        <translation>em %1 de %2 leituras um motor consome mais de %3 A (sensor.swing_current_a): veja o que prende a montagem, ou aumente esse limite</translation>
+    </message>
+    <message>
+        <source>%1 of 12 sectors have readings, with a gap of %2. A swing needs more of the circle. Find north with the mount standing still instead.</source>
+        <translation>foram vistos %1 de 12 setores, com uma lacuna de %2: a volta tem de ver mais do círculo; tome antes o norte com a montagem parada</translation>
+    </message>
+    <message>
+        <source>The points do not determine the azimuth offset. Take a point away from the zenith.</source>
+        <translation>os pontos não determinam o desvio do azimute: tome um longe do zênite</translation>
+    </message>
+    <message>
+        <source>%1 is missing. Write every term, also a term that is 0.</source>
+        <translation>falta %1: espera-se cada termo, também os que são 0</translation>
+    </message>
+    <message>
+        <source>%1 is not a date like 2026-11-21T21:34:00Z.</source>
+        <translation>%1 não é uma data como 2026-11-21T21:34:00Z</translation>
+    </message>
+    <message>
+        <source>%1 is not a site. Write latitude, longitude and height, like 48.2 16.37 200.</source>
+        <translation>%1 não é um local: espera-se latitude, longitude e altura, como 48.2 16.37 200</translation>
+    </message>
+    <message>
+        <source>%1 is not a known term.</source>
+        <translation>termo desconhecido %1</translation>
+    </message>
+    <message>
+        <source>%1 is already in line %2.</source>
+        <translation>%1 já está na linha %2</translation>
+    </message>
+    <message>
+        <source>The value of %1 is missing.</source>
+        <translation>falta o valor de %1</translation>
+    </message>
+    <message>
+        <source>%1 is not a number.</source>
+        <translation>%1 não é um número</translation>
+    </message>
+    <message>
+        <source>The unit of %1 is missing. Write deg, arcmin or arcsec.</source>
+        <translation>falta a unidade de %1: deg, arcmin ou arcsec</translation>
+    </message>
+    <message>
+        <source>%1 is not a known unit. Write deg, arcmin or arcsec.</source>
+        <translation>unidade desconhecida %1: espera-se deg, arcmin ou arcsec</translation>
+    </message>
+    <message>
+        <source>%1 is one value too many. A line has name, value, unit and sigma.</source>
+        <translation>%1 está a mais: espera-se nome, valor, unidade e sigma</translation>
+    </message>
+    <message>
+        <source>%1 is not a sigma. Write a number above 0, or - for an unknown one.</source>
+        <translation>%1 não é um sigma: espera-se um número acima de 0, ou - onde não é conhecido</translation>
+    </message>
+    <message>
+        <source>%1 is too long to be the terms of a pointing model.</source>
+        <translation>%1 é longo demais para os termos de um modelo de apontamento</translation>
+    </message>
+    <message>
+        <source>%1 is too large for a World Magnetic Model.</source>
+        <translation>%1 é grande demais para os coeficientes de um World Magnetic Model</translation>
+    </message>
+    <message>
+        <source>The term n = %1, m = %2 is missing.</source>
+        <translation>falta o termo n = %1, m = %2</translation>
+    </message>
+    <message>
+        <source>A line of nines must follow degree %1.</source>
+        <translation>depois do grau %1 espera-se uma linha de noves</translation>
+    </message>
+    <message>
+        <source>The file ends without a line of nines.</source>
+        <translation>o arquivo termina sem a sua linha de noves</translation>
+    </message>
+    <message>
+        <source>This is not the header of a magnetic model. A header has an epoch, a name and a date.</source>
+        <translation>isto não é o cabeçalho de um modelo magnético, que é uma época, um nome e uma data</translation>
+    </message>
+    <message>
+        <source>The line has %1 numbers instead of 6: n, m, g, h and the changes of g and h.</source>
+        <translation>%1 números em vez de 6: n m g h e as variações de g e h</translation>
+    </message>
+    <message>
+        <source>The term n = %1, m = %2 must come here.</source>
+        <translation>espera-se o termo n = %1, m = %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number.</source>
+        <translation>&quot;%1&quot; não é um número</translation>
+    </message>
+    <message>
+        <source>In a term with m = 0, h must be 0.</source>
+        <translation>h de um termo com m = 0 não é 0</translation>
+    </message>
+    <message>
+        <source>The magnetic model %1 is valid from %2 to %3, not in %4. Get the present World Magnetic Model (.COF), or enter the declination.</source>
+        <translation>o modelo magnético %1 vale de %2 a %3, não em %4: é preciso um arquivo do atual (World Magnetic Model, .COF); enquanto isso, digite a declinação</translation>
+    </message>
+    <message>
+        <source>The sensor followed the axis since the cable wrap was known. It shows %1 (± %2).</source>
+        <translation>O sensor foi ouvido o tempo todo desde que a volta era conhecida, e viu-o girar até cerca de %1 (± %2)</translation>
+    </message>
+    <message>
+        <source> This contradicts %1, so Boresight proposes nothing. Look at the cable.</source>
+        <translation>: isso contradiz %1, por isso nada se propõe: olhe para o cabo</translation>
+    </message>
+    <message>
+        <source> This agrees with the proposal.</source>
+        <translation>: isso concorda com o que se propõe</translation>
+    </message>
+    <message>
+        <source> None of the places is near that.</source>
+        <translation>: nenhum dos lugares fica perto disso</translation>
+    </message>
+    <message>
+        <source>it is too large for a position journal</source>
+        <translation>é grande demais para a memória de uma montagem</translation>
+    </message>
+    <message>
+        <source>The journal file %1 cannot be used: %2. Boresight keeps it as %3</source>
+        <translation>O arquivo do diário %1 não pode ser usado: %2; fica guardado como %3</translation>
+    </message>
+    <message>
+        <source>The journal file %1 cannot be used: %2. Boresight could not rename it</source>
+        <translation>O arquivo do diário %1 não pode ser usado: %2; não foi possível pô-lo de lado</translation>
+    </message>
+    <message>
+        <source>%1 already controls this mount. Its journal %2 is in use</source>
+        <translation>%1 já controla esta montagem: o diário %2 desta está em uso</translation>
+    </message>
+    <message>
+        <source>Boresight uses the version before it: %1</source>
+        <translation>foi usado o anterior: %1</translation>
+    </message>
+    <message>
+        <source>it is damaged at byte %1: %2</source>
+        <translation>está cortado ou danificado no byte %1: %2</translation>
+    </message>
+    <message>
+        <source>it is not a position journal</source>
+        <translation>não é a memória de uma montagem</translation>
+    </message>
+    <message>
+        <source>it has version %1, but this program reads version %2</source>
+        <translation>este programa não conhece a sua versão %1; lê a versão %2</translation>
+    </message>
+    <message>
+        <source>its checksum is wrong, so it was changed or damaged</source>
+        <translation>a sua soma de verificação está errada: foi alterado ou danificado</translation>
+    </message>
+    <message>
+        <source>The journal is dated %1 in the future. The clock of this computer was set back</source>
+        <translation>O diário tem data de %1 no futuro: o relógio deste computador foi atrasado</translation>
+    </message>
+    <message>
+        <source>The journal does not prove the cable wrap, because a doubt arose after it was written</source>
+        <translation>O diário já não prova nenhuma volta: surgiu uma dúvida depois de ser escrito</translation>
+    </message>
+    <message>
+        <source>This computer restarted, and its clock is not synchronised. It is unknown whether the drive kept its power</source>
+        <translation>Este computador foi reiniciado desde então, e nenhum servidor de tempo responde pelo seu relógio: não se pode dizer se o acionamento manteve a alimentação</translation>
+    </message>
+    <message>
+        <source>The clock of the drive restarts every 49.7 days. It is unknown whether the drive kept its power</source>
+        <translation>O relógio do acionamento recomeça a cada 49.7 dias: não se pode dizer se o acionamento manteve a alimentação</translation>
+    </message>
+    <message>
+        <source>The clocks of the drive and of this computer disagree about the time since the journal. It is unknown whether the drive kept its power</source>
+        <translation>Os relógios do acionamento e deste computador não concordam sobre o tempo desde o diário: não se pode dizer se o acionamento manteve a alimentação</translation>
+    </message>
+    <message>
+        <source>The drive did not report whether its position was set after that</source>
+        <translation>O acionamento não disse se a sua posição foi definida desde então</translation>
+    </message>
+    <message>
+        <source>The encoder settings of the drive were changed. It counts from a new zero</source>
+        <translation>Os parâmetros do encoder do acionamento foram alterados desde então: ele conta de novo</translation>
+    </message>
+    <message>
+        <source>The position of the drive was set by a command. The change is not a motion</source>
+        <translation>A posição do acionamento foi definida desde então: o que ele relata não é movimento</translation>
+    </message>
+    <message>
+        <source>The zero of the drive was set or lost after the journal was written</source>
+        <translation>O zero do acionamento foi definido ou perdido desde que o diário foi escrito</translation>
+    </message>
+    <message>
+        <source>Zero, direction or gear of the axis were changed after the journal was written</source>
+        <translation>O zero, o sentido ou a redução do eixo foram alterados desde que o diário foi escrito</translation>
+    </message>
+    <message>
+        <source>The drive does not know the position of the axis. Enter the angle</source>
+        <translation>O acionamento não sabe onde está o eixo: escreva o ângulo</translation>
+    </message>
+    <message>
+        <source>The drive reports %1. No cable wrap of it lies within %2° of the travel. Enter the angle</source>
+        <translation>O acionamento relata %1, e nenhuma volta disso fica a menos de %2° do curso: escreva o ângulo</translation>
+    </message>
+    <message>
+        <source>The position that the drive reports is possible only at %1</source>
+        <translation>O acionamento relata um lugar que só é possível em %1</translation>
+    </message>
+    <message>
+        <source>The angle is known only to a multiple of %1. %2 places from %3 to %4 are possible</source>
+        <translation>O ângulo só se conhece a menos de um múltiplo de %1: são possíveis %2 lugares de %3 a %4</translation>
+    </message>
+    <message>
+        <source>Direction %1 is known, but not the cable wrap. %2 are possible</source>
+        <translation>A direção %1 é conhecida, a volta não: são possíveis %2</translation>
+    </message>
+    <message>
+        <source>The angle is known only to a multiple of %1. %2 are possible</source>
+        <translation>O ângulo só se conhece a menos de um múltiplo de %1: são possíveis %2</translation>
+    </message>
+    <message>
+        <source>The journal has no entry for this axis</source>
+        <translation>O diário não diz nada sobre este eixo</translation>
+    </message>
+    <message>
+        <source>The journal has %1, written in motion</source>
+        <translation>O diário diz %1, escrito em movimento</translation>
+    </message>
+    <message>
+        <source>The journal has %1, written at standstill</source>
+        <translation>O diário diz %1, escrito em repouso</translation>
+    </message>
+    <message>
+        <source>The journal has %1, %2 old, written in motion</source>
+        <translation>O diário diz %1, escrito em movimento há %2</translation>
+    </message>
+    <message>
+        <source>The journal has %1, %2 old, written at standstill</source>
+        <translation>O diário diz %1, escrito em repouso há %2</translation>
+    </message>
+    <message>
+        <source>The nearest place is %1 from the journal. The axis was moved in between</source>
+        <translation>O mais próximo deles fica a %1 do diário: o eixo foi movido entretanto</translation>
+    </message>
+    <message>
+        <source>The axis may have moved after that. Places %1 apart look the same to the drive, so the journal does not show which is right</source>
+        <translation>O eixo pode ter continuado a mover-se desde então, e lugares a %1 um do outro parecem iguais ao acionamento: o diário não sabe dizer qual</translation>
+    </message>
+    <message>
+        <source>The sensor reports %1</source>
+        <translation>O sensor diz %1</translation>
+    </message>
+    <message>
+        <source>The station has not reported yet.</source>
+        <translation>ainda não se sabe nada da estação</translation>
+    </message>
+    <message>
+        <source>The console of the drive sends without end. Send &quot;tel stop&quot;.</source>
+        <translation>o console do acionamento não para de falar; envie &quot;tel stop&quot;</translation>
+    </message>
+    <message>
+        <source>The console of the drive did not answer the command.</source>
+        <translation>o console do acionamento não respondeu ao comando</translation>
+    </message>
+    <message>
+        <source>The drive answers: %1</source>
+        <translation>o acionamento diz: %1</translation>
+    </message>
+    <message>
+        <source>Drive %1 does not answer on its console.</source>
+        <translation>o acionamento %1 não responde no seu console</translation>
+    </message>
+    <message>
+        <source>Part of the answer was lost. Repeat the command.</source>
+        <translation>perdeu-se uma parte da resposta; repita o comando</translation>
+    </message>
+    <message>
+        <source>A user name and a password are required. Set mqtt.user and mqtt.password</source>
+        <translation>exige nome de usuário e senha: defina mqtt.user e mqtt.password</translation>
+    </message>
+    <message>
+        <source>The broker refuses the user &quot;%1&quot; or the password. Check mqtt.user and mqtt.password</source>
+        <translation>recusa o usuário &quot;%1&quot; ou a senha: verifique mqtt.user e mqtt.password</translation>
+    </message>
+    <message>
+        <source>Is mqtt.port the TLS port of the broker?</source>
+        <translation>mqtt.port é a porta TLS do broker?</translation>
+    </message>
+    <message>
+        <source>Is mqtt.port right? Does this port need TLS?</source>
+        <translation>mqtt.port está certa, e esta porta exige TLS?</translation>
+    </message>
+    <message>
+        <source>The encryption failed (%1). %2</source>
+        <translation>não houve acordo sobre a cifra (%1): %2</translation>
+    </message>
+    <message>
+        <source>Boresight does not trust the broker: %1</source>
+        <translation>não merece confiança: %1</translation>
+    </message>
+    <message>
+        <source>The broker refuses MQTT 3.1.1. Use a newer broker</source>
+        <translation>recusa MQTT 3.1.1: é preciso um broker mais novo</translation>
+    </message>
+    <message>
+        <source>The broker refuses the client id &quot;%1&quot;. Change mqtt.client_id</source>
+        <translation>recusa o identificador de cliente &quot;%1&quot;: mude mqtt.client_id</translation>
+    </message>
+    <message>
+        <source>The broker reports that it is not available</source>
+        <translation>diz que não atende no momento</translation>
+    </message>
+    <message>
+        <source>The name cannot be resolved (%1). Check mqtt.host and the network</source>
+        <translation>não se encontra o nome (%1): verifique mqtt.host e a rede</translation>
+    </message>
+    <message>
+        <source>No connection (%1). Is the broker running there?</source>
+        <translation>sem conexão (%1): o broker funciona ali?</translation>
+    </message>
+    <message>
+        <source>No answer. Check mqtt.host, the network and the firewall</source>
+        <translation>sem resposta: verifique mqtt.host, a rede e o firewall</translation>
+    </message>
+    <message>
+        <source>The port accepts the connection but does not answer. %1</source>
+        <translation>aceita a conexão e não diz nada: %1</translation>
+    </message>
+    <message>
+        <source>The port closes the connection before it answers. %1</source>
+        <translation>fecha a conexão antes de dizer algo: %1</translation>
+    </message>
+    <message>
+        <source>The connection is lost (%1)</source>
+        <translation>a conexão foi perdida (%1)</translation>
+    </message>
+    <message>
+        <source>The broker closes the connection soon after the login. Was the broker stopped? Does another program use the client id &quot;%1&quot;?</source>
+        <translation>deixa entrar e desliga logo depois: foi parado, ou outro programa usa o identificador de cliente &quot;%1&quot;?</translation>
+    </message>
+    <message>
+        <source>The connection is lost (no more data)</source>
+        <translation>a conexão foi perdida (não se ouviu mais nada)</translation>
+    </message>
+    <message>
+        <source>The answer is not MQTT. %1</source>
+        <translation>diz algo que não é MQTT: %1</translation>
+    </message>
+    <message>
+        <source>Encryption cannot be set up: %1</source>
+        <translation>não se pode preparar a cifra: %1</translation>
+    </message>
+    <message>
+        <source>%1 is a list of many authorities. Name the one that signed the certificate of the broker. With an empty mqtt.ca_file Boresight trusts the authorities of this computer</source>
+        <translation>%1 é uma lista de muitas autoridades: indique a que assinou o certificado do broker, ou deixe mqtt.ca_file vazio para confiar nas que este computador conhece</translation>
+    </message>
+    <message>
+        <source>No certificate of an authority can be read from %1 (%2). Check mqtt.ca_file</source>
+        <translation>não se pode ler de %1 nenhum certificado de autoridade (%2): verifique mqtt.ca_file</translation>
+    </message>
+    <message>
+        <source>its certificate has expired, or the clock of this computer is wrong</source>
+        <translation>o seu certificado expirou, ou o relógio deste computador está errado</translation>
+    </message>
+    <message>
+        <source>its certificate is not valid yet, or the clock of this computer is wrong</source>
+        <translation>o seu certificado ainda não é válido, ou o relógio deste computador está errado</translation>
+    </message>
+    <message>
+        <source>its certificate is not for &quot;%1&quot;. Check mqtt.host</source>
+        <translation>o seu certificado não é para &quot;%1&quot;: verifique mqtt.host</translation>
+    </message>
+    <message>
+        <source>its certificate is from an authority that this computer does not know. Set mqtt.ca_file</source>
+        <translation>o seu certificado não é assinado por ninguém que este computador conheça: defina mqtt.ca_file</translation>
+    </message>
+    <message>
+        <source>its certificate is not from the authority in %1. Check mqtt.ca_file</source>
+        <translation>o seu certificado não é assinado pela autoridade em %1: verifique mqtt.ca_file</translation>
+    </message>
+    <message>
+        <source>The %1 is below the horizon.</source>
+        <translation>%1 está abaixo do horizonte</translation>
+    </message>
+    <message>
+        <source>stopped tracking the %1, because the mount got another command</source>
+        <translation>deixou de seguir o %1, porque a montagem recebeu outro comando</translation>
+    </message>
+    <message>
+        <source>stopped tracking the %1</source>
+        <translation>deixou de seguir o %1</translation>
+    </message>
+    <message>
+        <source>The terms or the sensor in the profile were changed.</source>
+        <translation>os termos ou o sensor no perfil foram mudados</translation>
+    </message>
+    <message>
+        <source>There are no points.</source>
+        <translation>não há pontos</translation>
+    </message>
+    <message>
+        <source>The stored calibrations cannot be read. New ones are kept in memory only: %1</source>
+        <translation>as calibrações anteriores não podem ser lidas, e as novas ficam só na memória: %1</translation>
+    </message>
+    <message>
+        <source>The calibrations could not be written: %1</source>
+        <translation>não foi possível gravar as calibrações: %1</translation>
+    </message>
+    <message>
+        <source>A calibration is running. End it first.</source>
+        <translation>há uma calibração em curso: termine-a primeiro</translation>
+    </message>
+    <message>
+        <source>The position of the %1 is unknown.</source>
+        <translation>não se sabe onde está: %1</translation>
+    </message>
+    <message>
+        <source>Track the %1 first.</source>
+        <translation>primeiro é preciso seguir: %1</translation>
+    </message>
+    <message>
+        <source>Nothing is proposed yet.</source>
+        <translation>ainda não há nada proposto</translation>
+    </message>
+    <message>
+        <source>There is no calibration to undo.</source>
+        <translation>não há calibração para desfazer</translation>
+    </message>
+    <message>
+        <source>There is no calibration to redo.</source>
+        <translation>não há calibração para refazer</translation>
+    </message>
+    <message>
+        <source>No scan waits for a power value.</source>
+        <translation>nenhuma varredura espera agora por uma potência</translation>
+    </message>
+    <message>
+        <source>The azimuth axis shows 0° at a true azimuth of %1 ± %2</source>
+        <translation>o eixo de azimute mostra 0° num azimute verdadeiro de %1 ± %2</translation>
+    </message>
+    <message>
+        <source>North is known only to %1. Use the Sun or the Moon for a better value.</source>
+        <translation>o norte só se conhece a %1: o Sol ou a Lua dizem-no melhor</translation>
+    </message>
+    <message>
+        <source>The compass differs from the north in force by %1, more than both can be wrong. Apply this if the mount was moved or slipped. If iron came near, remove it and measure again.</source>
+        <translation>a bússola contradiz o norte em vigor em %1, mais do que ambos podem errar: aplique isto se a montagem foi movida ou escorregou; se ferro se aproximou, afaste-o e meça de novo</translation>
+    </message>
+    <message>
+        <source>North stays unchanged. It is known to %1, by compass only to %2.</source>
+        <translation>o norte mantém-se: conhece-se a %1, por uma bússola a %2</translation>
+    </message>
+    <message>
+        <source>The tilt stays unchanged. It is known to %1, by a swing only to %2.</source>
+        <translation>a inclinação mantém-se: conhece-se a %1, por um giro a %2</translation>
+    </message>
+    <message>
+        <source>The tilt of the mast differs by %1 from the tilt in force. Check that the mast is firm.</source>
+        <translation>o mastro inclina-se de outro modo do que diz a inclinação em vigor, em %1: veja se está firme</translation>
+    </message>
+    <message>
+        <source>. The azimuth axis leans by %1 ± %2 towards %3</source>
+        <translation>; o eixo de azimute inclina-se %1 ± %2 para %3</translation>
+    </message>
+    <message>
+        <source>This is too much to correct. Check how the sensor sits on the boom and what the elevation axis shows.</source>
+        <translation>demais para corrigir: veja como a caixa está no braço e o que o eixo de elevação mostra</translation>
+    </message>
+    <message>
+        <source>Sensor and elevation axis differ by %1.</source>
+        <translation>sensor e eixo de elevação diferem %1</translation>
+    </message>
+    <message>
+        <source>Boresight takes this as a tilted sensor. The elevation of the beam stays unchanged.</source>
+        <translation>tomado como uma caixa torta no braço, a elevação do feixe fica</translation>
+    </message>
+    <message>
+        <source>This is more than a tilted sensor. The zero of the elevation axis is wrong.</source>
+        <translation>mais do que uma caixa fica torta: o zero do eixo de elevação está errado</translation>
+    </message>
+    <message>
+        <source>The zero of elevation moves by %1. First check that the sensor lies along the boom.</source>
+        <translation>o zero da elevação muda %1: veja antes se a caixa está alinhada com o braço</translation>
+    </message>
+    <message>
+        <source>. At 0° of the elevation axis the sensor reports %1 ± %2. %3</source>
+        <translation>; onde o eixo de elevação mostra 0° o sensor diz %1 ± %2: %3</translation>
+    </message>
+    <message>
+        <source>The sensor will agree at this heading only. A new swing corrects all headings.</source>
+        <translation>o sensor é posto de acordo só neste rumo: um novo giro fá-lo em todos</translation>
+    </message>
+    <message>
+        <source>The sensor keeps the north of its swing. Sensor and axes will then differ by %1.</source>
+        <translation>o sensor mantém o norte do seu giro: sensor e eixos vão então diferir em cerca de %1</translation>
+    </message>
+    <message>
+        <source>The text belongs to another mount: &quot;%1&quot;.</source>
+        <translation>o texto é de outra montagem: &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>The text belongs to another azimuth drive. The zero of its axis may differ.</source>
+        <translation>o texto é de outro acionamento de azimute: onde o eixo mostra 0° pode diferir</translation>
+    </message>
+    <message>
+        <source>The text belongs to another elevation drive. The zero of its axis may differ.</source>
+        <translation>o texto é de outro acionamento de elevação: onde o eixo mostra 0° pode diferir</translation>
+    </message>
+    <message>
+        <source>The text belongs to another site. North and tilt may differ.</source>
+        <translation>o texto é de outro local: norte e inclinação podem diferir</translation>
+    </message>
+    <message>
+        <source>The antenna points at the Sun. Do not look along it, nor through a sight tube without a solar filter. Watch the heat at the feed</source>
+        <translation>O feixe aponta ao Sol: ninguém olhe ao longo dele, nem por um tubo de visada sem filtro solar; cuidado com o calor no alimentador</translation>
+    </message>
+    <message>
+        <source>The mount tracks the %1. Press Hold first.</source>
+        <translation>a montagem segue: %1; retenha-a primeiro</translation>
+    </message>
+    <message>
+        <source>%1 points from before are loaded. They count when every drive has reported its identity</source>
+        <translation>%1 pontos tomados antes estão de novo aqui; contam quando todos os acionamentos tiverem indicado a sua identidade</translation>
+    </message>
+    <message>
+        <source>There are already %1 points. Drop some.</source>
+        <translation>já há %1 pontos: descarte alguns</translation>
+    </message>
+    <message>
+        <source>The orientation sensor has sent nothing for %1 s.</source>
+        <translation>o sensor de orientação não diz nada há %1 s</translation>
+    </message>
+    <message>
+        <source>The orientation sensor has sent nothing yet.</source>
+        <translation>o sensor de orientação ainda não disse nada</translation>
+    </message>
+    <message>
+        <source>The profile has no orientation sensor.</source>
+        <translation>o perfil não indica nenhum sensor de orientação</translation>
+    </message>
+    <message>
+        <source>Magnetometer calibration is only %1 of 3, but %2 is needed. Move the sensor in figures of eight.</source>
+        <translation>o magnetômetro só está calibrado a %1 de 3, precisa de %2: mova o sensor em forma de oito</translation>
+    </message>
+    <message>
+        <source>The park position would then be forbidden: %1. Set another one first (tab Mount, Profile, &quot;park&quot;). Then apply.</source>
+        <translation>o lugar de estacionar ficaria então proibido, %1: defina outro primeiro (separador Montagem, Perfil, &quot;park&quot;), depois aplique</translation>
+    </message>
+    <message>
+        <source>The profile would then be inconsistent: %1. Change that first.</source>
+        <translation>com isto o perfil não faria sentido, %1: altere isso primeiro</translation>
+    </message>
+    <message>
+        <source>undoes &quot;%1&quot;</source>
+        <translation>desfaz &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>The pointing model was changed after that: %1. This change would be lost. Undo it on the page Profile first, or type the terms.</source>
+        <translation>o modelo de apontamento foi alterado desde então, %1, e isso perder-se-ia: anule-o primeiro na página Perfil, ou escreva os termos que quer</translation>
+    </message>
+    <message>
+        <source>The mounting or the compass error of the sensor was changed after that. This change would be lost. Undo it on the page Profile first.</source>
+        <translation>a montagem do sensor ou o desvio foi alterado desde então, e isso perder-se-ia: anule-o primeiro na página Perfil</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was applied with another drive or at another site. Check north before you rely on it</source>
+        <translation>&quot;%1&quot; foi aplicado com outro acionamento ou noutro local: veja onde fica o norte antes de confiar no que entra em vigor</translation>
+    </message>
+    <message>
+        <source>There is no point %1.</source>
+        <translation>não há ponto %1</translation>
+    </message>
+    <message>
+        <source>These points wait until every drive has reported its identity.</source>
+        <translation>estes pontos esperam até que todos os acionamentos tenham indicado a sua identidade</translation>
+    </message>
+    <message>
+        <source>Track the Sun or the Moon first and centre it.</source>
+        <translation>siga primeiro o Sol ou a Lua, e centre-o</translation>
+    </message>
+    <message>
+        <source>By the model in force the beam is %1° off. If the target was not centred, drop point %2</source>
+        <translation>pelo modelo em vigor, o feixe está a %1° dele: se não estava centrado, descarte o ponto %2</translation>
+    </message>
+    <message>
+        <source>The azimuth must be within 360° and the elevation within 90°.</source>
+        <translation>espera-se um azimute até 360° e uma elevação até 90°</translation>
+    </message>
+    <message>
+        <source>These terms are already in force.</source>
+        <translation>estes são os termos que já estão em vigor</translation>
+    </message>
+    <message>
+        <source>The settings of the sensor or the declination changed, so the proposal is dropped. Measure again</source>
+        <translation>as definições do sensor ou a declinação mudaram: o que se encontrou com as anteriores já não é proposto; meça de novo</translation>
+    </message>
+    <message>
+        <source>The proposal has changed. Read it again first.</source>
+        <translation>já não é isto que se propõe: veja-o primeiro de novo</translation>
+    </message>
+    <message>
+        <source>The cable wrap was entered again after the first of these points. If another wrap was entered, the points do not fit together. Then drop the older points.</source>
+        <translation>a volta de um eixo teve de ser indicada de novo desde o primeiro destes pontos: se foi indicada de outro modo do que estava, os pontos não combinam; retire os de antes</translation>
+    </message>
+    <message>
+        <source>The width of a scan must be %1° to %2°.</source>
+        <translation>uma varredura tem de %1° a %2° de largura</translation>
+    </message>
+    <message>
+        <source>This is not a power in dB.</source>
+        <translation>isto não é uma potência em dB</translation>
+    </message>
+    <message>
+        <source>The beam was trimmed by hand during the scan.</source>
+        <translation>o feixe foi deslocado à mão no meio da varredura</translation>
+    </message>
+    <message>
+        <source>The beam cannot reach a place of the scan: %1</source>
+        <translation>o feixe não chega a um lugar da varredura: %1</translation>
+    </message>
+    <message>
+        <source>done, and the peak is a point now</source>
+        <translation>feito: o pico é agora um ponto</translation>
+    </message>
+    <message>
+        <source>No power reading received.</source>
+        <translation>ninguém indicou a potência</translation>
+    </message>
+    <message>
+        <source>The mount does not stand still.</source>
+        <translation>a montagem não chega ao repouso</translation>
+    </message>
+    <message>
+        <source>Clients have control. Take control before the swing.</source>
+        <translation>os clientes têm o controle: assuma-o antes de girar a montagem</translation>
+    </message>
+    <message>
+        <source>The sensor restarted during the swing. Its compass may have another zero now.</source>
+        <translation>o sensor foi reiniciado entretanto: a sua bússola pode agora contar de outro modo</translation>
+    </message>
+    <message>
+        <source>The mount is not moving. Something is blocking it.</source>
+        <translation>a montagem não avança: algo a retém</translation>
+    </message>
+    <message>
+        <source>sensor data is back, and the swing continues</source>
+        <translation>o sensor volta a ouvir-se: o giro da bússola continua</translation>
+    </message>
+    <message>
+        <source>the swing pauses for at most %1 s: %2</source>
+        <translation>o giro da bússola fica parado %1 s no máximo: %2</translation>
+    </message>
+    <message>
+        <source>The sensor was silent and does not report its calibration. If it restarted, repeat the swing.</source>
+        <translation>o sensor esteve em silêncio entretanto e não diz como está calibrado: se foi reiniciado, repita o giro</translation>
+    </message>
+    <message>
+        <source>A compass does not work here. %1</source>
+        <translation>aqui uma bússola não serve: %1</translation>
+    </message>
+    <message>
+        <source>The rate of a swing must be %1 to %2°/s.</source>
+        <translation>um giro faz-se a %1 até %2°/s</translation>
+    </message>
+    <message>
+        <source>A swing has %1 to %2 stops, or none.</source>
+        <translation>um giro para em %1 a %2 rumos, ou em nenhum</translation>
+    </message>
+    <message>
+        <source>Only %1 of azimuth is free at this elevation. A swing needs %2. Raise the boom.</source>
+        <translation>só há %1 de azimute livres nesta elevação, um giro precisa de %2: levante a lança</translation>
+    </message>
+    <message>
+        <source>no tilt at this elevation (it is measured between %1 and %2, best at 30°)</source>
+        <translation>sem inclinação nesta elevação: lê-se entre %1 e %2, o melhor é 30°</translation>
+    </message>
+    <message>
+        <source>raise the boom to 30° first for the best tilt and curve</source>
+        <translation>melhor levantar antes a lança a 30°: ali leem-se melhor a inclinação e a curva</translation>
+    </message>
+    <message>
+        <source>With the boom at %1 the compass does not work. Lower it to %2 or less, best to 30°.</source>
+        <translation>com a lança a %1 a bússola nada diz: baixe-a a %2 ou menos, o melhor é 30°</translation>
+    </message>
+    <message>
+        <source>The mount is outside the permitted region. Jog it back inside first.</source>
+        <translation>a lança está no que é proibido: tire-a primeiro de lá</translation>
+    </message>
+    <message>
+        <source>waiting for sensor data, for at most %1 s more</source>
+        <translation>parado até o sensor voltar a ouvir-se, mais %1 s no máximo</translation>
+    </message>
+    <message>
+        <source>moving to the start of the swing</source>
+        <translation>indo para onde o giro começa</translation>
+    </message>
+    <message>
+        <source>%1: The broker does not permit reading %2. Permit it in the access list (ACL) of the broker, or set mqtt.user and mqtt.password</source>
+        <translation>%1: o broker não nos deixa ler %2: permita-o na lista de acesso (ACL) do broker ou defina mqtt.user e mqtt.password</translation>
+    </message>
+    <message>
+        <source>%1: The broker does not permit reading %2. Permit it in the access list (ACL) of the broker for the user &quot;%3&quot;</source>
+        <translation>%1: o broker não nos deixa ler %2: permita-o na lista de acesso (ACL) do broker ao usuário &quot;%3&quot;</translation>
+    </message>
+    <message>
+        <source>%1: On %2 the broker has only an old stored value. Does the sensor have power and WiFi?</source>
+        <translation>%1: em %2 só há o que o broker guardou de antes, nada ao vivo: o sensor tem energia e WiFi?</translation>
+    </message>
+    <message>
+        <source>%1: The messages on %2 are not from the sensor (%3)</source>
+        <translation>%1: o que chega em %2 não é mensagem do sensor (%3)</translation>
+    </message>
+    <message>
+        <source>%1: No data on %2. Does the sensor have power and WiFi? Is this its topic? Does the access list of the broker permit reading it?</source>
+        <translation>%1: não chega nada em %2: o sensor tem energia e WiFi, este é o tópico dele e a lista de acesso do broker nos deixa lê-lo?</translation>
+    </message>
+    <message>
+        <source>%1: No data. Does the sensor have power and WiFi? Without WiFi it sends nothing</source>
+        <translation>%1: não chega nada: o sensor tem energia e a sua rede WiFi (sem ela, fica em silêncio)?</translation>
+    </message>
+    <message>
+        <source>%1: The data is damaged or not from the sensor. Is sensor.baud (%2) right?</source>
+        <translation>%1: o que chega está danificado ou não é sentença do sensor: sensor.baud (%2) está certo?</translation>
+    </message>
+    <message>
+        <source>%1: The data is not from the sensor: &quot;%2&quot;</source>
+        <translation>%1: o que chega não é sentença do sensor, mas: &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>%1 is gone. Plug the sensor in again</source>
+        <translation>%1 desapareceu: volte a conectar o sensor</translation>
+    </message>
+    <message>
+        <source>%1 is gone. Plug the sensor in again, in any socket. Boresight finds it as %2</source>
+        <translation>%1 desapareceu: volte a conectar o sensor; é encontrado em qualquer tomada como %2</translation>
+    </message>
+    <message>
+        <source>a forbidden region</source>
+        <translation>o que é proibido</translation>
+    </message>
+    <message>
+        <source>Boresight found no way from %1 to %2 in time. There are too many keep-outs.</source>
+        <translation>não se achou a tempo um caminho de %1 para %2: há zonas proibidas a mais</translation>
+    </message>
+    <message>
+        <source>There is no way from %1 to %2. Between them is %3.</source>
+        <translation>não há caminho de %1 para %2: no meio está %3</translation>
+    </message>
+    <message>
+        <source>%1: No data. Is the program of the receiver running? Does it send to this address?</source>
+        <translation>%1: nada chega: o programa do receptor está em execução, e envia para cá?</translation>
+    </message>
+    <message>
+        <source>%1: The data is not a power in dB: %2</source>
+        <translation>%1: o que chega não é uma potência em dB: %2</translation>
+    </message>
+    <message>
+        <source>Boresight cannot listen on %1: %2</source>
+        <translation>não é possível escutar em %1: %2</translation>
+    </message>
+    <message>
+        <source>%1: No connection to the program of the receiver: %2</source>
+        <translation>%1: sem conexão com o programa do receptor: %2</translation>
+    </message>
+    <message>
+        <source>it contains no number</source>
+        <translation>não há um número nela</translation>
+    </message>
+    <message>
+        <source>it contains several numbers, and none is clearly the power</source>
+        <translation>não é certo qual dos seus números é a potência</translation>
+    </message>
+    <message>
+        <source>its number is ambiguous</source>
+        <translation>o seu número não pode ser lido com certeza</translation>
+    </message>
+    <message>
+        <source>a power above %1 dB is not possible</source>
+        <translation>mais de %1 dB não é uma potência</translation>
+    </message>
+    <message>
+        <source>%1 must reach %2°/s within %3 s. The permitted %4 Nm are enough for a moment of inertia of at most %5 kg·m², without friction and wind</source>
+        <translation>o %1 deve atingir %2°/s em %3 s: os %4 Nm permitidos chegam no máximo para um momento de inércia de %5 kg·m², sem atrito nem vento</translation>
+    </message>
+    <message>
+        <source>a latitude or longitude is out of range</source>
+        <translation>um lugar não está no globo</translation>
+    </message>
+    <message>
+        <source>refused: its address is not permitted (rotctld.allow)</source>
+        <translation>recusado: o seu endereço não está entre os que podem conectar-se</translation>
+    </message>
+    <message>
+        <source>its address is no longer permitted (rotctld.allow)</source>
+        <translation>o seu endereço já não pode conectar-se</translation>
+    </message>
+    <message>
+        <source>no file descriptor is free, so new clients wait</source>
+        <translation>não restam descritores: novos clientes esperam</translation>
+    </message>
+    <message>
+        <source>is not a rotctld client (%1)</source>
+        <translation>não é um cliente rotctld (%1)</translation>
+    </message>
+    <message>
+        <source>ended the session</source>
+        <translation>despediu-se</translation>
+    </message>
+    <message>
+        <source>raw commands to the drives are not permitted</source>
+        <translation>comandos diretos não têm caminho até aos acionamentos</translation>
+    </message>
+    <message>
+        <source>has disconnected, so its motion ends</source>
+        <translation>foi-se, e o seu movimento termina</translation>
+    </message>
+    <message>
+        <source>A trim can be at most %1°.</source>
+        <translation>uma compensação acima de %1° já não é uma correção</translation>
+    </message>
+    <message>
+        <source>the profile was not applied, so the previous profile stays in force: %1</source>
+        <translation>o perfil não foi aplicado, o perfil anterior continua em vigor: %1</translation>
+    </message>
+    <message>
+        <source>the profile was read again. These settings wait for a restart: %1</source>
+        <translation>o perfil foi lido de novo; estes parâmetros esperam por um reinício: %1</translation>
+    </message>
+    <message>
+        <source>%1 (Boresight keeps trying)</source>
+        <translation>%1 (tenta-se de novo repetidamente)</translation>
+    </message>
+    <message>
+        <source>MQTT broker %1: a message of %2 kB was dropped. The limit is %3 kB</source>
+        <translation>broker MQTT %1: foi descartada uma mensagem de %2 kB; o limite é %3 kB</translation>
+    </message>
+    <message>
+        <source>disconnected: %1</source>
+        <translation>saiu: %1</translation>
+    </message>
+    <message>
+        <source>The motor is still at %1 °C. It must cool down to %2 °C.</source>
+        <translation>o motor ainda está a %1 °C; tem de esfriar até %2 °C</translation>
+    </message>
+    <message>
+        <source>The drive board is still at %1 °C. It must cool down to %2 °C.</source>
+        <translation>a placa do acionamento ainda está a %1 °C; tem de esfriar até %2 °C</translation>
+    </message>
+    <message>
+        <source>The supply is still at %1 V. It must reach %2 V.</source>
+        <translation>a alimentação ainda está em %1 V; são precisos %2 V</translation>
+    </message>
+    <message>
+        <source>The supply is still at %1 V. It must fall to %2 V.</source>
+        <translation>a alimentação ainda está em %1 V; são permitidos no máximo %2 V</translation>
+    </message>
+    <message>
+        <source>The drive does not report its supply voltage.</source>
+        <translation>o acionamento não informa a tensão de alimentação</translation>
+    </message>
+    <message>
+        <source>The drive does not report its temperature.</source>
+        <translation>o acionamento não informa a temperatura</translation>
+    </message>
+    <message>
+        <source>The motor was at %1 °C and no longer reports its temperature. Repair its sensor, or let the motor cool down and restart Boresight.</source>
+        <translation>o motor estava a %1 °C e não informa mais a temperatura: repare o sensor, ou deixe-o esfriar e inicie o Boresight de novo</translation>
+    </message>
+    <message>
+        <source>the sensor does not report the calibration of its compass</source>
+        <translation>o sensor não diz quão bem a sua bússola está calibrada</translation>
+    </message>
+    <message>
+        <source>steel disturbs its compass near %1, as the swing found</source>
+        <translation>o aço conduz a bússola dele perto de %1: o giro mostrou que aí não é de fiar</translation>
+    </message>
+    <message>
+        <source>the orientation sensor sends data: %1</source>
+        <translation>o sensor de orientação é recebido: %1</translation>
+    </message>
+    <message>
+        <source>the orientation sensor restarted, so its calibration begins again</source>
+        <translation>o sensor de orientação reiniciou: a sua calibração recomeça</translation>
+    </message>
+    <message>
+        <source>its messages contain unknown fields: %1</source>
+        <translation>as suas mensagens contêm mais do que aqui se conhece: %1</translation>
     </message>
 </context>
 <context>
@@ -7650,23 +7638,23 @@ SDL 2, toml++</translation>
         <translation>Som a cada novo alarme</translation>
     </message>
     <message>
-        <source>A sound at each new alarm, once</source>
+        <source>Sound once at each new alarm</source>
         <translation>Um som a cada novo alarme, uma vez</translation>
     </message>
     <message>
-        <source>all are acknowledged</source>
+        <source>All alarms are acknowledged.</source>
         <translation>todos estão reconhecidos</translation>
     </message>
     <message>
-        <source>no alarm is selected</source>
+        <source>No alarm is selected.</source>
         <translation>nenhum alarme está selecionado</translation>
     </message>
     <message>
-        <source>it is acknowledged</source>
+        <source>This alarm is acknowledged.</source>
         <translation>está reconhecido</translation>
     </message>
     <message>
-        <source>it is over</source>
+        <source>This alarm is over.</source>
         <translation>terminou</translation>
     </message>
 </context>
@@ -7708,23 +7696,15 @@ SDL 2, toml++</translation>
         <translation>Deixar os clientes rotctld mover de novo a montagem</translation>
     </message>
     <message>
-        <source>Keep the mount for the operator: motion commands of clients are refused</source>
+        <source>Keep control for the operator. Boresight refuses motion commands of clients</source>
         <translation>Reservar a montagem para o operador: os comandos de movimento dos clientes são recusados</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::AxisCard</name>
     <message>
-        <source>TURN?</source>
-        <translation>VOLTA?</translation>
-    </message>
-    <message>
         <source>age %1</source>
         <translation>idade %1</translation>
-    </message>
-    <message>
-        <source>the turn is not known</source>
-        <translation>a volta é desconhecida</translation>
     </message>
     <message>
         <source>%1 axis, %2 … %3</source>
@@ -7818,6 +7798,14 @@ velocidade %1</translation>
         <source>axis %1</source>
         <translation>eixo %1</translation>
     </message>
+    <message>
+        <source>WRAP?</source>
+        <translation>VOLTA?</translation>
+    </message>
+    <message>
+        <source>the cable wrap is unknown</source>
+        <translation>a volta é desconhecida</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::BeamBox</name>
@@ -7858,10 +7846,6 @@ velocidade %1</translation>
         <translation>Usar a largura de feixe do ganho</translation>
     </message>
     <message>
-        <source>Of an antenna whose beam is as wide as it is high</source>
-        <translation>De uma antena com um feixe tão largo como alto</translation>
-    </message>
-    <message>
         <source>Dish</source>
         <translation>Parabólica</translation>
     </message>
@@ -7873,56 +7857,24 @@ velocidade %1</translation>
         <source>Use %1</source>
         <translation>Usar %1</translation>
     </message>
+    <message>
+        <source>For an antenna whose beam is as wide as it is high</source>
+        <translation>De uma antena com um feixe tão largo como alto</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::BodyBox</name>
     <message>
-        <source>Where the body is</source>
-        <translation>Onde está o astro</translation>
-    </message>
-    <message>
-        <source>Follow Sun</source>
-        <translation>Seguir Sol</translation>
-    </message>
-    <message>
         <source>Take point</source>
         <translation>Tomar ponto</translation>
-    </message>
-    <message>
-        <source>It is centred now: keep where the axes stand</source>
-        <translation>Está centrado agora: guarda onde estão os eixos</translation>
     </message>
     <message>
         <source>Hold</source>
         <translation>Manter</translation>
     </message>
     <message>
-        <source>Follow %1</source>
-        <translation>Seguir %1</translation>
-    </message>
-    <message>
-        <source>Ends it; the mount holds</source>
-        <translation>Termina; a montagem mantém a posição</translation>
-    </message>
-    <message>
-        <source>The mount moves to the %1 and stays on it; the pad trims</source>
-        <translation>A montagem move-se e fica a seguir (%1); o painel de passos compensa</translation>
-    </message>
-    <message>
-        <source>Hold, follow the %1 no more</source>
-        <translation>Manter, não seguir mais (%1)</translation>
-    </message>
-    <message>
-        <source>not followed</source>
-        <translation>não é seguido</translation>
-    </message>
-    <message>
         <source>Not now: %1</source>
         <translation>Agora não: %1</translation>
-    </message>
-    <message>
-        <source>followed, trim az %1 el %2</source>
-        <translation>seguido, comp. az %1 el %2</translation>
     </message>
     <message>
         <source>points taken: %1</source>
@@ -7933,35 +7885,71 @@ velocidade %1</translation>
         <translation>Refração</translation>
     </message>
     <message>
-        <source>How the air bends what is centred: the shadow, or the power</source>
-        <translation>Como o ar curva o que se centra: a sombra ou a potência</translation>
-    </message>
-    <message>
-        <source>as light</source>
-        <translation>como luz</translation>
-    </message>
-    <message>
-        <source>as radio</source>
-        <translation>como rádio</translation>
-    </message>
-    <message>
-        <source>no air</source>
-        <translation>sem ar</translation>
-    </message>
-    <message>
         <source>Over the top</source>
         <translation>Pelo outro lado do zênite</translation>
     </message>
     <message>
-        <source>From the other side, with the boom past the zenith. One point of three or two of six taken so tell north and the collimation apart.</source>
+        <source>Position of the body</source>
+        <translation>Onde está o astro</translation>
+    </message>
+    <message>
+        <source>Track Sun</source>
+        <translation>Seguir Sol</translation>
+    </message>
+    <message>
+        <source>The target is centred now. Store the position of the axes</source>
+        <translation>Está centrado agora: guarda onde estão os eixos</translation>
+    </message>
+    <message>
+        <source>Refraction of the air: optical for a shadow, radio for the power</source>
+        <translation>Como o ar curva o que se centra: a sombra ou a potência</translation>
+    </message>
+    <message>
+        <source>From the other side, with the boom past the zenith. One such point of three, or two of six, separate north from collimation.</source>
         <translation>Do outro lado, com a lança além do zênite. Um ponto de três ou dois de seis tomados assim distinguem o norte da colimação.</translation>
     </message>
     <message>
-        <source>followed over the top, trim az %1 el %2</source>
+        <source>optical</source>
+        <translation>como luz</translation>
+    </message>
+    <message>
+        <source>radio</source>
+        <translation>como rádio</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>desligado</translation>
+    </message>
+    <message>
+        <source>Track %1</source>
+        <translation>Seguir %1</translation>
+    </message>
+    <message>
+        <source>End tracking. The mount holds</source>
+        <translation>Termina; a montagem mantém a posição</translation>
+    </message>
+    <message>
+        <source>Move the mount to the %1 and track it. The pad trims</source>
+        <translation>A montagem move-se e fica a seguir (%1); o painel de passos compensa</translation>
+    </message>
+    <message>
+        <source>Hold and stop tracking the %1</source>
+        <translation>Manter, não seguir mais (%1)</translation>
+    </message>
+    <message>
+        <source>tracked over the top, trim az %1 el %2</source>
         <translation>seguido pelo outro lado, comp. az %1 el %2</translation>
     </message>
     <message>
-        <source>not followed, beam %1 beside it</source>
+        <source>tracked, trim az %1 el %2</source>
+        <translation>seguido, comp. az %1 el %2</translation>
+    </message>
+    <message>
+        <source>not tracked</source>
+        <translation>não é seguido</translation>
+    </message>
+    <message>
+        <source>not tracked, beam %1 off</source>
         <translation>não é seguido, feixe a %1 dele</translation>
     </message>
 </context>
@@ -7978,10 +7966,6 @@ velocidade %1</translation>
     <message>
         <source>Step of the pad</source>
         <translation>Passo dos botões</translation>
-    </message>
-    <message>
-        <source>How far one press of the pad or of an arrow key moves</source>
-        <translation>Quanto move um toque nos botões ou numa seta</translation>
     </message>
     <message>
         <source>Nudge pad</source>
@@ -8014,6 +7998,10 @@ velocidade %1</translation>
     <message>
         <source>step %1</source>
         <translation>passo %1</translation>
+    </message>
+    <message>
+        <source>Step of one press on the pad or of an arrow key</source>
+        <translation>Quanto move um toque nos botões ou numa seta</translation>
     </message>
 </context>
 <context>
@@ -8078,16 +8066,8 @@ velocidade %1</translation>
         <translation>Desfazer</translation>
     </message>
     <message>
-        <source>Back to the calibration before; nothing moves</source>
-        <translation>Volta à calibração anterior; nada se move</translation>
-    </message>
-    <message>
         <source>Undo the calibration</source>
         <translation>Desfazer a calibração</translation>
-    </message>
-    <message>
-        <source>Into force at once, nothing moves: %1</source>
-        <translation>Vale de imediato, nada se move: %1</translation>
     </message>
     <message>
         <source>Apply to sensor</source>
@@ -8098,16 +8078,24 @@ velocidade %1</translation>
         <translation>Descartar</translation>
     </message>
     <message>
-        <source>What is proposed goes; nothing changes, and the points stay</source>
+        <source>Steps 1 to 3 find north</source>
+        <translation>Os passos 1 a 3 acham o norte</translation>
+    </message>
+    <message>
+        <source>Drop the proposal. Nothing changes, and the points stay</source>
         <translation>A proposta desaparece; nada muda, e os pontos ficam</translation>
     </message>
     <message>
-        <source>Discard what is proposed</source>
+        <source>Return to the calibration before. Nothing moves</source>
+        <translation>Volta à calibração anterior; nada se move</translation>
+    </message>
+    <message>
+        <source>Discard the proposal</source>
         <translation>Descartar o que se propõe</translation>
     </message>
     <message>
-        <source>Steps 1 to 3 find north</source>
-        <translation>Os passos 1 a 3 acham o norte</translation>
+        <source>In force at once, and nothing moves: %1</source>
+        <translation>Vale de imediato, nada se move: %1</translation>
     </message>
 </context>
 <context>
@@ -8129,10 +8117,6 @@ velocidade %1</translation>
         <translation>MAG</translation>
     </message>
     <message>
-        <source>Fusion of all: it follows the other three. At 0 the heading is not tied to north.</source>
-        <translation>Fusão de todos: segue os outros três. Em 0 o rumo não está ligado ao norte.</translation>
-    </message>
-    <message>
         <source>Gyro: hold the sensor still for some seconds.</source>
         <translation>Giroscópio: mantenha o sensor imóvel durante alguns segundos.</translation>
     </message>
@@ -8141,15 +8125,19 @@ velocidade %1</translation>
         <translation>Acelerômetro: mantenha o sensor imóvel em cada um dos seus seis lados, alguns segundos em cada.</translation>
     </message>
     <message>
-        <source>Magnetometer: move the sensor in figures of eight, away from iron and motors; on the mast, turn the mount through its range.</source>
-        <translation>Magnetômetro: mova o sensor em forma de oito, longe de ferro e motores; no mastro, gire a montagem por todo o seu curso.</translation>
-    </message>
-    <message>
         <source>Calibration: system %1, gyro %2, accelerometer %3, magnetometer %4 of 3</source>
         <translation>Calibração: sistema %1, giroscópio %2, acelerômetro %3, magnetômetro %4 de 3</translation>
     </message>
     <message>
-        <source>Calibration: not told</source>
+        <source>System: it follows the other three. At 0 the heading is not tied to north.</source>
+        <translation>Fusão de todos: segue os outros três. Em 0 o rumo não está ligado ao norte.</translation>
+    </message>
+    <message>
+        <source>Magnetometer: move the sensor in figures of eight, away from iron and motors. On the mast, turn the mount through its range.</source>
+        <translation>Magnetômetro: mova o sensor em forma de oito, longe de ferro e motores; no mastro, gire a montagem por todo o seu curso.</translation>
+    </message>
+    <message>
+        <source>Calibration: not reported</source>
         <translation>Calibração: não informada</translation>
     </message>
 </context>
@@ -8164,16 +8152,8 @@ velocidade %1</translation>
         <translation>1 Sensor</translation>
     </message>
     <message>
-        <source>North from the sensor while the mount stands still: to some degrees</source>
-        <translation>Norte pelo sensor com a montagem parada: a alguns graus</translation>
-    </message>
-    <message>
         <source>2 Swing</source>
         <translation>2 Giro</translation>
-    </message>
-    <message>
-        <source>The compass swing: north, the sensor&apos;s deviation, and the tilt of the axis</source>
-        <translation>O giro da bússola: norte, desvio do sensor e inclinação do eixo</translation>
     </message>
     <message>
         <source>3 Sun/Moon</source>
@@ -8199,6 +8179,14 @@ velocidade %1</translation>
         <source>What was applied before</source>
         <translation>O que já foi aplicado</translation>
     </message>
+    <message>
+        <source>North from the sensor while the mount stands still, to a few degrees</source>
+        <translation>Norte pelo sensor com a montagem parada: a alguns graus</translation>
+    </message>
+    <message>
+        <source>Compass swing: north, compass error of the sensor and tilt of the axis</source>
+        <translation>O giro da bússola: norte, desvio do sensor e inclinação do eixo</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::ClientModel</name>
@@ -8217,18 +8205,6 @@ velocidade %1</translation>
     <message>
         <source>read-only</source>
         <translation>só leitura</translation>
-    </message>
-    <message>
-        <source>● drives</source>
-        <translation>● move</translation>
-    </message>
-    <message>
-        <source>leads</source>
-        <translation>conduz</translation>
-    </message>
-    <message>
-        <source>▲ wants to</source>
-        <translation>▲ quer mover</translation>
     </message>
     <message>
         <source>locked</source>
@@ -8254,6 +8230,18 @@ velocidade %1</translation>
         <source>Control</source>
         <translation>Controle</translation>
     </message>
+    <message>
+        <source>● in control</source>
+        <translation>● move</translation>
+    </message>
+    <message>
+        <source>in control</source>
+        <translation>conduz</translation>
+    </message>
+    <message>
+        <source>▲ waiting</source>
+        <translation>▲ quer mover</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::ClientsPanel</name>
@@ -8278,24 +8266,12 @@ velocidade %1</translation>
         <translation>Primeiro</translation>
     </message>
     <message>
-        <source>The first client moves the mount until it has asked for no motion for 10 s, or left</source>
-        <translation>O primeiro cliente move a montagem até não pedir movimento durante 10 s, ou sair</translation>
-    </message>
-    <message>
         <source>Last</source>
         <translation>Último</translation>
     </message>
     <message>
-        <source>Whoever sent the last target moves the mount, as with Hamlib</source>
-        <translation>Move a montagem quem enviou o último alvo, como no Hamlib</translation>
-    </message>
-    <message>
         <source>Locked</source>
         <translation>Reservado</translation>
-    </message>
-    <message>
-        <source>Only the host of one client: select it first</source>
-        <translation>Só o computador de um cliente: selecione-o primeiro</translation>
     </message>
     <message>
         <source>Give control</source>
@@ -8318,20 +8294,12 @@ velocidade %1</translation>
         <translation>Desconectar</translation>
     </message>
     <message>
-        <source>Hang up; its program may connect again</source>
-        <translation>Desliga; o seu programa pode conectar-se de novo</translation>
-    </message>
-    <message>
         <source>Lock</source>
         <translation>Reservar</translation>
     </message>
     <message>
         <source>Only programs on the host of the selected client move the mount</source>
         <translation>Só programas no computador do cliente selecionado movem a montagem</translation>
-    </message>
-    <message>
-        <source>Who moves:</source>
-        <translation>Quem move:</translation>
     </message>
     <message>
         <source>Clients</source>
@@ -8346,18 +8314,10 @@ velocidade %1</translation>
         <translation>Copiar a configuração para o Gpredict</translation>
     </message>
     <message>
-        <source>All that Gpredict must be told, for its dialogs</source>
-        <translation>Tudo o que o Gpredict precisa saber, para os seus diálogos</translation>
-    </message>
-    <message>
         <source>Locked to
 %1</source>
         <translation>Reservado a
 %1</translation>
-    </message>
-    <message>
-        <source>rotctld does not listen: no program can connect</source>
-        <translation>o rotctld não escuta: nenhum programa pode conectar-se</translation>
     </message>
     <message>
         <source>May connect to %1: %2</source>
@@ -8366,10 +8326,6 @@ velocidade %1</translation>
     <message>
         <source>Any program on this computer may connect (%1)</source>
         <translation>Qualquer programa deste computador pode conectar-se (%1)</translation>
-    </message>
-    <message>
-        <source>Whoever can reach %1 may connect</source>
-        <translation>Quem chegar a %1 pode conectar-se</translation>
     </message>
     <message>
         <source>May move</source>
@@ -8388,26 +8344,6 @@ velocidade %1</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>You have the control: clients&apos; motions are refused until you give it back</source>
-        <translation>O controle é seu: os movimentos dos clientes são recusados até o devolver</translation>
-    </message>
-    <message>
-        <source>No program is connected. Gpredict leaves when it is refused: press Engage there again</source>
-        <translation>Nenhum programa está conectado. O Gpredict sai quando é recusado: prima lá Engage de novo</translation>
-    </message>
-    <message>
-        <source>Select a client to give it the control, or to keep it out</source>
-        <translation>Selecione um cliente para lhe dar o controle ou para o manter fora</translation>
-    </message>
-    <message>
-        <source>apply or revert the edits of the profile first (Ctrl+3)</source>
-        <translation>aplique ou reverta primeiro as alterações do perfil (Ctrl+3)</translation>
-    </message>
-    <message>
-        <source>Who moves: %1</source>
-        <translation>Quem move: %1</translation>
-    </message>
-    <message>
         <source>MQTT broker</source>
         <translation>Broker MQTT</translation>
     </message>
@@ -8420,12 +8356,64 @@ velocidade %1</translation>
         <translation>A ligar ao broker MQTT %1</translation>
     </message>
     <message>
-        <source> (tried again in %1 s)</source>
+        <source>Select a client first.</source>
+        <translation>selecione primeiro um cliente</translation>
+    </message>
+    <message>
+        <source>The first client moves the mount until it disconnects or commands no motion for 10 s</source>
+        <translation>O primeiro cliente move a montagem até não pedir movimento durante 10 s, ou sair</translation>
+    </message>
+    <message>
+        <source>The client that sent the last target moves the mount, as with Hamlib</source>
+        <translation>Move a montagem quem enviou o último alvo, como no Hamlib</translation>
+    </message>
+    <message>
+        <source>Only the host of the selected client moves the mount</source>
+        <translation>Só o computador de um cliente: selecione-o primeiro</translation>
+    </message>
+    <message>
+        <source>Close the connection. The program may connect again</source>
+        <translation>Desliga; o seu programa pode conectar-se de novo</translation>
+    </message>
+    <message>
+        <source>Control goes to:</source>
+        <translation>Quem move:</translation>
+    </message>
+    <message>
+        <source>The settings for the dialogs of Gpredict</source>
+        <translation>Tudo o que o Gpredict precisa saber, para os seus diálogos</translation>
+    </message>
+    <message>
+        <source>rotctld does not listen. No program can connect</source>
+        <translation>o rotctld não escuta: nenhum programa pode conectar-se</translation>
+    </message>
+    <message>
+        <source>Every computer that reaches %1 may connect</source>
+        <translation>Quem chegar a %1 pode conectar-se</translation>
+    </message>
+    <message>
+        <source> (next attempt in %1 s)</source>
         <translation> (nova tentativa em %1 s)</translation>
     </message>
     <message>
-        <source>select a client first</source>
-        <translation>selecione primeiro um cliente</translation>
+        <source>You have control. Boresight refuses motion commands of clients</source>
+        <translation>O controle é seu: os movimentos dos clientes são recusados até o devolver</translation>
+    </message>
+    <message>
+        <source>No program is connected. Gpredict disconnects after a refusal. Press Engage there again</source>
+        <translation>Nenhum programa está conectado. O Gpredict sai quando é recusado: prima lá Engage de novo</translation>
+    </message>
+    <message>
+        <source>Select a client to give it control or to make it read-only</source>
+        <translation>Selecione um cliente para lhe dar o controle ou para o manter fora</translation>
+    </message>
+    <message>
+        <source>Apply or revert the edits of the profile first (Ctrl+3).</source>
+        <translation>aplique ou reverta primeiro as alterações do perfil (Ctrl+3)</translation>
+    </message>
+    <message>
+        <source>Control goes to: %1</source>
+        <translation>Quem move: %1</translation>
     </message>
 </context>
 <context>
@@ -8480,20 +8468,12 @@ velocidade %1</translation>
 <context>
     <name>boresight::ui::DeviationPlot</name>
     <message>
-        <source>Deviation of the compass</source>
-        <translation>Desvio da bússola</translation>
-    </message>
-    <message>
         <source>%1 samples, first harmonic %2, second %3, scatter %4</source>
         <translation>%1 amostras, primeira harmónica %2, segunda %3, dispersão %4</translation>
     </message>
     <message>
         <source>no swing yet</source>
         <translation>ainda sem giro</translation>
-    </message>
-    <message>
-        <source>Error ° over heading</source>
-        <translation>Erro ° por rumo</translation>
     </message>
     <message>
         <source>clockwise</source>
@@ -8510,6 +8490,14 @@ velocidade %1</translation>
     <message>
         <source>unreliable</source>
         <translation>incerto</translation>
+    </message>
+    <message>
+        <source>Compass error</source>
+        <translation>Desvio da bússola</translation>
+    </message>
+    <message>
+        <source>Compass error (°) by heading</source>
+        <translation>Erro ° por rumo</translation>
     </message>
 </context>
 <context>
@@ -8876,14 +8864,14 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
         <translation>Este valor está em vigor. Introduza outro primeiro.</translation>
     </message>
     <message>
-        <source>With another filter the drive counts its position from a new zero. The cable wrap of the %1 is unknown until you enter the position. Nothing moves.</source>
-        <translation>Com outro filtro o acionamento conta a posição a partir de um novo zero. A volta do cabo do %1 fica desconhecida até indicar a posição. Nada se move.</translation>
+        <source>The drive then counts its position from a new zero. The cable wrap of the %1 is unknown until you enter the position. Nothing moves.</source>
+        <translation>O acionamento passa a contar a posição a partir de um novo zero. A volta do cabo do %1 fica desconhecida até indicar a posição. Nada se move.</translation>
     </message>
     <message>
         <source>
-The drive keeps these gains after a power cycle. It also stores all its other present settings. Nothing moves.</source>
+The drive keeps them without power. It also stores all its other settings in force. Nothing moves.</source>
         <translation>
-O acionamento mantém estes ganhos depois de desligado e ligado. Guarda também todas as suas outras definições atuais. Nada se move.</translation>
+O acionamento mantém-nos sem alimentação. Guarda também todas as outras definições em vigor. Nada se move.</translation>
     </message>
 </context>
 <context>
@@ -8999,18 +8987,18 @@ O acionamento mantém estes ganhos depois de desligado e ligado. Guarda também 
         <translation>Duas placas têm o mesmo id, como vêm de fábrica. As respostas colidem. Desligue a alimentação, desligue uma placa e ligue a alimentação. Deixe ligada a placa que deve receber outro id. A página continua quando ela responder.</translation>
     </message>
     <message>
-        <source>One board replies: %1. If the other board is connected, check its power and plugs. If both boards had the same id, choose the axis of this board. Boresight then sets the id of that axis.</source>
-        <translation>Responde uma placa: %1. Se a outra placa estiver ligada, verifique a alimentação e as fichas dela. Se as duas placas tinham o mesmo id, escolha o eixo desta placa. O Boresight define então o id desse eixo.</translation>
+        <source>One board replies: %1. Is the other board connected, too? Then check its power and plugs. Did both have the same id? Then choose the axis that this board turns. It gets the id of that axis.</source>
+        <translation>Uma placa responde: %1. Se a outra também está ligada, verifique a alimentação e as fichas. Se ambas tinham o mesmo id, diga que eixo esta placa roda. O Boresight dá-lhe então o id desse eixo.</translation>
     </message>
     <message>
         <source>Board: %1.
-Axis: %2. New id: %3.
+It becomes the board of the %2, with the id %3.
 
-Boresight sets the id. It checks that the same board replies. It reads the id back and stores it. If a check fails, Boresight stores nothing. Nothing moves.</source>
+Boresight sets the id and checks that the same board replies. Then it reads the id back and stores it. If a check fails, it stores nothing. Nothing moves.</source>
         <translation>Placa: %1.
-Eixo: %2. Novo id: %3.
+Passa a ser a placa do %2, com o id %3.
 
-O Boresight define o id. Verifica se responde a mesma placa. Volta a ler o id e guarda-o. Se uma verificação falhar, o Boresight não guarda nada. Nada se move.</translation>
+O Boresight define o id, vê se a mesma placa responde com ele, relê-o e guarda-o na placa. Se algo falhar, nada é guardado. Nada se move.</translation>
     </message>
 </context>
 <context>
@@ -9825,7 +9813,7 @@ trocar os motores</translation>
         <translation>Manter controlo</translation>
     </message>
     <message>
-        <source>The clients stay refused. The Clients page hands over later</source>
+        <source>Clients stay refused. Hand over later on the Clients page</source>
         <translation>Os clientes continuam recusados. A página Clientes entrega mais tarde</translation>
     </message>
 </context>
@@ -9856,10 +9844,6 @@ trocar os motores</translation>
         <translation>o rotctld escuta em %1</translation>
     </message>
     <message>
-        <source>, driving</source>
-        <translation>, move</translation>
-    </message>
-    <message>
         <source>, last command %1</source>
         <translation>, último comando %1</translation>
     </message>
@@ -9876,20 +9860,12 @@ trocar os motores</translation>
         <translation>Alvo limitado</translation>
     </message>
     <message>
-        <source>Target and who gave it</source>
-        <translation>Alvo e quem o deu</translation>
-    </message>
-    <message>
         <source>Azimuth drive</source>
         <translation>Acionamento de azimute</translation>
     </message>
     <message>
         <source>Elevation drive</source>
         <translation>Acionamento de elevação</translation>
-    </message>
-    <message>
-        <source>Who may move the mount</source>
-        <translation>Quem pode mover a montagem</translation>
     </message>
     <message>
         <source>UTC</source>
@@ -9918,16 +9894,6 @@ trocar os motores</translation>
     <message>
         <source>EL</source>
         <translation>EL</translation>
-    </message>
-    <message>
-        <source>The target is outside the limits: the mount goes to the nearest permitted point.
-%1</source>
-        <translation>O alvo está fora dos limites: a montagem vai ao ponto permitido mais próximo.
-%1</translation>
-    </message>
-    <message>
-        <source>Started with --simulate: no real drive is connected, whatever mount is chosen, until the program ends</source>
-        <translation>Iniciado com --simulate: nenhum acionamento real é conectado, qualquer que seja a montagem escolhida, até o fim do programa</translation>
     </message>
     <message>
         <source>Sensor lost</source>
@@ -9974,10 +9940,6 @@ trocar os motores</translation>
         <translation>Ligação com a montagem</translation>
     </message>
     <message>
-        <source>No real drive is connected. What is set and found here stays in the simulation of this mount.</source>
-        <translation>Nenhum acionamento real está ligado. O que aqui se define e acha fica na simulação desta montagem.</translation>
-    </message>
-    <message>
         <source>there in %1 s</source>
         <translation>lá dentro de %1 s</translation>
     </message>
@@ -10006,10 +9968,6 @@ trocar os motores</translation>
         <translation>Menu: tema, ecrã inteiro, idioma, guia, teclas, diagnóstico (F10 ou Alt)</translation>
     </message>
     <message>
-        <source>Who may move the mount, and how many clients wait for it. While the operator has the control, motion commands of rotctld clients are refused.</source>
-        <translation>Quem pode mover a montagem, e quantos clientes esperam. Enquanto o operador tiver o controlo, os comandos de movimento dos clientes rotctld são recusados.</translation>
-    </message>
-    <message>
         <source>Clients cannot connect</source>
         <translation>Clientes sem ligação</translation>
     </message>
@@ -10024,6 +9982,36 @@ trocar os motores</translation>
     <message>
         <source>no clients</source>
         <translation>sem clientes</translation>
+    </message>
+    <message>
+        <source>Who has control, and how many clients wait for it. While the operator has control, Boresight refuses motion commands of rotctld clients.</source>
+        <translation>Quem pode mover a montagem, e quantos clientes esperam. Enquanto o operador tiver o controlo, os comandos de movimento dos clientes rotctld são recusados.</translation>
+    </message>
+    <message>
+        <source>, in control</source>
+        <translation>, move</translation>
+    </message>
+    <message>
+        <source>Target and its source</source>
+        <translation>Alvo e quem o deu</translation>
+    </message>
+    <message>
+        <source>Who has control</source>
+        <translation>Quem pode mover a montagem</translation>
+    </message>
+    <message>
+        <source>No real drive is connected. Settings and results stay in the simulation of this mount.</source>
+        <translation>Nenhum acionamento real está ligado. O que aqui se define e acha fica na simulação desta montagem.</translation>
+    </message>
+    <message>
+        <source>The target is outside the limits. The mount goes to the nearest permitted point.
+%1</source>
+        <translation>O alvo está fora dos limites: a montagem vai ao ponto permitido mais próximo.
+%1</translation>
+    </message>
+    <message>
+        <source>Boresight was started with --simulate. No mount is real until the program ends.</source>
+        <translation>Iniciado com --simulate: nenhum acionamento real é conectado, qualquer que seja a montagem escolhida, até o fim do programa</translation>
     </message>
 </context>
 <context>
@@ -10250,7 +10238,7 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Lugar</translation>
     </message>
     <message>
-        <source>%1 (taken back)</source>
+        <source>%1 (undone)</source>
         <translation>%1 (desfeita)</translation>
     </message>
 </context>
@@ -10261,20 +10249,8 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>▲ %1: what it says may not hold here</source>
-        <translation>▲ %1: o que diz pode não valer aqui</translation>
-    </message>
-    <message>
-        <source>Nothing was applied to this mount yet</source>
-        <translation>Ainda nada foi aplicado a esta montagem</translation>
-    </message>
-    <message>
         <source>None of these is in force</source>
         <translation>Nenhuma destas está em vigor</translation>
-    </message>
-    <message>
-        <source>What is in force was found with other drives or elsewhere: check it</source>
-        <translation>O que está em vigor foi achado com outros acionamentos ou noutro lugar: verifique</translation>
     </message>
     <message>
         <source>In force: %1</source>
@@ -10305,16 +10281,28 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Refazer</translation>
     </message>
     <message>
-        <source>The calibration that was taken back; nothing moves</source>
-        <translation>A calibração que foi desfeita; nada se move</translation>
-    </message>
-    <message>
         <source>Redo the calibration</source>
         <translation>Refazer a calibração</translation>
     </message>
     <message>
-        <source>Taken back, and another was applied since: kept to be read</source>
+        <source>Undone, and another calibration was applied later. Kept for reading only</source>
         <translation>Desfeita, e outra foi aplicada depois: guardada para ser lida</translation>
+    </message>
+    <message>
+        <source>▲ %1: may not be valid here</source>
+        <translation>▲ %1: o que diz pode não valer aqui</translation>
+    </message>
+    <message>
+        <source>No calibration was applied to this mount yet</source>
+        <translation>Ainda nada foi aplicado a esta montagem</translation>
+    </message>
+    <message>
+        <source>The calibration in force is from other drives or another site. Check it</source>
+        <translation>O que está em vigor foi achado com outros acionamentos ou noutro lugar: verifique</translation>
+    </message>
+    <message>
+        <source>Apply the undone calibration again. Nothing moves</source>
+        <translation>A calibração que foi desfeita; nada se move</translation>
     </message>
 </context>
 <context>
@@ -10343,7 +10331,7 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
 <context>
     <name>boresight::ui::HorizonModel</name>
     <message>
-        <source>there is a point at this azimuth already</source>
+        <source>There is already a point at this azimuth.</source>
         <translation>já existe um ponto neste azimute</translation>
     </message>
 </context>
@@ -10510,10 +10498,6 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Azimute verdadeiro do marco</translation>
     </message>
     <message>
-        <source>From true north, as a map or a GPS receiver tells it</source>
-        <translation>A partir do norte verdadeiro, como o diz um mapa ou um recetor GPS</translation>
-    </message>
-    <message>
         <source>True elevation of the landmark</source>
         <translation>Elevação verdadeira do marco</translation>
     </message>
@@ -10528,10 +10512,6 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <message>
         <source>Take point</source>
         <translation>Tomar ponto</translation>
-    </message>
-    <message>
-        <source>It is centred now: keep where the axes stand</source>
-        <translation>Está centrado agora: guarda onde estão os eixos</translation>
     </message>
     <message>
         <source>Take the landmark as a point</source>
@@ -10562,7 +10542,15 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Agora não: %1</translation>
     </message>
     <message>
-        <source>type the direction of the landmark first, 0 and 0 with its name</source>
+        <source>From true north, by a map or a GPS receiver</source>
+        <translation>A partir do norte verdadeiro, como o diz um mapa ou um recetor GPS</translation>
+    </message>
+    <message>
+        <source>The target is centred now. Store the position of the axes</source>
+        <translation>Está centrado agora: guarda onde estão os eixos</translation>
+    </message>
+    <message>
+        <source>Type the direction of the landmark first. For 0 and 0 type its name, too.</source>
         <translation>escreva primeiro a direção do marco, 0 e 0 com o seu nome</translation>
     </message>
 </context>
@@ -10573,18 +10561,6 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Porta %1</translation>
     </message>
     <message>
-        <source>%1 wants to drive</source>
-        <translation>%1 quer mover</translation>
-    </message>
-    <message>
-        <source>A client wants to drive</source>
-        <translation>Um cliente quer mover</translation>
-    </message>
-    <message>
-        <source>Give</source>
-        <translation>Dar</translation>
-    </message>
-    <message>
         <source>This client moves the mount from now on (panel Clients, Ctrl+4)</source>
         <translation>Este cliente passa a mover a montagem (painel Clientes, Ctrl+4)</translation>
     </message>
@@ -10593,7 +10569,19 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Ignorar</translation>
     </message>
     <message>
-        <source>Not asked again while it stays connected</source>
+        <source>%1 asks for control</source>
+        <translation>%1 quer mover</translation>
+    </message>
+    <message>
+        <source>A client asks for control</source>
+        <translation>Um cliente quer mover</translation>
+    </message>
+    <message>
+        <source>Give control</source>
+        <translation>Dar controle</translation>
+    </message>
+    <message>
+        <source>Boresight does not ask again while this client stays connected</source>
         <translation>Não se pergunta de novo enquanto ele estiver conectado</translation>
     </message>
 </context>
@@ -10604,7 +10592,7 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>%1 de 3</translation>
     </message>
     <message>
-        <source>not told</source>
+        <source>not reported</source>
         <translation>não o diz</translation>
     </message>
 </context>
@@ -10619,12 +10607,12 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Limite superior de %1</translation>
     </message>
     <message>
-        <source>Travel of the %1, hatched where the limits end; the pointer is where it is now</source>
-        <translation>Curso de %1, tracejado onde terminam os limites; o ponteiro é onde está agora</translation>
-    </message>
-    <message>
         <source>%1, within the travel %2…%3</source>
         <translation>%1, dentro do curso %2…%3</translation>
+    </message>
+    <message>
+        <source>Travel of the %1. Hatched: outside the limits. Pointer: present position</source>
+        <translation>Curso de %1, tracejado onde terminam os limites; o ponteiro é onde está agora</translation>
     </message>
 </context>
 <context>
@@ -10636,10 +10624,6 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <message>
         <source>Keep-outs</source>
         <translation>Zonas proibidas</translation>
-    </message>
-    <message>
-        <source>Why the text was not taken</source>
-        <translation>Por que o texto não foi aceito</translation>
     </message>
     <message>
         <source>%1: type into a cell, or drag on the plot (Edit, Ctrl+E)</source>
@@ -10656,10 +10640,6 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <message>
         <source>File</source>
         <translation>Arquivo</translation>
-    </message>
-    <message>
-        <source>Horizon from and to a file (az el)</source>
-        <translation>Horizonte de e para um arquivo (az el)</translation>
     </message>
     <message>
         <source>Import …</source>
@@ -10690,10 +10670,6 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Zonas proibidas, no sentido horário de … a</translation>
     </message>
     <message>
-        <source>select a row first</source>
-        <translation>selecione primeiro uma linha</translation>
-    </message>
-    <message>
         <source>Import a horizon</source>
         <translation>Importar um horizonte</translation>
     </message>
@@ -10716,6 +10692,18 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <message>
         <source>written</source>
         <translation>gravado</translation>
+    </message>
+    <message>
+        <source>Why the entry was refused</source>
+        <translation>Por que o texto não foi aceito</translation>
+    </message>
+    <message>
+        <source>Import or export the horizon (az el)</source>
+        <translation>Horizonte de e para um arquivo (az el)</translation>
+    </message>
+    <message>
+        <source>Select a row first.</source>
+        <translation>selecione primeiro uma linha</translation>
     </message>
 </context>
 <context>
@@ -10838,10 +10826,6 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Alarmes</translation>
     </message>
     <message>
-        <source>Alarms of now and since the start of the window</source>
-        <translation>Alarmes de agora e desde o início da janela</translation>
-    </message>
-    <message>
         <source>Why did it move?</source>
         <translation>Por que se moveu?</translation>
     </message>
@@ -10876,6 +10860,10 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <message>
         <source>Control ticks: 99 % are late by at most %1 ms, the worst by %2 ms. %3</source>
         <translation>Ciclos de controle: 99 % atrasam no máximo %1 ms, o pior %2 ms. %3</translation>
+    </message>
+    <message>
+        <source>Active alarms, and all alarms since the start of the window</source>
+        <translation>Alarmes de agora e desde o início da janela</translation>
     </message>
 </context>
 <context>
@@ -11125,10 +11113,6 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Apagar</translation>
     </message>
     <message>
-        <source>Forget the selected point for good</source>
-        <translation>Esquece de vez o ponto selecionado</translation>
-    </message>
-    <message>
         <source>Drop the selected point</source>
         <translation>Apagar o ponto selecionado</translation>
     </message>
@@ -11153,10 +11137,6 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Notas do ajuste</translation>
     </message>
     <message>
-        <source>1 point finds the azimuth offset, 2 the elevation offset too, from 3 on the other terms as far as the points ask for them</source>
-        <translation>1 ponto acha o desvio de azimute, 2 também o de elevação, a partir de 3 os outros termos, se os pontos os pedem</translation>
-    </message>
-    <message>
         <source>Use again</source>
         <translation>Usar</translation>
     </message>
@@ -11169,10 +11149,6 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>O ponto selecionado volta a contar</translation>
     </message>
     <message>
-        <source>select a point first</source>
-        <translation>selecione primeiro um ponto</translation>
-    </message>
-    <message>
         <source>Type</source>
         <translation>Digitar</translation>
     </message>
@@ -11181,8 +11157,20 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Digitar os termos, ou trocá-los com um arquivo</translation>
     </message>
     <message>
-        <source>The sensor knows the azimuth to %1 here (1 sigma): it cannot check a model that is more exact than that</source>
+        <source>The sensor knows the azimuth to %1 here (1 sigma). It cannot check a more exact model</source>
         <translation>O sensor conhece aqui o azimute a %1 (1 sigma): não pode conferir um modelo mais exato do que isso</translation>
+    </message>
+    <message>
+        <source>Delete the selected point</source>
+        <translation>Esquece de vez o ponto selecionado</translation>
+    </message>
+    <message>
+        <source>1 point finds the azimuth offset. 2 points also find the elevation offset. 3 or more find other terms, as far as needed</source>
+        <translation>1 ponto acha o desvio de azimute, 2 também o de elevação, a partir de 3 os outros termos, se os pontos os pedem</translation>
+    </message>
+    <message>
+        <source>Select a point first.</source>
+        <translation>selecione primeiro um ponto</translation>
     </message>
 </context>
 <context>
@@ -11204,10 +11192,6 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Gráficos</translation>
     </message>
     <message>
-        <source>Position, error and drive over the time (Ctrl+2)</source>
-        <translation>Posição, erro e acionamento ao longo do tempo (Ctrl+2)</translation>
-    </message>
-    <message>
         <source>Limits</source>
         <translation>Limites</translation>
     </message>
@@ -11218,10 +11202,6 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     <message>
         <source>Clients</source>
         <translation>Clientes</translation>
-    </message>
-    <message>
-        <source>rotctld clients, and who of them moves the mount (Ctrl+4)</source>
-        <translation>Clientes rotctld, e quem deles move a montagem (Ctrl+4)</translation>
     </message>
     <message>
         <source>Log</source>
@@ -11236,14 +11216,6 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Montagem</translation>
     </message>
     <message>
-        <source>▲ Turn?</source>
-        <translation>▲ Volta?</translation>
-    </message>
-    <message>
-        <source>Which turn is the axis on? (Ctrl+9)</source>
-        <translation>Em que volta está o eixo? (Ctrl+9)</translation>
-    </message>
-    <message>
         <source>The mount itself</source>
         <translation>A própria montagem</translation>
     </message>
@@ -11252,24 +11224,12 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Acionamentos</translation>
     </message>
     <message>
-        <source>Drives, bus and crash-stop proof (Ctrl+6)</source>
-        <translation>Acionamentos, barramento e ensaio de parada brusca (Ctrl+6)</translation>
-    </message>
-    <message>
         <source>Protection</source>
         <translation>Proteções</translation>
     </message>
     <message>
-        <source>The drives&apos; own protections (Ctrl+7)</source>
-        <translation>As proteções dos próprios acionamentos (Ctrl+7)</translation>
-    </message>
-    <message>
         <source>Profile</source>
         <translation>Perfil</translation>
-    </message>
-    <message>
-        <source>All settings, and the mounts that are kept (Ctrl+8)</source>
-        <translation>Todos os parâmetros, e as montagens guardadas (Ctrl+8)</translation>
     </message>
     <message>
         <source>North</source>
@@ -11295,6 +11255,34 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <source>Measure the axes and tune the gains of the drives</source>
         <translation>Quão bem os eixos são controlados, e os ganhos</translation>
     </message>
+    <message>
+        <source>Position, error and drive over time (Ctrl+2)</source>
+        <translation>Posição, erro e acionamento ao longo do tempo (Ctrl+2)</translation>
+    </message>
+    <message>
+        <source>rotctld clients, and which of them has control (Ctrl+4)</source>
+        <translation>Clientes rotctld, e quem deles move a montagem (Ctrl+4)</translation>
+    </message>
+    <message>
+        <source>▲ Wrap?</source>
+        <translation>▲ Volta?</translation>
+    </message>
+    <message>
+        <source>Where is the axis now? (Ctrl+9)</source>
+        <translation>Em que volta está o eixo? (Ctrl+9)</translation>
+    </message>
+    <message>
+        <source>Drives, bus and crash-stop test (Ctrl+6)</source>
+        <translation>Acionamentos, barramento e ensaio de parada brusca (Ctrl+6)</translation>
+    </message>
+    <message>
+        <source>Safety settings of the drives (Ctrl+7)</source>
+        <translation>As proteções dos próprios acionamentos (Ctrl+7)</translation>
+    </message>
+    <message>
+        <source>All settings, and the stored mounts (Ctrl+8)</source>
+        <translation>Todos os parâmetros, e as montagens guardadas (Ctrl+8)</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::PickPrompt</name>
@@ -11307,12 +11295,12 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Ir para aqui</translation>
     </message>
     <message>
-        <source>Go to this direction by the nearest turn</source>
-        <translation>Ir a esta direção pela volta mais próxima</translation>
-    </message>
-    <message>
         <source>Dismiss</source>
         <translation>Dispensar</translation>
+    </message>
+    <message>
+        <source>Go to this direction by the shortest way</source>
+        <translation>Ir a esta direção pela volta mais próxima</translation>
     </message>
 </context>
 <context>
@@ -11389,10 +11377,6 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Limites no gráfico</translation>
     </message>
     <message>
-        <source>The same limits are changed by the keyboard in the Limits panel</source>
-        <translation>Os mesmos limites mudam-se pelo teclado no painel Limites</translation>
-    </message>
-    <message>
         <source>Drag an edge, a corner, a point or a whole keep-out (Shift: 0.1°). Double click or +: point of the horizon. Del: remove</source>
         <translation>Arraste uma borda, um canto, um ponto ou uma zona proibida inteira (Shift: 0.1°). Duplo clique ou +: ponto do horizonte. Del: retirar</translation>
     </message>
@@ -11418,20 +11402,16 @@ el %2</source>
         <translation>az %1
 el %2</translation>
     </message>
+    <message>
+        <source>The Limits panel changes the same limits by keyboard</source>
+        <translation>Os mesmos limites mudam-se pelo teclado no painel Limites</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::PlotMenu</name>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>the horizon has %1 points, which is the most</source>
-        <translation>o horizonte tem %1 pontos, que é o máximo</translation>
-    </message>
-    <message>
-        <source>there are %1 keep-outs, which is the most</source>
-        <translation>há %1 zonas proibidas, que é o máximo</translation>
     </message>
     <message>
         <source>Go here</source>
@@ -11450,8 +11430,16 @@ el %2</translation>
         <translation>Zona proibida aqui</translation>
     </message>
     <message>
-        <source>the station does not answer</source>
+        <source>The station does not answer.</source>
         <translation>a estação não responde</translation>
+    </message>
+    <message>
+        <source>The horizon has %1 points. More are not possible.</source>
+        <translation>o horizonte tem %1 pontos, que é o máximo</translation>
+    </message>
+    <message>
+        <source>There are %1 keep-outs. More are not possible.</source>
+        <translation>há %1 zonas proibidas, que é o máximo</translation>
     </message>
 </context>
 <context>
@@ -11537,7 +11525,7 @@ el %2</translation>
         <translation>Perda por apontamento</translation>
     </message>
     <message>
-        <source>What the pointing error costs. Beyond one beam width it is not told.</source>
+        <source>Loss of power by the pointing error. It is shown up to one beam width.</source>
         <translation>O que o erro de apontamento custa. Acima de uma largura de feixe não é indicado.</translation>
     </message>
 </context>
@@ -11685,36 +11673,36 @@ el %2</translation>
 <context>
     <name>boresight::ui::ProfileDraft</name>
     <message>
-        <source>the station has not answered yet</source>
-        <translation>a estação ainda não respondeu</translation>
-    </message>
-    <message>
-        <source>nothing has been changed</source>
-        <translation>nada foi alterado</translation>
-    </message>
-    <message>
-        <source>the profile was changed from elsewhere meanwhile: keep these edits or revert first</source>
-        <translation>entretanto o perfil foi alterado de outro lado: guarde estas alterações ou reverta primeiro</translation>
-    </message>
-    <message>
-        <source>apply or revert the edits first</source>
-        <translation>aplique ou reverta primeiro as alterações</translation>
-    </message>
-    <message>
-        <source>no change has been applied here</source>
-        <translation>nenhuma alteração foi aplicada aqui</translation>
-    </message>
-    <message>
-        <source>nothing waits for a reconnect</source>
-        <translation>nada espera por uma reconexão</translation>
-    </message>
-    <message>
         <source>This is the profile of a real mount. To try it on the simulated mount, start Boresight with --simulate</source>
         <translation>Este é o perfil de uma montagem real. Para o experimentar na montagem simulada, inicie o Boresight com --simulate</translation>
     </message>
     <message>
         <source>Boresight was started with --simulate, so every mount is simulated. To use this bus, start Boresight with --bus %1</source>
         <translation>O Boresight foi iniciado com --simulate, por isso todas as montagens são simuladas. Para usar este barramento, inicie o Boresight com --bus %1</translation>
+    </message>
+    <message>
+        <source>The station has not answered yet.</source>
+        <translation>a estação ainda não respondeu</translation>
+    </message>
+    <message>
+        <source>Nothing has been changed.</source>
+        <translation>nada foi alterado</translation>
+    </message>
+    <message>
+        <source>The profile was changed elsewhere. Keep or revert these edits first.</source>
+        <translation>entretanto o perfil foi alterado de outro lado: guarde estas alterações ou reverta primeiro</translation>
+    </message>
+    <message>
+        <source>Apply or revert the edits first.</source>
+        <translation>Aplique ou reverta primeiro as alterações.</translation>
+    </message>
+    <message>
+        <source>No change has been applied here.</source>
+        <translation>nenhuma alteração foi aplicada aqui</translation>
+    </message>
+    <message>
+        <source>Nothing waits for a reconnect.</source>
+        <translation>nada espera por uma reconexão</translation>
     </message>
 </context>
 <context>
@@ -11748,28 +11736,12 @@ el %2</translation>
         <translation>Desfazer</translation>
     </message>
     <message>
-        <source>Apply again what was in force before the last change</source>
-        <translation>Aplicar de novo o que vigorava antes da última alteração</translation>
-    </message>
-    <message>
         <source>Keep edits</source>
         <translation>Guardar</translation>
     </message>
     <message>
-        <source>Put these changes upon what was changed from elsewhere</source>
-        <translation>Pôr estas alterações sobre o que foi alterado de outro lado</translation>
-    </message>
-    <message>
         <source>Reconnect</source>
         <translation>Reconectar</translation>
-    </message>
-    <message>
-        <source>Begin anew with the drives; the mount must be at rest</source>
-        <translation>Começar de novo com os acionamentos; a montagem tem de estar parada</translation>
-    </message>
-    <message>
-        <source>Changed from elsewhere meanwhile: %1</source>
-        <translation>Entretanto alterado de outro lado: %1</translation>
     </message>
     <message>
         <source>Not applied: %1</source>
@@ -11792,8 +11764,24 @@ el %2</translation>
         <translation>Mover estacionamento</translation>
     </message>
     <message>
-        <source>Change the park position, too: the nearest place that is allowed</source>
+        <source>Restore the profile from before the last change</source>
+        <translation>Aplicar de novo o que vigorava antes da última alteração</translation>
+    </message>
+    <message>
+        <source>Keep my edits and merge the changes made elsewhere</source>
+        <translation>Pôr estas alterações sobre o que foi alterado de outro lado</translation>
+    </message>
+    <message>
+        <source>Move the park position to the nearest permitted place</source>
         <translation>Mudar também a posição de estacionamento: o lugar permitido mais próximo</translation>
+    </message>
+    <message>
+        <source>Connect to the drives again. The mount must stand still</source>
+        <translation>Começar de novo com os acionamentos; a montagem tem de estar parada</translation>
+    </message>
+    <message>
+        <source>Changed elsewhere: %1</source>
+        <translation>Entretanto alterado de outro lado: %1</translation>
     </message>
 </context>
 <context>
@@ -12163,28 +12151,26 @@ Fica para si, porque só quem construiu a montagem o pode saber:
         <translation>Desligar só a elevação. O azimute fica como está. Pergunta antes</translation>
     </message>
     <message>
-        <source>Nothing holds the azimuth from then on. Wind may turn it. The elevation stays as it is.</source>
-        <translation>Nada segura o azimute a partir daí. O vento pode rodá-lo. A elevação fica como está.</translation>
-    </message>
-    <message>
-        <source>Nothing holds the elevation from then on. If it is unbalanced, it falls. Keep people away from the antenna, or support it first. The azimuth stays as it is.</source>
-        <translation>Nada segura a elevação a partir daí. Se estiver desequilibrada, cai. Mantenha as pessoas longe da antena, ou apoie-a primeiro. O azimute fica como está.</translation>
-    </message>
-    <message>
-        <source>Gear ratio in the drive: %1. Gear ratio in the profile: %2. The gear ratio is the number of axis turns for one motor turn.
+        <source>Ratio in the drive: %1. Ratio of the profile: %2. The ratio is turns of the axis for one turn of the motor.
 
 If the profile is wrong, press Cancel and correct it on the page Profile.
 
 %3
 
 Boresight writes the ratio, reads it back and stores it in the drive. Nothing moves.</source>
-        <translation>Relação de transmissão no acionamento: %1. Relação no perfil: %2. A relação é o número de voltas do eixo por volta do motor.
-
-Se o perfil estiver errado, prima Cancelar e corrija-o na página Perfil.
+        <translation>O acionamento tem %1. O perfil diz %2 (voltas do eixo por volta do motor). Se o perfil está errado, cancele e corrija a redução lá (separador Montagem, Perfil).
 
 %3
 
-O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada se move.</translation>
+O Boresight define a redução, relê-a e guarda-a no acionamento. Nada se move.</translation>
+    </message>
+    <message>
+        <source>Nothing holds the azimuth from then on. Wind may turn it. The elevation stays as it is.</source>
+        <translation>Nada segura o azimute a partir daí. O vento pode rodá-lo. A elevação fica como está.</translation>
+    </message>
+    <message>
+        <source>Nothing holds the elevation from then on. If it is unbalanced, it falls. Keep people away from the antenna, or support it first. The azimuth stays as it is.</source>
+        <translation>Nada segura a elevação a partir daí. Se estiver desequilibrada, cai. Mantenha as pessoas longe da antena, ou apoie-a primeiro. O azimute fica como está.</translation>
     </message>
 </context>
 <context>
@@ -12377,8 +12363,8 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
         <translation>Potência e energia elétricas</translation>
     </message>
     <message>
-        <source>Electrical power of all drives. Energy and peak power are those of the present or the last motion. Negative power flows back to the supply.</source>
-        <translation>Potência elétrica de todos os acionamentos. A energia e a potência máxima são as do movimento atual ou do último. A potência negativa volta para a fonte.</translation>
+        <source>Electrical power of all drives. Energy and peak power of the present motion, or of the last one. Power returned to the supply is negative.</source>
+        <translation>Potência elétrica de todos os acionamentos. Energia e potência máxima do movimento em curso, ou do último. A potência devolvida à alimentação conta como negativa.</translation>
     </message>
 </context>
 <context>
@@ -12419,7 +12405,7 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
 <context>
     <name>boresight::ui::RequestDesk</name>
     <message>
-        <source>the station does not answer</source>
+        <source>The station does not answer.</source>
         <translation>a estação não responde</translation>
     </message>
 </context>
@@ -12503,10 +12489,6 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
         <translation>Agora não: %1</translation>
     </message>
     <message>
-        <source>Scans across, then in elevation; type the power at each place</source>
-        <translation>Varre de lado e depois em elevação; escreva a potência em cada lugar</translation>
-    </message>
-    <message>
         <source>Width of the scan</source>
         <translation>Largura da varredura</translation>
     </message>
@@ -12517,14 +12499,6 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
     <message>
         <source>Scan</source>
         <translation>Varrer</translation>
-    </message>
-    <message>
-        <source>Give dB</source>
-        <translation>Dar dB</translation>
-    </message>
-    <message>
-        <source>The power at this place; the mount goes on to the next (Enter)</source>
-        <translation>A potência neste lugar; a montagem segue para o próximo (Enter)</translation>
     </message>
     <message>
         <source>Received power in dB</source>
@@ -12547,36 +12521,12 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
         <translation>Varrer %1</translation>
     </message>
     <message>
-        <source>No point is taken</source>
-        <translation>Nenhum ponto é tomado</translation>
-    </message>
-    <message>
-        <source>The mount moves across the %1 and takes the peak as a point</source>
-        <translation>A montagem varre (%1) e toma o pico como ponto</translation>
-    </message>
-    <message>
-        <source>Power: a number of dB is wanted, as -73.2</source>
-        <translation>Potência: falta um número de dB, como -73.2</translation>
-    </message>
-    <message>
         <source>%1: %2 dB, %3 s old</source>
         <translation>%1: %2 dB, há %3 s</translation>
     </message>
     <message>
-        <source>%1: nothing has come yet</source>
-        <translation>%1: ainda nada chegou</translation>
-    </message>
-    <message>
         <source>Power of the receiver</source>
         <translation>Potência do receptor</translation>
-    </message>
-    <message>
-        <source>Scans across, then in elevation; the receiver tells the power</source>
-        <translation>Varre de través e depois em elevação; o receptor diz a potência</translation>
-    </message>
-    <message>
-        <source>as -73.2</source>
-        <translation>como -73.2</translation>
     </message>
     <message>
         <source>Peak: across %1, elevation %2; beam %3 × %4</source>
@@ -12591,12 +12541,48 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
         <translation>%1, o fundo não foi alcançado</translation>
     </message>
     <message>
-        <source>On the sky, from end to end of each line. Offered is twice the beam of the profile; from 1.5 to 3 times the peak is found</source>
+        <source>What the scan found</source>
+        <translation>O que a varredura encontrou</translation>
+    </message>
+    <message>
+        <source>The scan goes across, then in elevation. Type the power at each place</source>
+        <translation>Varre de lado e depois em elevação; escreva a potência em cada lugar</translation>
+    </message>
+    <message>
+        <source>The scan goes across, then in elevation. The receiver reports the power</source>
+        <translation>Varre de través e depois em elevação; o receptor diz a potência</translation>
+    </message>
+    <message>
+        <source>%1: no data yet</source>
+        <translation>%1: ainda nada chegou</translation>
+    </message>
+    <message>
+        <source>On the sky, from end to end of each line. The default is twice the beam width. 1.5 to 3 times works</source>
         <translation>No céu, de ponta a ponta de cada linha. Sugere-se o dobro do feixe do perfil; de 1,5 a 3 vezes o pico é encontrado</translation>
     </message>
     <message>
-        <source>What the scan found</source>
-        <translation>O que a varredura encontrou</translation>
+        <source>Enter dB</source>
+        <translation>Dar dB</translation>
+    </message>
+    <message>
+        <source>Enter the power at this place. The mount goes to the next place (Enter)</source>
+        <translation>A potência neste lugar; a montagem segue para o próximo (Enter)</translation>
+    </message>
+    <message>
+        <source>e.g. -73.2</source>
+        <translation>como -73.2</translation>
+    </message>
+    <message>
+        <source>End the scan. No point is taken</source>
+        <translation>Nenhum ponto é tomado</translation>
+    </message>
+    <message>
+        <source>Move the mount across the %1 and take the peak as a point</source>
+        <translation>A montagem varre (%1) e toma o pico como ponto</translation>
+    </message>
+    <message>
+        <source>Power: Type a number in dB, for example -73.2.</source>
+        <translation>Potência: falta um número de dB, como -73.2</translation>
     </message>
 </context>
 <context>
@@ -12657,16 +12643,16 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
         <translation>Calibração: %1</translation>
     </message>
     <message>
-        <source>%1: what raises it</source>
+        <source>good</source>
+        <translation>boa</translation>
+    </message>
+    <message>
+        <source>%1: how to raise it</source>
         <translation>%1: o que a aumenta</translation>
     </message>
     <message>
-        <source>not told</source>
+        <source>not reported</source>
         <translation>não o diz</translation>
-    </message>
-    <message>
-        <source>good</source>
-        <translation>boa</translation>
     </message>
 </context>
 <context>
@@ -12678,10 +12664,6 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
     <message>
         <source>Azimuth of the axis</source>
         <translation>Azimute do eixo</translation>
-    </message>
-    <message>
-        <source>Sensor less axis</source>
-        <translation>Sensor menos eixo</translation>
     </message>
     <message>
         <source>North from the sensor</source>
@@ -12712,16 +12694,8 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
         <translation>Entre eles</translation>
     </message>
     <message>
-        <source>The mount stands still, motors at rest; the sensor is averaged for some 20 s</source>
-        <translation>A montagem fica parada, motores em repouso; média do sensor durante uns 20 s</translation>
-    </message>
-    <message>
         <source>End average</source>
         <translation>Terminar média</translation>
-    </message>
-    <message>
-        <source>No result; nothing moves anyway</source>
-        <translation>Sem resultado; de todo modo nada se move</translation>
     </message>
     <message>
         <source>Nothing moves</source>
@@ -12730,10 +12704,6 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
     <message>
         <source>Not now: %1</source>
         <translation>Agora não: %1</translation>
-    </message>
-    <message>
-        <source>Who adds the declination</source>
-        <translation>Quem soma a declinação</translation>
     </message>
     <message>
         <source>True azimuth by the sensor, and how well it is known</source>
@@ -12752,24 +12722,40 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
         <translation>Mudar a declinação</translation>
     </message>
     <message>
-        <source>Who adds the declination, its value or its model: opens these settings on the page Profile</source>
-        <translation>Quem soma a declinação, o valor ou o modelo dela: abre estes ajustes na página Perfil</translation>
-    </message>
-    <message>
-        <source>No sensor is set: the simulated mount has one on its boom</source>
-        <translation>Nenhum sensor definido: a montagem simulada tem um na lança</translation>
-    </message>
-    <message>
         <source>Use the sensor</source>
         <translation>Usar o sensor</translation>
     </message>
     <message>
-        <source>Sets sensor.source in the profile; nothing moves</source>
+        <source>Last average: axis %1, in force %2</source>
+        <translation>Última média: eixo %1; em vigor: %2</translation>
+    </message>
+    <message>
+        <source>Sensor minus axis</source>
+        <translation>Sensor menos eixo</translation>
+    </message>
+    <message>
+        <source>Where the declination is applied</source>
+        <translation>Quem soma a declinação</translation>
+    </message>
+    <message>
+        <source>Open the settings of the declination on the page Profile</source>
+        <translation>Quem soma a declinação, o valor ou o modelo dela: abre estes ajustes na página Perfil</translation>
+    </message>
+    <message>
+        <source>No sensor is set. The simulated mount has one on its boom</source>
+        <translation>Nenhum sensor definido: a montagem simulada tem um na lança</translation>
+    </message>
+    <message>
+        <source>Set sensor.source in the profile. Nothing moves</source>
         <translation>Define sensor.source no perfil; nada se move</translation>
     </message>
     <message>
-        <source>Last average: axis %1; in force: %2</source>
-        <translation>Última média: eixo %1; em vigor: %2</translation>
+        <source>Average the sensor for 20 s while the mount stands still</source>
+        <translation>A montagem fica parada, motores em repouso; média do sensor durante uns 20 s</translation>
+    </message>
+    <message>
+        <source>End without a result. Nothing moves</source>
+        <translation>Sem resultado; de todo modo nada se move</translation>
     </message>
 </context>
 <context>
@@ -13311,16 +13297,8 @@ Em comparação com a montagem em uso:
         <translation>Pausa</translation>
     </message>
     <message>
-        <source>Hold the picture; the data are collected on (Space in the charts)</source>
-        <translation>Segurar a imagem; os dados continuam a ser recolhidos (Espaço nos gráficos)</translation>
-    </message>
-    <message>
         <source>Axis charts</source>
         <translation>Gráficos dos eixos</translation>
-    </message>
-    <message>
-        <source>Point at the curves to read them; or Tab, then the arrow keys. Space: pause</source>
-        <translation>Aponte às curvas para as ler; ou Tab e depois as setas. Espaço: pausa</translation>
     </message>
     <message>
         <source>Show the last %1</source>
@@ -13335,20 +13313,12 @@ Em comparação com a montagem em uso:
         <translation>Grandeza do acionamento</translation>
     </message>
     <message>
-        <source>What the lowest strip shows of the drive</source>
-        <translation>O que a faixa de baixo mostra do acionamento</translation>
-    </message>
-    <message>
         <source>now</source>
         <translation>agora</translation>
     </message>
     <message>
         <source>−%1 s  %2Z</source>
         <translation>−%1 s  %2Z</translation>
-    </message>
-    <message>
-        <source>Turn not known</source>
-        <translation>Volta desconhecida</translation>
     </message>
     <message>
         <source>PAUSED</source>
@@ -13362,6 +13332,22 @@ Em comparação com a montagem em uso:
         <source>%1, last %2.</source>
         <translation>%1, últimos %2.</translation>
     </message>
+    <message>
+        <source>Wrap unknown</source>
+        <translation>Volta desconhecida</translation>
+    </message>
+    <message>
+        <source>Freeze the charts. Boresight still records the data (Space in the charts)</source>
+        <translation>Segurar a imagem; os dados continuam a ser recolhidos (Espaço nos gráficos)</translation>
+    </message>
+    <message>
+        <source>Point at a curve to read it, or press Tab and then the arrow keys. Space pauses</source>
+        <translation>Aponte às curvas para as ler; ou Tab e depois as setas. Espaço: pausa</translation>
+    </message>
+    <message>
+        <source>Quantity in the lowest strip</source>
+        <translation>O que a faixa de baixo mostra do acionamento</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::SwingPage</name>
@@ -13374,16 +13360,8 @@ Em comparação com a montagem em uso:
         <translation>Rumos onde parar</translation>
     </message>
     <message>
-        <source>Stops on each way; sweep: no stop, one slow turn there and one back</source>
-        <translation>Paradas em cada sentido; contínuo: sem parar, uma volta lenta de ida e outra de volta</translation>
-    </message>
-    <message>
         <source>Rate of the swing</source>
         <translation>Velocidade do giro</translation>
-    </message>
-    <message>
-        <source>The sensor averages for a second: slow is exact</source>
-        <translation>O sensor faz a média de um segundo: devagar é exato</translation>
     </message>
     <message>
         <source>Compass swing</source>
@@ -13406,10 +13384,6 @@ Em comparação com a montagem em uso:
         <translation>Paradas</translation>
     </message>
     <message>
-        <source>What the swing has found</source>
-        <translation>O que o giro achou</translation>
-    </message>
-    <message>
         <source>No swing yet</source>
         <translation>Ainda sem giro</translation>
     </message>
@@ -13422,10 +13396,6 @@ Em comparação com a montagem em uso:
         <translation>Terminar giro</translation>
     </message>
     <message>
-        <source>The mount holds, there is no result (STOP does it too)</source>
-        <translation>A montagem mantém a posição, sem resultado (STOP faz o mesmo)</translation>
-    </message>
-    <message>
         <source>The mount moves: %1</source>
         <translation>A montagem move-se: %1</translation>
     </message>
@@ -13434,16 +13404,28 @@ Em comparação com a montagem em uso:
         <translation>Plano: %1</translation>
     </message>
     <message>
-        <source>The readings as they come, about their mean so far; the curve, and what is far off it, are found in the end.</source>
+        <source>Stops in each direction. Sweep: no stops, one slow turn each way</source>
+        <translation>Paradas em cada sentido; contínuo: sem parar, uma volta lenta de ida e outra de volta</translation>
+    </message>
+    <message>
+        <source>The sensor averages over a second. A slow swing is more exact</source>
+        <translation>O sensor faz a média de um segundo: devagar é exato</translation>
+    </message>
+    <message>
+        <source>Result of the swing</source>
+        <translation>O que o giro achou</translation>
+    </message>
+    <message>
+        <source>End the swing without a result. The mount holds (as with STOP)</source>
+        <translation>A montagem mantém a posição, sem resultado (STOP faz o mesmo)</translation>
+    </message>
+    <message>
+        <source>Readings around their mean so far. Boresight fits the curve at the end.</source>
         <translation>As leituras à medida que chegam, em torno da média até agora; a curva, e o que fica longe dela, acham-se no fim.</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::TermModel</name>
-    <message>
-        <source>as it was</source>
-        <translation>como estava</translation>
-    </message>
     <message>
         <source>Term</source>
         <translation>Termo</translation>
@@ -13476,16 +13458,16 @@ Em comparação com a montagem em uso:
         <source>◐ as measured</source>
         <translation>◐ como medido</translation>
     </message>
+    <message>
+        <source>unchanged</source>
+        <translation>como estava</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::TermsBox</name>
     <message>
         <source>Propose</source>
         <translation>Propor</translation>
-    </message>
-    <message>
-        <source>These terms become what Apply would put into force</source>
-        <translation>Estes termos passam a ser o que Aplicar põe em vigor</translation>
     </message>
     <message>
         <source>In force</source>
@@ -13498,10 +13480,6 @@ Em comparação com a montagem em uso:
     <message>
         <source>Import…</source>
         <translation>Importar…</translation>
-    </message>
-    <message>
-        <source>Terms from a text file become what Apply would put into force</source>
-        <translation>Os termos de um arquivo de texto passam a ser o que Aplicar põe em vigor</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -13528,10 +13506,6 @@ Em comparação com a montagem em uso:
         <translation>Exportar termos</translation>
     </message>
     <message>
-        <source>the station has told no terms yet</source>
-        <translation>a estação ainda não disse os termos</translation>
-    </message>
-    <message>
         <source>Import the terms of a pointing model</source>
         <translation>Importar os termos de um modelo de apontamento</translation>
     </message>
@@ -13550,6 +13524,18 @@ Em comparação com a montagem em uso:
     <message>
         <source>Written: %1</source>
         <translation>Escrito: %1</translation>
+    </message>
+    <message>
+        <source>Make these terms the proposal for Apply</source>
+        <translation>Estes termos passam a ser o que Aplicar põe em vigor</translation>
+    </message>
+    <message>
+        <source>Make the terms of a text file the proposal for Apply</source>
+        <translation>Os termos de um arquivo de texto passam a ser o que Aplicar põe em vigor</translation>
+    </message>
+    <message>
+        <source>The station has not reported its terms yet.</source>
+        <translation>a estação ainda não disse os termos</translation>
     </message>
 </context>
 <context>
@@ -13707,20 +13693,8 @@ Em comparação com a montagem em uso:
 <context>
     <name>boresight::ui::UnwindButtons</name>
     <message>
-        <source>Unwind ↺
-(hold)</source>
-        <translation>Desenrolar ↺
-(segurar)</translation>
-    </message>
-    <message>
         <source>Turn counter-clockwise at %1 while held</source>
         <translation>Girar no sentido anti-horário a %1 enquanto premido</translation>
-    </message>
-    <message>
-        <source>Unwind ↻
-(hold)</source>
-        <translation>Desenrolar ↻
-(segurar)</translation>
     </message>
     <message>
         <source>Turn clockwise at %1 while held</source>
@@ -13747,8 +13721,20 @@ Em comparação com a montagem em uso:
         <translation>Subir a %1 enquanto premido</translation>
     </message>
     <message>
-        <source>Unwind</source>
+        <source>Slow jog</source>
         <translation>Desenrolar</translation>
+    </message>
+    <message>
+        <source>Slow jog ↺
+(hold)</source>
+        <translation>Desenrolar ↺
+(segurar)</translation>
+    </message>
+    <message>
+        <source>Slow jog ↻
+(hold)</source>
+        <translation>Desenrolar ↻
+(segurar)</translation>
     </message>
 </context>
 </TS>

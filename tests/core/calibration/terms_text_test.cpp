@@ -121,7 +121,8 @@ TEST(TermsText, ReadsWhatPeopleType)
 TEST(TermsText, SaysWhatIsWrongInWhichLine)
 {
     EXPECT_EQ(
-        "roof.terms:3: unknown term \"tilt_south\"\nroof.terms:7: tilt_north is missing. Write every term, also a term that is 0.",
+        "roof.terms:3: unknown term \"tilt_south\"\nroof.terms:7: tilt_north is missing. Write every term, also a term "
+        "that is 0.",
         termsReason(with("tilt_north", "tilt_south")));
     EXPECT_EQ("roof.terms:1: \"37,4\" is not a number.", termsReason(with("37.4", "37,4")));
     EXPECT_EQ("roof.terms:1: \"nan\" is not a number.", termsReason(with("37.4", "nan")));

@@ -161,7 +161,8 @@ TEST(MagneticModel, IsRefusedOutsideItsFiveYearsAndTheOneAfter)
     ASSERT_FALSE(late);
     EXPECT_EQ(late.error().code, ErrorCode::OutOfRange);
     EXPECT_EQ(textOf(late.error()),
-              "The magnetic model TEST is valid from 2025.00 to 2030.00, not in 2031.01. Get the present World Magnetic Model (.COF), or enter the declination.");
+              "The magnetic model TEST is valid from 2025.00 to 2030.00, not in 2031.01. Get the present World "
+              "Magnetic Model (.COF), or enter the declination.");
     EXPECT_FALSE(model.at(kZeroZero, 2024.99));
     EXPECT_FALSE(model.at(kZeroZero, std::nan("")));
 }

@@ -14,10 +14,11 @@ constexpr CourseAnchor kAnchor{.axis = Angle::fromDegrees(350.0),
 
 TurnQuestion question(std::optional<Angle> proposed)
 {
-    return {.candidates = {45_deg, 405_deg},
-            .proposed = proposed,
-            .evidence = {QStringLiteral("places"), QStringLiteral("journal"), QStringLiteral("The sensor reports 82.0°")},
-            .period = 360_deg};
+    return {
+        .candidates = {45_deg, 405_deg},
+        .proposed = proposed,
+        .evidence = {QStringLiteral("places"), QStringLiteral("journal"), QStringLiteral("The sensor reports 82.0°")},
+        .period = 360_deg};
 }
 
 // REQ-MEMORY-09 (SensorCourse.*): A sensor on the antenna that ran without a gap since the wrap was known shows how

@@ -29,8 +29,8 @@ TEST(ReconcileQuestion, SaysWhatScenario10Says)
     EXPECT_THAT(question.proposed, proposes(405.0));
     EXPECT_THAT(scene.sentences(),
                 ElementsAre("Direction 45.0° is known, but not the cable wrap. -315.0°, 45.0° or 405.0° are possible",
-                            "The journal has 405.0°, 12 min old, written in motion",
-                            "The drive was restarted 34 s ago", "The sensor reports 98.0°"));
+                            "The journal has 405.0°, 12 min old, written in motion", "The drive was restarted 34 s ago",
+                            "The sensor reports 98.0°"));
 }
 
 TEST(ReconcileQuestion, MovedByHandHasNoDefault)
@@ -101,8 +101,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(ReconcileQuestion, ADirtyJournalOfAHighGearSaysWhyItProposesNothing)
 {
     const auto sentences = Scene(Kind::HundredToOne).dirty().powerCycledAt(405.0).sentences();
-    EXPECT_THAT(sentences,
-                Contains("The axis may have moved after that. Places 3.6° apart look the same to the drive, so the journal does not show which is right"));
+    EXPECT_THAT(sentences, Contains("The axis may have moved after that. Places 3.6° apart look the same to the drive, "
+                                    "so the journal does not show which is right"));
     EXPECT_EQ(sentences.front(),
               "The angle is known only to a multiple of 3.6°. 233 places from -372.6° to 462.6° are possible");
 }

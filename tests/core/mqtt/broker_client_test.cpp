@@ -234,7 +234,8 @@ TEST_F(MqttTls, SaysSoWhenThereIsNoCaFile)
 {
     broker = std::make_unique<fakes::MqttBroker>(Door::Tls);
     EXPECT_THAT(refused(to(*broker, "localhost", QStringLiteral("/no/such/file.pem"))),
-                EndsWith("No certificate of an authority can be read from /no/such/file.pem (No such file or directory). Check mqtt.ca_file"));
+                EndsWith("No certificate of an authority can be read from /no/such/file.pem (No such file or "
+                         "directory). Check mqtt.ca_file"));
 }
 
 TEST_F(MqttTls, RefusesAListOfManyAuthorities)

@@ -229,7 +229,8 @@ TEST_F(ClearRefusal, AMotorThatIsHotNowIsNotReArmed)
 TEST_F(ClearRefusal, ASupplyThatStoppedTheMountMustBeBackWhateverTheLossWasCalled)
 {
     const DriveConditions low{.voltage = 11.8, .boardTemperature = 30.0};
-    EXPECT_EQ(refusal(LossClass::Motion, low, {.voltage = 14.0}), "The supply is still at 14.0 V. It must reach 20.0 V.");
+    EXPECT_EQ(refusal(LossClass::Motion, low, {.voltage = 14.0}),
+              "The supply is still at 14.0 V. It must reach 20.0 V.");
     EXPECT_EQ(refusal(LossClass::Motion, low, {.voltage = 20.5}), "");
     EXPECT_EQ(refusal(LossClass::Motion, {.voltage = 15.0}, {.voltage = 14.0}), "") << "that did not stop it";
 }
@@ -243,7 +244,8 @@ TEST_F(ClearRefusal, ABoardThatReportsToBeCoolNeedNotCoolDown)
 TEST_F(ClearRefusal, TheSupplyMustBeBack)
 {
     const DriveConditions cut{.voltage = 3.0, .boardTemperature = 30.0};
-    EXPECT_EQ(refusal(LossClass::Supply, cut, {.voltage = 11.0}), "The supply is still at 11.0 V. It must reach 20.0 V.");
+    EXPECT_EQ(refusal(LossClass::Supply, cut, {.voltage = 11.0}),
+              "The supply is still at 11.0 V. It must reach 20.0 V.");
     EXPECT_EQ(refusal(LossClass::Supply, cut, {.voltage = 46.0}),
               "The supply is still at 46.0 V. It must fall to 42.0 V.");
     EXPECT_EQ(refusal(LossClass::Supply, cut, {.voltage = 24.0}), "");
@@ -257,7 +259,8 @@ TEST_F(ClearRefusal, WhatIsNotToldIsNotCool)
     EXPECT_EQ(refusal(LossClass::OverTemperature, hot, {.voltage = 24.0}), untold);
     const DriveConditions motor{.voltage = 24.0, .boardTemperature = 40.0, .motorTemperature = 90.0};
     EXPECT_EQ(refusal(LossClass::OverTemperature, motor, {.voltage = 24.0, .boardTemperature = 40.0}),
-              "The motor was at 90 °C and no longer reports its temperature. Repair its sensor, or let the motor cool down and restart Boresight.");
+              "The motor was at 90 °C and no longer reports its temperature. Repair its sensor, or let the motor cool "
+              "down and restart Boresight.");
     const DriveConditions cool{.voltage = 24.0, .boardTemperature = 40.0, .motorTemperature = 40.0};
     EXPECT_EQ(refusal(LossClass::OverTemperature, hot, cool), "");
     EXPECT_NE(refusal(LossClass::OverTemperature, {}, {.boardTemperature = 74.0}), "") << "nor was it told at the loss";
@@ -281,7 +284,8 @@ TEST(StandingRefusal, WhatWouldStopTheMountAgainAtOnce)
     EXPECT_EQ(refusal({.voltage = 24.0, .boardTemperature = 74.0}), "");
     EXPECT_EQ(refusal({.voltage = 24.0, .boardTemperature = 77.0}),
               "The drive board is still at 77 °C. It must cool down to 70 °C.");
-    EXPECT_EQ(refusal({.voltage = 11.9, .boardTemperature = 30.0}), "The supply is still at 11.9 V. It must reach 12.0 V.");
+    EXPECT_EQ(refusal({.voltage = 11.9, .boardTemperature = 30.0}),
+              "The supply is still at 11.9 V. It must reach 12.0 V.");
     EXPECT_EQ(refusal({.voltage = 13.0, .boardTemperature = 30.0}), "");
     EXPECT_EQ(refusal({}), "") << "a drive that does not tell them";
 }
