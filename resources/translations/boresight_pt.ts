@@ -10577,12 +10577,12 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Um cliente quer mover</translation>
     </message>
     <message>
-        <source>Give control</source>
-        <translation>Dar controle</translation>
-    </message>
-    <message>
         <source>Boresight does not ask again while this client stays connected</source>
         <translation>Não se pergunta de novo enquanto ele estiver conectado</translation>
+    </message>
+    <message>
+        <source>Allow control</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

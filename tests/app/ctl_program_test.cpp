@@ -144,7 +144,7 @@ TEST_F(ProfileFile, CheckTellsWhatIsHardlyMeantWithItsNumbers)
                                             "max_acceleration_deg_s2 = 300\nmax_jerk_deg_s3 = 3000\n")});
     EXPECT_EQ(told.status, 0) << "the mount alone knows";
     EXPECT_THAT(told.output, HasSubstr("azimuth.max_acceleration_deg_s2: the azimuth needs 20.2 s and 101° to stop"));
-    EXPECT_THAT(told.output, HasSubstr("elevation.max_acceleration_deg_s2: the elevation is to reach 8.0°/s within"));
+    EXPECT_THAT(told.output, HasSubstr("elevation.max_acceleration_deg_s2: the elevation must reach"));
 }
 
 TEST_F(ProfileFile, CheckTellsOfAFileThatIsNotThere)

@@ -98,7 +98,7 @@ TEST_F(ServiceTest, HangUpReadsTheProfileAgain)
     EXPECT_THAT(errors(), HasSubstr("changes jog.fast_deg_s"));
     write(kProfile + "[jog]\nfast_deg_s = 5\n[azimuth]\nid = 7\n");
     send(SIGHUP);
-    EXPECT_TRUE(says("these settings wait for a restart: azimuth.id")) << errors();
+    EXPECT_TRUE(says("These settings wait for a restart: azimuth.id")) << errors();
     expectOrderlyEnd();
 }
 

@@ -137,7 +137,7 @@ TEST_F(MqttSensorTest, ASwingWaitsForABrokerThatIsStartedAgain)
     rig->run(Seconds(9.0));
     EXPECT_THAT(progress().text.toStdString(), HasSubstr("waiting for sensor data"));
     EXPECT_TRUE(
-        rig->logSays(QStringLiteral("the swing pauses for at most 30 s: the orientation sensor has said nothing for")));
+        rig->logSays(QStringLiteral("the swing pauses for at most 30 s: The orientation sensor has sent nothing for")));
     EXPECT_TRUE(rig->alarmSays(QStringLiteral("The orientation sensor (mqtt 127.0.0.1:")));
     EXPECT_EQ(rig->status().state, StationState::Calibrate);
     const AxisPosition rest = rig->truth();
@@ -165,7 +165,7 @@ TEST_F(MqttSensorTest, ASwingEndsWithTheReasonWhereTheBrokerStaysAway)
     rig->run(Seconds(40.0));
     EXPECT_EQ(progress().run, CalibrationRun::None);
     EXPECT_TRUE(progress().failed);
-    EXPECT_THAT(progress().outcome.toStdString(), HasSubstr("the orientation sensor has said nothing for 3"));
+    EXPECT_THAT(progress().outcome.toStdString(), HasSubstr("The orientation sensor has sent nothing for"));
     EXPECT_THAT(progress().outcome.toStdString(), HasSubstr("MQTT broker 127.0.0.1:"));
     EXPECT_EQ(rig->status().state, StationState::Hold);
     const AxisPosition rest = rig->truth();

@@ -34,7 +34,7 @@ QString question(const QString& name)
 LeadPrompt::LeadPrompt(RequestDesk& desk, QWidget* parent)
     // The host above what it wants, so that little of the sky is covered.
     : PromptBar(tr("A client asks for control"), {question(QStringLiteral("192.168.100.100"))}, 2, parent),
-      m_give(new CommandButton(tr("Give control"),
+      m_give(new CommandButton(tr("Allow control"),
                                tr("This client moves the mount from now on (panel Clients, Ctrl+4)"), desk, notice(),
                                this))
 {

@@ -104,12 +104,13 @@ TEST(AxisTilt, LeavesOutAGust)
 TEST(AxisTilt, IsRefusedWithTheReason)
 {
     EXPECT_THAT(reason(levels(leaning(), {.elevation = 5.0})), HasSubstr("the boom between 10° and 80°"));
-    EXPECT_THAT(reason(levels(leaning(), {.from = 0.0, .to = 100.0})), HasSubstr("over 120° of azimuth"));
-    EXPECT_THAT(reason({}), HasSubstr("over 120° of azimuth"));
+    EXPECT_THAT(reason(levels(leaning(), {.from = 0.0, .to = 100.0})),
+                HasSubstr("The tilt needs readings over at least 120° of azimuth."));
+    EXPECT_THAT(reason({}), HasSubstr("The tilt needs readings over at least 120° of azimuth."));
     auto few = levels(leaning());
     few.erase(few.begin() + 4, few.end());
     few[3].axisAzimuth = 200_deg;
-    EXPECT_THAT(reason(few), HasSubstr("4 readings are too few"));
+    EXPECT_THAT(reason(few), HasSubstr("4 readings are not enough for the tilt."));
     // Many readings, but at two azimuths only.
     auto two = levels(leaning());
     for (std::size_t i = 0; i < two.size(); ++i) {

@@ -80,7 +80,7 @@ TEST(CompassSwing, FindsNorthAndTheCurve)
     EXPECT_EQ(swing.harmonics, Harmonics::FirstAndSecond);
     EXPECT_NEAR(swing.curve.secondAmplitude().degrees(), 3.0, 0.25);
     EXPECT_NEAR(swing.curve.scatter.degrees(), 0.5, 0.1);
-    EXPECT_THAT(swing.hints, ElementsAre(mentions("the curve holds with the boom at 30°")));
+    EXPECT_THAT(swing.hints, ElementsAre(mentions("The curve is valid with the boom at 30°")));
     // The boom leans with the tilted axis, which the curve takes for iron: 0.6° × tan 30°.
     EXPECT_NEAR(swing.curve.firstAmplitude().degrees(), 8.0, 0.7);
 }
@@ -158,7 +158,7 @@ TEST(CompassSwing, TheCurveKnowsItsElevationAndTheSigmaOfItsConstant)
     const CompassSwing swing = fitted(hidden(), {.elevation = 40.0});
     EXPECT_EQ(swing.curve.constantSigma, swing.north.sigma);
     EXPECT_NEAR(swing.curve.elevation.value_or(Angle{}).degrees(), 40.0, 1e-9);
-    EXPECT_THAT(swing.hints, Contains(mentions("the curve holds with the boom at 40°: 45° higher or lower")));
+    EXPECT_THAT(swing.hints, Contains(mentions("The curve is valid with the boom at 40°. At 45° higher or lower")));
     auto samples = swung(hidden()).samples;
     samples[7].axisElevation.reset();
     EXPECT_FALSE(fitCompassSwing(samples)->curve.elevation.has_value());
@@ -313,12 +313,12 @@ TEST(CompassSwing, IsRefusedWithTheReason)
     for (SwingSample& sample : bad) {
         sample.magnetometerCalibration = 0;
     }
-    EXPECT_THAT(swingReason(bad), HasSubstr("the magnetometer's calibration is below 2"));
+    EXPECT_THAT(swingReason(bad), HasSubstr("readings the magnetometer calibration is below 2."));
     bad = given.samples;
     for (SwingSample& sample : bad) {
         sample.motorCurrent = 8.0;
     }
-    EXPECT_THAT(swingReason(bad), HasSubstr("a motor draws more than 5.0 A (sensor.swing_current_a)"));
+    EXPECT_THAT(swingReason(bad), HasSubstr("readings the motor current is above 5.0 A (sensor.swing_current_a)."));
     EXPECT_TRUE(fitCompassSwing(bad, {.motorCurrent = 9.0})) << "a limit that is set";
     bad = given.samples;
     for (SwingSample& sample : bad) {
@@ -327,7 +327,7 @@ TEST(CompassSwing, IsRefusedWithTheReason)
     EXPECT_THAT(swingReason(bad), HasSubstr("does not follow the mount"));
     bad = given.samples;
     bad[3].axisAzimuth = Angle::fromDegrees(std::nan(""));
-    EXPECT_THAT(swingReason(bad), HasSubstr("for sample 4 is not known"));
+    EXPECT_THAT(swingReason(bad), HasSubstr("The position of the mount at sample 4 is unknown."));
     EXPECT_THAT(swingReason({}), HasSubstr("0 of 12 sectors"));
 }
 

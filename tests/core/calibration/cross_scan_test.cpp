@@ -209,10 +209,11 @@ TEST(CrossScan, IsRefusedWithTheReason)
 {
     EXPECT_EQ(scanReason(scan({}, 6.0, 25)), "accepted");
     EXPECT_THAT(scanReason(scan({.at = 9.0}, 6.0, 25)),
-                HasSubstr("the peak is not inside this line: move its middle by +6.0° or more"));
-    EXPECT_THAT(scanReason(scan({.at = -9.0}, 6.0, 25)), HasSubstr("by -6.0° or more"));
+                HasSubstr("Move the middle of the scan by at least +6.0° and scan again."));
+    EXPECT_THAT(scanReason(scan({.at = -9.0}, 6.0, 25)),
+                HasSubstr("Move the middle of the scan by at least -6.0° and scan again."));
     EXPECT_THAT(scanReason(scan({.rise = 0.0}, 6.0, 25)), HasSubstr("dB along this line"));
-    EXPECT_THAT(scanReason(scan({}, 6.0, 5)), HasSubstr("5 readings are too few"));
+    EXPECT_THAT(scanReason(scan({}, 6.0, 5)), HasSubstr("5 readings are not enough."));
     auto lone = scan({.rise = 0.0}, 60.0, 25);
     lone[11].decibels += 10.0;
     lone[12].decibels += 10.0;

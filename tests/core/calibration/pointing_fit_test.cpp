@@ -246,8 +246,8 @@ TEST(PointingFit, NamesAPointThatDoesNotAgreeWithTheOthers)
     points[4].axes.elevation += 2_deg;
     const auto fit = fitPointing(points, {});
     ASSERT_TRUE(fit.has_value());
-    EXPECT_THAT(fit->hints, Contains(mentions("point 5 is ")));
-    EXPECT_THAT(fit->hints, Not(Contains(mentions("point 6 is "))));
+    EXPECT_THAT(fit->hints, Contains(mentions("Point 5 is ")));
+    EXPECT_THAT(fit->hints, Not(Contains(mentions("Point 6 is "))));
 }
 
 // A point that the others hardly foresee may be far from there without being wrong.
@@ -303,7 +303,7 @@ TEST(PointingFit, SaysWhatKindOfPointIsMissing)
     const auto fit = fitPointing(low, {});
     ASSERT_TRUE(fit.has_value());
     EXPECT_THAT(fit->hints, Contains(mentions("All points have nearly the same elevation")));
-    EXPECT_THAT(fit->hints, Contains(mentions("all points lie within 40° of azimuth")));
+    EXPECT_THAT(fit->hints, Contains(mentions("All points lie within 40° of azimuth")));
     low.push_back(pointAt(hiddenModel(), 320_deg, 150_deg));  // from the other side, as high
     EXPECT_THAT(fitPointing(low, {})->hints, Not(Contains(mentions("All points have nearly the same elevation"))));
 }
@@ -345,7 +345,7 @@ TEST(PointingFit, IsRefusedWithTheReason)
     EXPECT_THAT(fitReason(points), HasSubstr("Point 2 is not a number or has no sigma."));
     points = allRound(hiddenModel(), 3);
     points[2].axes.elevation = Angle::fromDegrees(std::nan(""));
-    EXPECT_THAT(fitReason(points), HasSubstr("point 3 is not a number."));
+    EXPECT_THAT(fitReason(points), HasSubstr("Point 3 is not a number or has no sigma."));
 }
 
 // Any site within 60° of latitude, any date, points spread over the day, centred to 0.02°; the tilt is known from the

@@ -183,13 +183,14 @@ TEST(SensorOffset, IsRefusedWithTheReason)
 
     auto bad = still;
     bad[3].magnetometerCalibration = 1;
-    EXPECT_THAT(offsetReason(bad), HasSubstr("the magnetometer's calibration is 1 of 3, and 2 is needed"));
+    EXPECT_THAT(offsetReason(bad), HasSubstr("Magnetometer calibration is 1 of 3, but 2 is needed."));
     bad = still;
     bad[3].systemCalibration = 0;
-    EXPECT_THAT(offsetReason(bad), HasSubstr("system calibration is 0 of 3"));
+    EXPECT_THAT(offsetReason(bad), HasSubstr("System calibration of the sensor is 0 of 3, but"));
     bad = still;
     bad[3].motorCurrent = 2.5;
-    EXPECT_THAT(offsetReason(bad), HasSubstr("a motor draws 2.5 A, and above 1.0 A (sensor.still_current_a)"));
+    EXPECT_THAT(offsetReason(bad),
+                HasSubstr("Motor current 2.5 A disturbs the compass (limit 1.0 A, sensor.still_current_a)."));
     EXPECT_TRUE(sensorOffset(bad, {.motorCurrent = 3.0})) << "a limit that is set";
     bad = still;
     bad[3].motorCurrent = std::nan("");
@@ -201,7 +202,7 @@ TEST(SensorOffset, IsRefusedWithTheReason)
     bad[3].axisAzimuth = 101_deg;
     EXPECT_THAT(offsetReason(bad), HasSubstr("The mount is moving"));
     EXPECT_THAT(offsetReason(readings(137.4, 0.5, 9)), HasSubstr("There are 9 readings, but 10 are needed."));
-    EXPECT_THAT(offsetReason({}), HasSubstr("there are 0 readings"));
+    EXPECT_THAT(offsetReason({}), HasSubstr("There are 0 readings, but"));
     // By MQTT no calibration comes, and a chip that hangs repeats itself.
     auto frozen = readings(137.4, 0.0, 20);
     EXPECT_EQ(offsetReason(frozen), "accepted");

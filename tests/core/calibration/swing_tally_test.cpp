@@ -49,7 +49,7 @@ TEST(SwingTally, SaysHowManyAndWhy)
     EXPECT_EQ(4U, tally.leftOut());
     EXPECT_EQ(2U, tally.of(SampleFate::MotorCurrent));
     EXPECT_EQ(tally.whyLeftOut({}).toStdString(),
-              "1 with the magnetometer's calibration below 2, 2 with a motor above 5.0 A (sensor.swing_current_a), "
+              "1 with magnetometer calibration below 2, 2 at a motor current above 5.0 A (sensor.swing_current_a), "
               "1 turning faster than 7.5°/s");
     samples[9].heading = orientation::SensorHeading::folded(samples[9].heading.angle() + 90_deg);
     const auto fit = fitCompassSwing(samples);
@@ -72,7 +72,7 @@ TEST(SwingTally, ManyThatAreLeftOutAreToldWithTheResult)
     for (std::size_t i = 0; i < samples.size(); i += 7) {
         samples[i].motorCurrent = 7.0;
     }
-    EXPECT_THAT(hintsOf(), testing::Contains(testing::HasSubstr("with a motor above 5.0 A")));
+    EXPECT_THAT(hintsOf(), testing::Contains(testing::HasSubstr("at a motor current above 5.0 A")));
 }
 
 // What is drawn while it turns lies where the fit will put it, but for the mean of the deviation.

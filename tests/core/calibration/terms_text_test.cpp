@@ -121,17 +121,18 @@ TEST(TermsText, ReadsWhatPeopleType)
 TEST(TermsText, SaysWhatIsWrongInWhichLine)
 {
     EXPECT_EQ(
-        "roof.terms:3: unknown term \"tilt_south\"\nroof.terms:7: tilt_north is missing. Write every term, also a term "
+        "roof.terms:3: \"tilt_south\" is not a known term.\nroof.terms:7: tilt_north is missing. Write every term, "
+        "also a term "
         "that is 0.",
         termsReason(with("tilt_north", "tilt_south")));
     EXPECT_EQ("roof.terms:1: \"37,4\" is not a number.", termsReason(with("37.4", "37,4")));
     EXPECT_EQ("roof.terms:1: \"nan\" is not a number.", termsReason(with("37.4", "nan")));
     EXPECT_EQ("roof.terms:8: \"tilt_east\" is already in line 4.", termsReason(kSmall + "tilt_east 1 deg\n"));
-    EXPECT_EQ("roof.terms:7: the unit of \"elevation_sag\" is missing: deg, arcmin or arcsec",
+    EXPECT_EQ("roof.terms:7: The unit of \"elevation_sag\" is missing. Write deg, arcmin or arcsec.",
               termsReason(with("elevation_sag 0 deg", "elevation_sag 0")));
-    EXPECT_EQ("roof.terms:5: unknown unit \"rad\": deg, arcmin or arcsec is expected",
+    EXPECT_EQ("roof.terms:5: \"rad\" is not a known unit. Write deg, arcmin or arcsec.",
               termsReason(with("1080 arcsec", "1080 rad")));
-    EXPECT_EQ("roof.terms:2: the value of \"elevation_offset\" is missing",
+    EXPECT_EQ("roof.terms:2: The value of \"elevation_offset\" is missing.",
               termsReason(with("elevation_offset 0 deg", "elevation_offset")));
     EXPECT_EQ("roof.terms:1: \"0\" is not a sigma. Write a number above 0, or - for an unknown one.",
               termsReason(with("0.05", "0")));
@@ -142,9 +143,10 @@ TEST(TermsText, SaysWhatIsWrongInWhichLine)
 TEST(TermsText, SaysWhatIsWrongInTheHeader)
 {
     EXPECT_EQ("accepted", termsReason("# site: 48.2 16.37 200\n# date: 2026-11-22T01:00:00Z\n" + kSmall));
-    EXPECT_THAT(termsReason("# site: Vienna\n" + kSmall), HasSubstr("roof.terms:1: \"Vienna\" is no site"));
+    EXPECT_THAT(termsReason("# site: Vienna\n" + kSmall), HasSubstr("roof.terms:1: \"Vienna\" is not a site."));
     EXPECT_THAT(termsReason("# site: 98.2 16.37 200\n" + kSmall), HasSubstr("roof.terms:1: "));
-    EXPECT_THAT(termsReason("\n# date: yesterday\n" + kSmall), HasSubstr("roof.terms:2: \"yesterday\" is no date"));
+    EXPECT_THAT(termsReason("\n# date: yesterday\n" + kSmall),
+                HasSubstr("roof.terms:2: \"yesterday\" is not a date like"));
     EXPECT_THAT(termsReason("# date: 2026-11-22 01:00\n" + kSmall), HasSubstr("is not a date"));  // of which zone?
     EXPECT_THAT(termsReason("# date: 9999-11-22T01:00:00Z\n" + kSmall), HasSubstr("is not a date"));
 }

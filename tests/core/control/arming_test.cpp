@@ -219,7 +219,7 @@ TEST(Arming, HeatMustPassBeforeARearm)
     rig.run(Seconds(0.1));
     const Result<> hot = rig.arming.rearm(kOperator);
     ASSERT_FALSE(hot);
-    EXPECT_NE(textOf(hot.error()).find("azimuth drive: the drive board is still at 76 °C"), std::string::npos)
+    EXPECT_NE(textOf(hot.error()).find("azimuth drive: The drive board is still at 76 °C"), std::string::npos)
         << textOf(hot.error());
     rig.azimuth.temperature = 60.0;
     rig.run(Seconds(0.1));
@@ -236,7 +236,7 @@ TEST(Arming, WhatWouldStopTheMountAgainOnTheOtherAxisRefusesTheRearmToo)
     rig.run(Seconds(0.1));
     const Result<> hot = rig.arming.rearm(kOperator);
     ASSERT_FALSE(hot);
-    EXPECT_EQ(textOf(hot.error()), "elevation drive: the drive board is still at 78 °C; it must cool down to 70 °C");
+    EXPECT_EQ(textOf(hot.error()), "elevation drive: The drive board is still at 78 °C. It must cool down to 70 °C.");
     EXPECT_TRUE(rig.arming.fault());
     rig.elevation.temperature = 69.0;
     rig.run(Seconds(0.1));

@@ -68,7 +68,7 @@ TEST(ProfileInForce, ARearmIsRefusedByTheNumbersOfNow)
     rig.setProfile(demanding);
     const Result<> refused = rig.ask(request::Rearm{});
     ASSERT_FALSE(refused);
-    EXPECT_THAT(textOf(refused.error()), HasSubstr("30.0 V are needed"));
+    EXPECT_THAT(textOf(refused.error()), HasSubstr("It must reach 30.0 V."));
     rig.setProfile(before);
     EXPECT_TRUE(rig.ask(request::Rearm{}));
 }

@@ -205,7 +205,7 @@ TEST(StationRegion, ADirectionBehindAWallIsReachedByAnotherTurn)
     EXPECT_NEAR(rig.azimuthDegrees(), -20, 0.001);
     const auto answer = rig.ask(request::PointAxes{{.azimuth = 340_deg, .elevation = 5_deg}});
     ASSERT_FALSE(answer);
-    EXPECT_NE(textOf(answer.error()).find("the keep-out \"stationMast\" is in between"), std::string::npos);
+    EXPECT_NE(textOf(answer.error()).find("Between them is the keep-out \"stationMast\""), std::string::npos);
 }
 
 TEST(StationRegion, AClientGetsTheNearestPermittedPlace)
@@ -317,7 +317,7 @@ TEST(StationRegion, AnEdgeDrawnAcrossAGoToEndsItWithTheReason)
     rig.run(Seconds(3.0));
     EXPECT_EQ(rig.state(), StationState::Hold);
     EXPECT_LT(rig.azimuthDegrees(), 300.001);
-    EXPECT_TRUE(rig.logged(QStringLiteral("ends the motion: there is no way from")));
+    EXPECT_TRUE(rig.logged(QStringLiteral("ends the motion: There is no way from")));
 }
 
 }  // namespace

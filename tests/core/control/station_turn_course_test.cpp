@@ -81,7 +81,7 @@ TEST(StationTurnCourse, SpeaksAgainstTheJournalWhereItWasTurned)
     rig.sense(40_deg);
     rig.run(Seconds(1.0));
     EXPECT_FALSE(rig.question().proposed);
-    EXPECT_THAT(rig.turning(), HasSubstr("speaks against 400.0°"));
+    EXPECT_THAT(rig.turning(), HasSubstr("contradicts 400.0°"));
     EXPECT_FALSE(rig.control.status().azimuth.turnKnown);
     EXPECT_FALSE(rig.ask(request::PointAxes{{100_deg, 45_deg}})) << "nothing moves because of it";
     ASSERT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 40_deg})) << "the operator decides";

@@ -70,7 +70,7 @@ TEST(StationTurns, CountingFromTheMiddleIsNeverTakenForAMotion)
     ASSERT_TRUE(question);
     EXPECT_FALSE(question->proposed) << "it could as well have been moved, and set by another tool";
     EXPECT_TRUE(std::ranges::any_of(question->evidence, [](const QString& line) {
-        return line.contains(QStringLiteral("The journal says 0.0°"));
+        return line.contains(QStringLiteral("The journal has 0.0°"));
     })) << "which still tells where it was";
 }
 

@@ -76,20 +76,20 @@ TEST(Coefficients, WhatIsSpoiledIsRefusedWithItsLine)
 {
     const std::pair<std::string, std::string> wrong[] = {
         {"", "The file ends without a line of nines."},
-        {spoiled(kHeader, "not a model"), "line 1: this is no header of a magnetic model"},
-        {spoiled("2030.0", "MMXXX"), "line 1: this is no header"},
-        {spoiled("2030.0", "203.0"), "line 1: this is no header"},
-        {spoiled(kHeader + "\n", ""), "line 1: this is no header"},
-        {spoiled("1 1  -1410.8", "1 2  -1410.8"), "line 3: the term n = 1, m = 1 is expected"},
-        {spoiled("1 1  -1410.8  4545.4  9.7  -21.5\n", ""), "line 3: the term n = 1, m = 1 is expected"},
-        {spoiled("9.7  -21.5", "9.7"), "line 3: 5 numbers instead of 6"},
-        {spoiled("9.7  -21.5", "9.7  -21.5 1"), "line 3: 7 numbers instead of 6"},
-        {spoiled("4545.4", "4545,4"), "line 3: \"4545,4\" is no number"},
-        {spoiled("4545.4", "nan"), "line 3: \"nan\" is no number"},
+        {spoiled(kHeader, "not a model"), "line 1: This is not the header of a magnetic model."},
+        {spoiled("2030.0", "MMXXX"), "line 1: This is not the header"},
+        {spoiled("2030.0", "203.0"), "line 1: This is not the header"},
+        {spoiled(kHeader + "\n", ""), "line 1: This is not the header"},
+        {spoiled("1 1  -1410.8", "1 2  -1410.8"), "line 3: The term n = 1, m = 1 must come here."},
+        {spoiled("1 1  -1410.8  4545.4  9.7  -21.5\n", ""), "line 3: The term n = 1, m = 1 must come here."},
+        {spoiled("9.7  -21.5", "9.7"), "line 3: The line has 5 numbers instead of 6"},
+        {spoiled("9.7  -21.5", "9.7  -21.5 1"), "line 3: The line has 7 numbers instead of 6"},
+        {spoiled("4545.4", "4545,4"), "line 3: \"4545,4\" is not a number"},
+        {spoiled("4545.4", "nan"), "line 3: \"nan\" is not a number"},
         {spoiled("-29351.8  0.0", "-29351.8  5.0"), "line 2: In a term with m = 0, h must be 0."},
-        {spoiled("12 12  -0.7  0.2  -0.1  -0.1\n", ""), "line 91: the term n = 12, m = 12 is missing"},
-        {spoiled("9999", "13 0 1.0 0.0 0.0 0.0\n9999"), "line 92: a line of nines is expected after degree 12"},
-        {goodText() + "1 0 1.0 0.0 0.0 0.0\n", "line 94: a line of nines is expected"},
+        {spoiled("12 12  -0.7  0.2  -0.1  -0.1\n", ""), "line 91: The term n = 12, m = 12 is missing."},
+        {spoiled("9999", "13 0 1.0 0.0 0.0 0.0\n9999"), "line 92: A line of nines must follow degree 12."},
+        {goodText() + "1 0 1.0 0.0 0.0 0.0\n", "line 94: A line of nines must follow"},
         {goodText().substr(0, goodText().find("9999")), "The file ends without a line of nines."},
     };
     for (const auto& [text, reason] : wrong) {
@@ -113,7 +113,7 @@ TEST(CoefficientFile, ErrorsNameTheFile)
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("spoiled.cof"));
     std::ofstream(path.toStdString()) << spoiled("4545.4", "x");
-    EXPECT_EQ(textOf(readCoefficients(path).error()), path.toStdString() + ": line 3: \"x\" is no number");
+    EXPECT_EQ(textOf(readCoefficients(path).error()), path.toStdString() + ": line 3: \"x\" is not a number.");
     std::ofstream(path.toStdString()) << goodText();
     EXPECT_EQ(readCoefficients(path), parseCoefficients(goodText()));
     std::ofstream(path.toStdString()) << std::string(100000, ' ');

@@ -43,7 +43,7 @@ TEST(SensorCourse, AgreesWithAProposalInAnotherSentence)
     addSensorTurning(asked, 398_deg);
     EXPECT_EQ(asked.proposed, 405_deg);
     ASSERT_EQ(asked.evidence.size(), 4U);
-    EXPECT_THAT(asked.evidence[2].toStdString(), HasSubstr("about 398.0° (± 30.0°): that agrees"));
+    EXPECT_THAT(asked.evidence[2].toStdString(), HasSubstr("It shows 398.0° (± 30.0°). This agrees"));
     EXPECT_EQ(asked.evidence.back(), QStringLiteral("The sensor reports 82.0°"));
 }
 
@@ -52,7 +52,7 @@ TEST(SensorCourse, TakesBackAProposalThatItSpeaksAgainst)
     TurnQuestion asked = question(405_deg);
     addSensorTurning(asked, 50_deg);
     EXPECT_FALSE(asked.proposed) << "and none other in its place: it does not decide alone";
-    EXPECT_THAT(asked.evidence[2].toStdString(), HasSubstr("speaks against 405.0°"));
+    EXPECT_THAT(asked.evidence[2].toStdString(), HasSubstr("This contradicts 405.0°, so Boresight proposes nothing."));
 }
 
 TEST(SensorCourse, ProposesNothingItself)

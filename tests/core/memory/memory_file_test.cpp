@@ -110,7 +110,8 @@ TEST_F(MemoryFileTest, TheFolderIsOnTheDiskAfterTheRenamings)
 TEST_F(MemoryFileTest, WhatIsNoRegularFileIsRefusedAtOnceAndKeptAside)
 {
     ASSERT_EQ(mkfifo(path().toLocal8Bit().constData(), 0600), 0);
-    EXPECT_THAT(load().problem.toStdString(), HasSubstr("cannot be used: it is not a regular file; it is kept as"));
+    EXPECT_THAT(load().problem.toStdString(),
+                HasSubstr("cannot be used: it is not a regular file. Boresight keeps it as"));
     EXPECT_FALSE(QFileInfo::exists(path()));
     for (const char* const endless : {"/dev/zero", "/dev/null"}) {
         ASSERT_TRUE(QFile::link(QString::fromLatin1(endless), path()));
@@ -135,7 +136,7 @@ TEST_F(MemoryFileTest, ASecondProgramIsKeptOutAndToldByWhom)
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::Busy);
     EXPECT_THAT(textOf(refused.error()),
-                StartsWith("memory_file_test (process " + std::to_string(getpid()) + ") controls this mount already"));
+                StartsWith("memory_file_test (process " + std::to_string(getpid()) + ") already controls this mount"));
     EXPECT_TRUE(MemoryFile(m_dir.path(), QStringLiteral("other")).claim()) << "another mount";
 }
 
@@ -189,7 +190,7 @@ TEST_F(MemoryFileTest, AFolderThatIsNotThereNeedsNoLock)
 TEST_F(MemoryFileTest, WhatCannotBeOpenedIsKeptAsideToo)
 {
     ASSERT_TRUE(QDir().mkdir(path()));  // nobody can read it as a file, not even root
-    EXPECT_TRUE(load().problem.contains(QStringLiteral("kept as")));
+    EXPECT_TRUE(load().problem.contains(QStringLiteral("Boresight keeps it as")));
     EXPECT_FALSE(QFileInfo::exists(path()));
     EXPECT_EQ(QDir(m_dir.path()).entryList({QStringLiteral("*.corrupt-*")}).size(), 1);
 }
@@ -287,7 +288,7 @@ TEST_F(MemoryFileTest, KilledBetweenTheRenamingsThePreviousOneIsTaken)
     const LoadedMemory loaded = load();
     EXPECT_EQ(loaded.memory.turns[0]->angle, Angle::fromDegrees(30.0));
     EXPECT_EQ(loaded.memory.turns[0]->host, HostTime());
-    EXPECT_THAT(loaded.problem.toStdString(), HasSubstr("is missing; the one before it was taken"));
+    EXPECT_THAT(loaded.problem.toStdString(), HasSubstr("is missing. Boresight uses the version before it: "));
 }
 
 // The program is killed at any moment of its writing: there is always a whole file, at most one save behind.

@@ -39,19 +39,21 @@ TEST(MqttEnding, SaysWhatToDo)
         return toText({.kind = kind, .detail = QLatin1String(detail)}, broker).toStdString();
     };
     EXPECT_EQ(line(EndKind::LoginRefused),
-              "MQTT broker shack:1883: refuses the user \"mount\" or the password: check mqtt.user and mqtt.password");
+              "MQTT broker shack:1883: The broker refuses the user \"mount\" or the password. Check mqtt.user and "
+              "mqtt.password");
     Broker nobody = kBroker;
     nobody.user.clear();
     EXPECT_EQ(line(EndKind::LoginRefused, nobody),
               "MQTT broker shack:1883: A user name and a password are required. Set mqtt.user and mqtt.password");
     EXPECT_EQ(line(EndKind::ConnectionFailed, kBroker, "Connection refused"),
-              "MQTT broker shack:1883: no connection (Connection refused): does the broker run there?");
+              "MQTT broker shack:1883: No connection (Connection refused). Is the broker running there?");
     Broker tls = kBroker;
     tls.encryption = Encryption::Tls;
     tls.host = QStringLiteral("::1");
-    EXPECT_EQ(line(EndKind::HungUp, tls),
-              "MQTT broker [::1]:1883: closes the connection before it says anything: Is mqtt.port the TLS port of the "
-              "broker?");
+    EXPECT_EQ(
+        line(EndKind::HungUp, tls),
+        "MQTT broker [::1]:1883: The port closes the connection before it answers. Is mqtt.port the TLS port of the "
+        "broker?");
 }
 
 }  // namespace

@@ -65,7 +65,9 @@ TEST(CalibrationSensor, TheProfileSaysHowMuchCurrentIsTooMuch)
         rig.runOut(Seconds(60.0));
         const std::string outcome = rig.status().progress.outcome.toStdString();
         EXPECT_EQ(accepted, rig.status().sensorOffset.has_value()) << outcome;
-        EXPECT_EQ(!accepted, outcome.find("draws 2.0 A, and above 1.5 A (sensor.still_current_a)") != std::string::npos)
+        EXPECT_EQ(!accepted,
+                  outcome.find("Motor current 2.0 A disturbs the compass (limit 1.5 A, sensor.still_current_a)") !=
+                      std::string::npos)
             << outcome;
     }
 }

@@ -101,7 +101,7 @@ TEST(CalibrationSwing, ASensorThatIsLostEndsItAndHolds)
     rig.run(Seconds(4.0));
     EXPECT_EQ(CalibrationRun::None, rig.status().progress.run);
     EXPECT_TRUE(rig.status().progress.failed);
-    EXPECT_TRUE(rig.status().progress.outcome.contains(QStringLiteral("sensor has said nothing for 3")))
+    EXPECT_TRUE(rig.status().progress.outcome.contains(QStringLiteral("sensor has sent nothing for 3")))
         << rig.status().progress.outcome.toStdString();
     EXPECT_EQ(StationState::Hold, rig.state());
     rig.speaks = true;

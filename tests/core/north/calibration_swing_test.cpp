@@ -109,7 +109,7 @@ TEST(CalibrationSwing, TheProfileSaysHowMuchCurrentIsTooMuch)
         rig.runOut();
         const std::string outcome = rig.status().progress.outcome.toStdString();
         EXPECT_EQ(accepted, rig.status().proposal.has_value()) << outcome;
-        EXPECT_EQ(!accepted, outcome.find("more than 1.5 A (sensor.swing_current_a)") != std::string::npos) << outcome;
+        EXPECT_EQ(!accepted, outcome.find("above 1.5 A (sensor.swing_current_a)") != std::string::npos) << outcome;
     }
 }
 

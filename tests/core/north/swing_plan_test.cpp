@@ -45,7 +45,7 @@ TEST(SwingPlan, AdvisesTheElevationThatIsBest)
         return planAt(regionOf(-270_deg, 450_deg), 100_deg, elevation).text.toStdString();
     };
     EXPECT_NE(std::string::npos, textAt(10_deg).find("raise the boom to 30° first")) << textAt(10_deg);
-    EXPECT_NE(std::string::npos, textAt(9.4_deg).find("no tilt at this elevation: it is read between 10° and 75°"));
+    EXPECT_NE(std::string::npos, textAt(9.4_deg).find("no tilt at this elevation (it is measured between 10° and 75°"));
     for (const Angle well : {20_deg, 30_deg, 60_deg}) {
         EXPECT_EQ(std::string::npos, textAt(well).find(';')) << textAt(well);
     }

@@ -75,7 +75,7 @@ TEST_P(RotctldRubbish, MovesNothing)
         peer->receiveUntilClosed();
         EXPECT_EQ(fixture.rotator.actions, 0) << "in pieces of " << piece;
         if (GetParam().recognised && piece > GetParam().bytes.size()) {
-            EXPECT_EQ(fixture.goneReason().substr(0, 20), "is not a rotctld client");
+            EXPECT_EQ(fixture.goneReason().substr(0, 23), "is not a rotctld client");
         }
     }
 }

@@ -171,7 +171,7 @@ TEST_F(StationBrokerTest, ALostBrokerIsALineInTheLogAndNothingElse)
     run(1);
     EXPECT_THAT(log.front(), HasSubstr("connected to the broker 127.0.0.1:"));
     EXPECT_THAT(log.back(), HasSubstr("connected to the broker 127.0.0.1:"));
-    EXPECT_THAT(log[1], HasSubstr("The connection is lost (closed by the broker) (tried again and again)"));
+    EXPECT_THAT(log[1], HasSubstr("The connection is lost (closed by the broker) (Boresight keeps trying)"));
     EXPECT_LE(log.size(), 4U) << "each trouble once";
 }
 
@@ -217,7 +217,7 @@ TEST_F(StationBrokerTest, AMessageThatIsTooLargeIsALineInTheLog)
         run(1);
         return log.size() > 1;
     }));
-    EXPECT_THAT(log[1], HasSubstr("a message of 2000 kB was dropped; the limit is 64 kB"));
+    EXPECT_THAT(log[1], HasSubstr("a message of 2000 kB was dropped."));
     run(200);
     (void)heardUntil(kState, R"("state":"STANDBY")");
     EXPECT_EQ(log.size(), 2U) << "one line, and the connection goes on";

@@ -64,7 +64,7 @@ TEST_F(ClientsPanelTest, ShowsWhoIsThereAndWhatEachMayDo)
     EXPECT_EQ(cell(0, ClientModel::Program).toStdString(), "Gpredict or SatDump");
     EXPECT_EQ(cell(0, ClientModel::Rate).toStdString(), "1.3");
     EXPECT_EQ(cell(0, ClientModel::LastCommand).toStdString(), "P 339.50 57.00");
-    EXPECT_EQ(cell(0, ClientModel::Role).toStdString(), "● drives");
+    EXPECT_EQ(cell(0, ClientModel::Role).toStdString(), "● in control");
     EXPECT_EQ(cell(1, ClientModel::Role).toStdString(), "▲ waiting");
     EXPECT_EQ(cell(2, ClientModel::Role).toStdString(), "read-only");
     EXPECT_EQ(cell(2, ClientModel::Program).toStdString(), "unknown");
@@ -85,7 +85,8 @@ TEST_F(ClientsPanelTest, TellsOfTheBrokerIfThereIsToBeOne)
     status.broker.problem = QStringLiteral("MQTT broker broker.example:1883: no connection");
     status.broker.retryIn = Seconds(3.2);
     give(samples::update(status));
-    EXPECT_EQ(text("MQTT broker").toStdString(), "MQTT broker broker.example:1883: no connection (tried again in 4 s)");
+    EXPECT_EQ(text("MQTT broker").toStdString(),
+              "MQTT broker broker.example:1883: no connection (next attempt in 4 s)");
 }
 
 TEST_F(ClientsPanelTest, NothingCanBeDoneAboutNobody)
@@ -247,7 +248,7 @@ TEST_F(LeadPromptTest, AsksOverThePlotWhateverPanelIsOpen)
     EXPECT_TRUE(prompt().isVisible());
     EXPECT_EQ(text("A client asks for control").toStdString(), "192.168.100.109 asks for control");
     EXPECT_FALSE(named<ValueLabel>("A client asks for control")->isElided());
-    click("Give");
+    click("Allow control");
     ASSERT_EQ(asked<request::GiveLead>().size(), 1U);
     EXPECT_EQ(asked<request::GiveLead>()[0].clientId, 2U);
     give(samples::update(samples::idle()));
@@ -273,7 +274,7 @@ TEST_F(LeadPromptTest, AsksAboutOneUntilThatIsAnswered)
     two.clients[0].address = QStringLiteral("192.168.100.109:40001");
     give(samples::update(two));
     EXPECT_EQ(text("A client asks for control").toStdString(), "Port 50112 asks for control");
-    click("Give");
+    click("Allow control");
     ASSERT_EQ(asked<request::GiveLead>().size(), 1U);
     EXPECT_EQ(asked<request::GiveLead>()[0].clientId, 2U);
 }

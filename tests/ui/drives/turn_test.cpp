@@ -98,7 +98,7 @@ TEST_F(TurnTest, TheProposedPlaceIsSelectedAndOnePressAnswers)
     give(samples::update(fewPlaces()));
     EXPECT_TRUE(place("45.1°")->isChecked());
     const QString evidence = named<QPlainTextEdit>("Evidence")->toPlainText();
-    EXPECT_TRUE(evidence.startsWith(QStringLiteral("• The angle is known to a multiple of 180.0° only")));
+    EXPECT_TRUE(evidence.startsWith(QStringLiteral("• The angle is known only to a multiple of 180.0°")));
     EXPECT_TRUE(evidence.contains(QStringLiteral("So 45.1° is proposed")));
     ASSERT_TRUE(answerable());
     QTest::mouseClick(&answer(), Qt::LeftButton);
@@ -278,7 +278,7 @@ TEST_F(TurnTest, AnUnknownTurnDoesNotLookKnown)
     give(samples::update(fewPlaces()));
     EXPECT_EQ(text("Actual azimuth"), noValue());
     EXPECT_EQ(named<ValueLabel>("Actual azimuth")->tone(), Tone::Secondary);
-    EXPECT_EQ(text("State of azimuth"), QStringLiteral("TURN?"));
+    EXPECT_EQ(text("State of azimuth"), QStringLiteral("WRAP?"));
     EXPECT_EQ(named<ValueLabel>("State of azimuth")->symbol(), Symbol::Warning);
     EXPECT_EQ(text("Error of azimuth"), QStringLiteral("---.--°"));
     EXPECT_EQ(text("Actual elevation"), QStringLiteral("20.00°"));
@@ -288,7 +288,7 @@ TEST_F(TurnTest, AnUnknownTurnDoesNotLookKnown)
     EXPECT_FALSE(markers.commanded.has_value());
 }
 
-// Story: at each start TURN? stood there for two seconds, before the drives had been read.
+// Story: at each start WRAP? stood there for two seconds, before the drives had been read.
 TEST_F(TurnTest, ATurnIsNotInQuestionWhileTheDrivesAreRead)
 {
     give(samples::update(samples::reading()));

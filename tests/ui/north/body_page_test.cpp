@@ -41,7 +41,7 @@ TEST_F(NorthTest, SunAndMoonAreFollowedWithTheRefractionChosen)
     EXPECT_EQ(wanted<request::FollowBody>().front().refraction, ephemeris::Refraction::Radio);
     choose("Points by the Moon");
     EXPECT_TRUE(text("Position of the body").contains(QLatin1String("below the horizon, rises 22:43Z")));
-    expectBlocked("Follow Moon", "below the lowest elevation");
+    expectBlocked("Track Moon", "below the lowest elevation");
 }
 
 TEST_F(NorthTest, OverTheTopIsOfferedToABoomThatGoesThere)
@@ -60,7 +60,7 @@ TEST_F(NorthTest, OverTheTopIsOfferedToABoomThatGoesThere)
     ASSERT_EQ(wanted<request::FollowBody>().size(), 1u);
     EXPECT_TRUE(wanted<request::FollowBody>().front().overTheTop);
     choose("Points by the Moon");
-    expectBlocked("Follow Moon", "do not reach it over the top");
+    expectBlocked("Track Moon", "do not reach it over the top");
 
     give(samples::update(samples::followingOverTheTop()));
     choose("Points by the Sun");

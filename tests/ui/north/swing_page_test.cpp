@@ -188,7 +188,7 @@ TEST_F(NorthPagesTest, AnAverageIsToldBesideWhatIsInForce)
     calibration.sheet.sigmas[0].reset();
     status.calibration = std::make_shared<const CalibrationStatus>(calibration);
     show(CalibrationStep::Sensor, status);
-    EXPECT_TRUE(text("North from the sensor").endsWith(QStringLiteral("in force: +37.50°")));
+    EXPECT_TRUE(text("North from the sensor").endsWith(QStringLiteral("in force +37.50°")));
 }
 
 TEST_F(NorthPagesTest, AModelIsNotCheckedByASensorThatKnowsLess)
@@ -196,10 +196,9 @@ TEST_F(NorthPagesTest, AModelIsNotCheckedByASensorThatKnowsLess)
     StationStatus status = samples::sixPoints();
     status.sensor.azimuthSigma = 1.7_deg;
     show(CalibrationStep::Model, status);
-    EXPECT_TRUE(
-        named<QPlainTextEdit>("Remarks on the fit")
-            ->toPlainText()
-            .contains(QStringLiteral("to 1.7° here (1 sigma): it cannot check a model that is more exact than that")));
+    EXPECT_TRUE(named<QPlainTextEdit>("Remarks on the fit")
+                    ->toPlainText()
+                    .contains(QStringLiteral("to 1.7° here (1 sigma). It cannot check a more exact model")));
 }
 
 TEST_F(NorthPagesTest, TheDeclinationIsToldWithItsModelAndWhatIsWrongWithIt)

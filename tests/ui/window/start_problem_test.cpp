@@ -28,7 +28,7 @@ QPushButton& buttonOf(const StartProblem& problem, const char* text)
 // what to do. It starts with another profile, or quits.
 TEST(StartProblem, ShowsTheReasonAsItIsAndQuits)
 {
-    const QString reason = QStringLiteral("mount.toml:3: azimuth.id: \"<b>one</b>\" is not a number.");
+    const QString reason = QStringLiteral("mount.toml:3: azimuth.id: \"<b>one</b>\" is not a number");
     StartProblem problem(reason);
     problem.show();
     EXPECT_EQ(problem.windowTitle(), QStringLiteral("Boresight cannot start"));
