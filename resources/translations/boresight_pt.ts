@@ -5806,10 +5806,6 @@ até %1</translation>
         <translation>os ganhos de %1 estão guardados no acionamento</translation>
     </message>
     <message>
-        <source>Stored. The drive keeps them without power.</source>
-        <translation>Guardado. O acionamento mantém-nos sem alimentação.</translation>
-    </message>
-    <message>
         <source>Two boards with the id %1 are still connected. Disconnect one of them. Nothing was changed.</source>
         <translation>Ainda estão ligadas duas placas com o id %1. Desligue uma delas. Nada foi alterado.</translation>
     </message>
@@ -5946,16 +5942,8 @@ até %1</translation>
         <translation>A placa %1 tem agora o id %2. Foi relido e guardado. Desligue a alimentação, volte a ligar a outra placa e ligue a alimentação.</translation>
     </message>
     <message>
-        <source>setting the id of board %1 to %2, before %3</source>
-        <translation>a dar à placa %1 o id %2, tinha %3</translation>
-    </message>
-    <message>
         <source>The gear ratio of the %1 drive is %2 now. Boresight read it back and stored it, with the gains that depend on it. Press Fix next to write limits and speeds. Then check the tuning.</source>
         <translation>A redução do acionamento de %1 é agora %2. O Boresight releu-a e guardou-a, com os ganhos que dependem dela. Prima Corrigir a seguir para escrever limites e velocidades. Depois verifique a afinação.</translation>
-    </message>
-    <message>
-        <source>Limits, speeds and gains of the drive count turns of the axis. Boresight multiplies kp, ki and kd by %1, so the motor stays as stiff as before. Press Fix afterwards to write limits and speeds. Boresight asks for the cable wrap again.</source>
-        <translation>Limites, velocidades e ganhos do acionamento contam voltas do eixo. O Boresight multiplica kp, ki e kd por %1, para o motor ficar tão rígido como antes. Prima Corrigir depois para escrever limites e velocidades. O Boresight volta a perguntar a volta do cabo.</translation>
     </message>
     <message>
         <source>The drive check interrupted this. Read the gains again.</source>
@@ -6042,10 +6030,6 @@ até %1</translation>
         <translation>De um quarto a quatro vezes o valor guardado. Uma alteração maior é provavelmente um engano.</translation>
     </message>
     <message>
-        <source>At least ten times the bandwidth of the position control. Below it the measured speed is too late for the damping.</source>
-        <translation>Dez vezes a largura de banda do controlo de posição ou mais: abaixo disso a velocidade medida chega tarde demais para o amortecimento.</translation>
-    </message>
-    <message>
         <source>At most ten times kp, or four times the stored value. A faster integral makes the axis oscillate.</source>
         <translation>Dez vezes kp, ou quatro vezes o valor guardado. Um integral mais rápido faz o eixo oscilar sozinho.</translation>
     </message>
@@ -6064,10 +6048,6 @@ até %1</translation>
     <message>
         <source>Exchange the ids in the profile. If you exchanged the boards, end Boresight. Move the .memory.json files of the mount out of the state folder. Start Boresight again.</source>
         <translation>Troque os ids no perfil. Se as placas foram trocadas, termine o Boresight, tire os ficheiros .memory.json da montagem da pasta de estado e inicie de novo.</translation>
-    </message>
-    <message>
-        <source>The gear ratio of the profile (gear_ratio, gear_in). With another ratio every angle is wrong. Press Set gear to write it. The gains change with its square.</source>
-        <translation>a redução como está no perfil (gear_ratio, gear_in): com outra, todos os ângulos estão errados. Definir redução escreve-a: os ganhos mudam com o quadrado dela</translation>
     </message>
     <message>
         <source>The drive reported no torque, so there is no result.</source>
@@ -7300,6 +7280,26 @@ até %1</translation>
     <message>
         <source>its messages contain unknown fields: %1</source>
         <translation>as suas mensagens contêm mais do que aqui se conhece: %1</translation>
+    </message>
+    <message>
+        <source>setting the id of board %1 to %2. The old id is %3</source>
+        <translation>a definir o id da placa %1 para %2. O id antigo é %3</translation>
+    </message>
+    <message>
+        <source>The limits, speeds and gains of the drive count turns of the axis. Boresight multiplies kp, ki and kd by %1. The motor stays as stiff as before. Press Fix afterwards to write limits and speeds. Boresight asks for the cable wrap again.</source>
+        <translation>Os limites, velocidades e ganhos do acionamento contam voltas do eixo. O Boresight multiplica kp, ki e kd por %1. O motor fica tão rígido como antes. Depois prima Corrigir para escrever limites e velocidades. O Boresight volta a perguntar a volta do cabo.</translation>
+    </message>
+    <message>
+        <source>The gains are stored. The drive keeps them after a power cycle.</source>
+        <translation>Os ganhos estão guardados. O acionamento mantém-nos depois de desligado e ligado.</translation>
+    </message>
+    <message>
+        <source>Set at least ten times the bandwidth of the position control. With less, the measured speed is too late for the damping.</source>
+        <translation>Defina pelo menos dez vezes a largura de banda do controlo de posição. Com menos, a velocidade medida chega tarde demais para o amortecimento.</translation>
+    </message>
+    <message>
+        <source>The gear ratio of the profile (gear_ratio, gear_in). With another ratio every angle is wrong. Press Set gear to write the ratio of the profile. Boresight also changes the gains.</source>
+        <translation>A relação de transmissão do perfil (gear_ratio, gear_in). Com outra relação todos os ângulos estão errados. Prima Definir redução para escrever a relação do perfil. O Boresight altera também os ganhos.</translation>
     </message>
 </context>
 <context>
@@ -8864,14 +8864,14 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
         <translation>Este valor está em vigor. Introduza outro primeiro.</translation>
     </message>
     <message>
-        <source>The drive then counts its position from a new zero. The cable wrap of the %1 is unknown until you enter the position. Nothing moves.</source>
-        <translation>O acionamento passa a contar a posição a partir de um novo zero. A volta do cabo do %1 fica desconhecida até indicar a posição. Nada se move.</translation>
+        <source>With another filter the drive counts its position from a new zero. The cable wrap of the %1 is unknown until you enter the position. Nothing moves.</source>
+        <translation>Com outro filtro o acionamento conta a posição a partir de um novo zero. A volta do cabo do %1 fica desconhecida até indicar a posição. Nada se move.</translation>
     </message>
     <message>
         <source>
-The drive keeps them without power. It also stores all its other settings in force. Nothing moves.</source>
+The drive keeps these gains after a power cycle. It also stores all its other present settings. Nothing moves.</source>
         <translation>
-O acionamento mantém-nos sem alimentação. Guarda também todas as outras definições em vigor. Nada se move.</translation>
+O acionamento mantém estes ganhos depois de desligado e ligado. Guarda também todas as suas outras definições atuais. Nada se move.</translation>
     </message>
 </context>
 <context>
@@ -8987,18 +8987,18 @@ O acionamento mantém-nos sem alimentação. Guarda também todas as outras defi
         <translation>Duas placas têm o mesmo id, como vêm de fábrica. As respostas colidem. Desligue a alimentação, desligue uma placa e ligue a alimentação. Deixe ligada a placa que deve receber outro id. A página continua quando ela responder.</translation>
     </message>
     <message>
-        <source>One board replies: %1. Is the other board connected, too? Then check its power and plugs. Did both have the same id? Then choose the axis that this board turns. It gets the id of that axis.</source>
-        <translation>Uma placa responde: %1. Se a outra também está ligada, verifique a alimentação e as fichas. Se ambas tinham o mesmo id, diga que eixo esta placa roda. O Boresight dá-lhe então o id desse eixo.</translation>
+        <source>One board replies: %1. If the other board is connected, check its power and plugs. If both boards had the same id, choose the axis of this board. Boresight then sets the id of that axis.</source>
+        <translation>Responde uma placa: %1. Se a outra placa estiver ligada, verifique a alimentação e as fichas dela. Se as duas placas tinham o mesmo id, escolha o eixo desta placa. O Boresight define então o id desse eixo.</translation>
     </message>
     <message>
         <source>Board: %1.
-It becomes the board of the %2, with the id %3.
+Axis: %2. New id: %3.
 
-Boresight sets the id and checks that the same board replies. Then it reads the id back and stores it. If a check fails, it stores nothing. Nothing moves.</source>
+Boresight sets the id. It checks that the same board replies. It reads the id back and stores it. If a check fails, Boresight stores nothing. Nothing moves.</source>
         <translation>Placa: %1.
-Passa a ser a placa do %2, com o id %3.
+Eixo: %2. Novo id: %3.
 
-O Boresight define o id, vê se a mesma placa responde com ele, relê-o e guarda-o na placa. Se algo falhar, nada é guardado. Nada se move.</translation>
+O Boresight define o id. Verifica se responde a mesma placa. Volta a ler o id e guarda-o. Se uma verificação falhar, o Boresight não guarda nada. Nada se move.</translation>
     </message>
 </context>
 <context>
@@ -10582,7 +10582,7 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     </message>
     <message>
         <source>Allow control</source>
-        <translation type="unfinished"></translation>
+        <translation>Permitir controlo</translation>
     </message>
 </context>
 <context>
@@ -12151,26 +12151,28 @@ Fica para si, porque só quem construiu a montagem o pode saber:
         <translation>Desligar só a elevação. O azimute fica como está. Pergunta antes</translation>
     </message>
     <message>
-        <source>Ratio in the drive: %1. Ratio of the profile: %2. The ratio is turns of the axis for one turn of the motor.
-
-If the profile is wrong, press Cancel and correct it on the page Profile.
-
-%3
-
-Boresight writes the ratio, reads it back and stores it in the drive. Nothing moves.</source>
-        <translation>O acionamento tem %1. O perfil diz %2 (voltas do eixo por volta do motor). Se o perfil está errado, cancele e corrija a redução lá (separador Montagem, Perfil).
-
-%3
-
-O Boresight define a redução, relê-a e guarda-a no acionamento. Nada se move.</translation>
-    </message>
-    <message>
         <source>Nothing holds the azimuth from then on. Wind may turn it. The elevation stays as it is.</source>
         <translation>Nada segura o azimute a partir daí. O vento pode rodá-lo. A elevação fica como está.</translation>
     </message>
     <message>
         <source>Nothing holds the elevation from then on. If it is unbalanced, it falls. Keep people away from the antenna, or support it first. The azimuth stays as it is.</source>
         <translation>Nada segura a elevação a partir daí. Se estiver desequilibrada, cai. Mantenha as pessoas longe da antena, ou apoie-a primeiro. O azimute fica como está.</translation>
+    </message>
+    <message>
+        <source>Gear ratio in the drive: %1. Gear ratio in the profile: %2. The gear ratio is the number of axis turns for one motor turn.
+
+If the profile is wrong, press Cancel and correct it on the page Profile.
+
+%3
+
+Boresight writes the ratio, reads it back and stores it in the drive. Nothing moves.</source>
+        <translation>Relação de transmissão no acionamento: %1. Relação no perfil: %2. A relação é o número de voltas do eixo por volta do motor.
+
+Se o perfil estiver errado, prima Cancelar e corrija-o na página Perfil.
+
+%3
+
+O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada se move.</translation>
     </message>
 </context>
 <context>
@@ -12363,8 +12365,8 @@ O Boresight define a redução, relê-a e guarda-a no acionamento. Nada se move.
         <translation>Potência e energia elétricas</translation>
     </message>
     <message>
-        <source>Electrical power of all drives. Energy and peak power of the present motion, or of the last one. Power returned to the supply is negative.</source>
-        <translation>Potência elétrica de todos os acionamentos. Energia e potência máxima do movimento em curso, ou do último. A potência devolvida à alimentação conta como negativa.</translation>
+        <source>Electrical power of all drives. Energy and peak power are those of the present or the last motion. Negative power flows back to the supply.</source>
+        <translation>Potência elétrica de todos os acionamentos. A energia e a potência máxima são as do movimento atual ou do último. A potência negativa volta para a fonte.</translation>
     </message>
 </context>
 <context>
