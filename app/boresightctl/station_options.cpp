@@ -38,7 +38,7 @@ Result<Angle> parseAngle(const char* what, const std::string& text, double least
     if (!degrees) {
         return failure(
             ErrorCode::InvalidInput,
-            QStringLiteral("the %1 \"%2\" is no number of degrees").arg(QLatin1String(what), toQString(text)));
+            QStringLiteral("the %1 \"%2\" is not a number of degrees").arg(QLatin1String(what), toQString(text)));
     }
     if (*degrees < least || *degrees > most) {
         return failure(ErrorCode::InvalidInput,

@@ -90,9 +90,10 @@ Result<> BodyFollower::permitsAround(Body body, const std::vector<calibration::S
     return itself.and_then([&] { return direction(body); }).and_then([&](const SkyPointing& here) -> Result<> {
         for (const calibration::SkyOffset& place : places) {
             if (const auto may = m_control.reaches(beside(fromSide(here, fromBehind), place)); !may) {
-                return failure(may.error().code, Text::tr("Scan less wide, or when the %1 stands elsewhere. Not every "
-                                                          "place around it is permitted: %2")
-                                                     .arg(bodyName(body), may.error().text));
+                return failure(may.error().code,
+                               Text::tr("Scan a smaller width, or scan later. Not every place around the "
+                                        "%1 is permitted: %2")
+                                   .arg(bodyName(body), may.error().text));
             }
         }
         return {};

@@ -2985,10 +2985,6 @@ até %1</translation>
         <translation>leituras: %1</translation>
     </message>
     <message>
-        <source>Scan less wide, or when the %1 stands elsewhere. Not every place around it is permitted: %2</source>
-        <translation>Faça uma varredura menos larga, ou quando %1 estiver noutro lugar. Nem todos os lugares à volta são permitidos: %2</translation>
-    </message>
-    <message>
         <source>the %1 is elsewhere all at once: the clock of this computer or the site was changed; the mount holds, follow it again if that is right</source>
         <translation>%1 está de repente noutro lugar: o relógio deste computador ou o local foi mudado; a montagem mantém-se parada, siga de novo se isso estiver certo</translation>
     </message>
@@ -7300,6 +7296,10 @@ até %1</translation>
     <message>
         <source>The gear ratio of the profile (gear_ratio, gear_in). With another ratio every angle is wrong. Press Set gear to write the ratio of the profile. Boresight also changes the gains.</source>
         <translation>A relação de transmissão do perfil (gear_ratio, gear_in). Com outra relação todos os ângulos estão errados. Prima Definir redução para escrever a relação do perfil. O Boresight altera também os ganhos.</translation>
+    </message>
+    <message>
+        <source>Scan a smaller width, or scan later. Not every place around the %1 is permitted: %2</source>
+        <translation>Varra uma largura menor ou mais tarde. Nem todos os lugares à volta do astro (%1) são permitidos: %2</translation>
     </message>
 </context>
 <context>

@@ -64,7 +64,7 @@ TEST(InjectionOption, EveryPartCanBeLeftOut)
 TEST(InjectionOption, ErrorsNameTheOptionAndWhatItExpects)
 {
     EXPECT_EQ(refusal("wind", "az:x@5"),
-              "--wind az:x@5: \"x\" is no number; expected [AXIS:]TORQUE[@START][+DURATION]");
+              "--wind az:x@5: \"x\" is not a number; expected [AXIS:]TORQUE[@START][+DURATION]");
     EXPECT_THAT(refusal("wind", "+30"), HasSubstr("value is missing"));
     EXPECT_THAT(refusal("wind", "nan"), HasSubstr("is not a number"));
     EXPECT_THAT(refusal("late", "soon"), HasSubstr("\"soon\" is no time"));

@@ -273,7 +273,7 @@ TEST(CalibrationFollow, APointIsTakenWhatWasCentredByHand)
     rig.run(Seconds(20.0));
     const auto taken = rig.ask(request::TakePoint{});
     ASSERT_TRUE(taken) << textOf(taken.error());
-    EXPECT_EQ(std::string::npos, rig.lastLog().find("beside")) << "no north has been found yet";
+    EXPECT_EQ(std::string::npos, rig.lastLog().find("By the model in force")) << "no north has been found yet";
     EXPECT_EQ(Body::Sun, rig.status().body);
     ASSERT_TRUE(rig.apply());
     EXPECT_NEAR(37.4, rig.terms().azimuthOffset.degrees(), 1.0);
@@ -288,12 +288,12 @@ TEST(CalibrationFollow, APointFarFromTheNorthThatWasFoundIsToldOf)
     ASSERT_TRUE(rig.apply());
     follow(rig);
     ASSERT_TRUE(rig.ask(request::TakePoint{}));
-    EXPECT_EQ(std::string::npos, rig.lastLog().find("beside"));
+    EXPECT_EQ(std::string::npos, rig.lastLog().find("By the model in force"));
     ASSERT_TRUE(rig.ask(request::Hold{}));
     ASSERT_TRUE(rig.ask(request::Step{.azimuth = 20_deg, .elevation = {}}));
     rig.run(Seconds(20.0));
     ASSERT_TRUE(rig.ask(request::TakePoint{}));
-    EXPECT_NE(std::string::npos, rig.lastLog().find("beside")) << rig.lastLog();
+    EXPECT_NE(std::string::npos, rig.lastLog().find("By the model in force")) << rig.lastLog();
 }
 
 bool warnsOfTheSun(CalibrationRig& rig)

@@ -259,7 +259,7 @@ TEST(CalibrationSwing, IsRefusedWithTheReason)
     rig.run(Seconds(3.0));
     const auto refused = rig.ask(kSweep);
     ASSERT_FALSE(refused);
-    EXPECT_NE(std::string::npos, textOf(refused.error()).find("magnetometer"));
+    EXPECT_NE(std::string::npos, textOf(refused.error()).find("Magnetometer"));
     rig.calibration->magnetometer = 3;
     rig.run(Seconds(3.0));
     ASSERT_TRUE(rig.ask(request::GiveAuthority{}));

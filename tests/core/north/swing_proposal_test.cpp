@@ -52,7 +52,7 @@ TEST(SwingProposal, WhatABoxAskewExplainsIsTheSensors)
     EXPECT_FALSE(proposal.sigmas[indexOf(Term::ElevationOffset)]);
     EXPECT_NEAR(-0.95, sensorZero(proposal).degrees(), 1e-9) << "0.70° as sent are -0.25° of the beam then";
     EXPECT_FALSE(warns(proposal));
-    EXPECT_TRUE(proposal.text.contains(QStringLiteral("askew")));
+    EXPECT_TRUE(proposal.text.contains(QStringLiteral("tilted sensor")));
 }
 
 TEST(SwingProposal, MoreThanThatIsTheZeroOfTheAxis)
@@ -190,8 +190,8 @@ TEST(SwingProposal, ATiltThatPointsHaveToldBetterStays)
     const Proposal stays = proposalOf(swung(37.4_deg, 0.6_deg), profile, told);
     EXPECT_EQ(0.5_deg, stays.terms.tiltNorth);
     EXPECT_FALSE(stays.sigmas[indexOf(Term::TiltNorth)]) << "else it would count as what the swing has found";
-    EXPECT_EQ(QStringLiteral("North stays unchanged. It is known to 0.11°, by compass only to 2.4°; tilt stays: it is "
-                             "known to 0.04°, a swing to 0.05°."),
+    EXPECT_EQ(QStringLiteral("North stays unchanged. It is known to 0.11°, by compass only to 2.4°. "
+                             "The tilt stays unchanged. It is known to 0.04°, by a swing only to 0.05°."),
               stays.stays);
     // The mast leans otherwise today.
     const Proposal contradicts = proposalOf(swung(37.4_deg, 0.8_deg), profile, told);

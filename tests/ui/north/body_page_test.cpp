@@ -139,7 +139,7 @@ TEST_F(NorthTest, TheScanWaitsForTypedPowersAndTakesNumbersOnly)
 {
     show(CalibrationStep::Body, samples::followingSun());
     choose("The peak of the received power, by a cross scan");
-    expectBlocked("Give dB", "No scan waits");
+    expectBlocked("Enter dB", "No scan waits");
     named<QDoubleSpinBox>("Width of the scan")->setValue(8.0);
     click("Scan Sun");
     ASSERT_EQ(wanted<request::StartCrossScan>().size(), 1u);
