@@ -182,8 +182,8 @@ Result<> BodyFollower::staysOnItsWay()
     return direction(*m_body).and_then([&](const SkyPointing& place) -> Result<> {
         if (m_place && angleBetween(place, *m_place) > kLeap) {
             return failure(ErrorCode::Refused,
-                           Text::tr("the %1 is elsewhere all at once: the clock of this computer or the site was "
-                                    "changed; the mount holds, follow it again if that is right")
+                           Text::tr("The place of the %1 changed suddenly. The clock of this computer or the site was "
+                                    "changed. The mount holds. Check both, then track the %1 again.")
                                .arg(bodyName(*m_body)));
         }
         return {};

@@ -156,8 +156,8 @@ QString timeoutModeConsequence(double found)
     }
     if (found == kTimeoutBrake) {
         return Text::tr(
-            "mode 15 brakes but does not hold; right only for a self-locking gearbox (timeout_mode = \"brake\" in the "
-            "profile)");
+            "Mode 15 brakes but does not hold. It is right only for a self-locking gearbox (timeout_mode = \"brake\" "
+            "in the profile).");
     }
     return found == kTimeoutHold ? Text::tr("the profile says the gearbox locks itself and asks for brake (15)")
                                  : Text::tr("no mode in which a drive may be left alone");
@@ -214,8 +214,8 @@ void addElectrical(List& list)
                     .wanted = Text::tr("above 0 A"),
                     .isRight = [](double found) { return found > 0.0 && std::isfinite(found); },
                     .otherwise = Verdict::Dangerous,
-                    .reason = Text::tr("without current the axis falls, without a limit the motor burns; the value is "
-                                       "in the data sheet of the motor")});
+                    .reason = Text::tr("Without current the axis falls. Without a limit the motor burns. The value is "
+                                       "in the data sheet of the motor.")});
     addWithRemedy(list, {.key = "servo.max_voltage",
                          .unit = QStringLiteral("V"),
                          .wanted = Text::tr("10 to 46 V"),
@@ -242,7 +242,7 @@ void addLimits(List& list, const profile::AxisSettings& axis, const DriveScale& 
                          .wantedBrief = scale.angles(speed, 2.0 * speed, QStringLiteral("°/s")),
                          .isRight = [speed](double found) { return isWithin(found, speed, 2.0 * speed); },
                          .remedy = tracking::kLimitGuard * speed,
-                         .reason = Text::tr("the speed of every order that names none; the factory has no limit"),
+                         .reason = Text::tr("The speed of each command that gives none. The factory sets no limit."),
                          .explain = scale.asSpan(QStringLiteral("°/s")),
                          .isAngle = true});
     const double braking = scale.turns(Angle::fromDegrees(tracking::emergencyBraking(axis.limits).degrees()));

@@ -2365,10 +2365,6 @@ até %1</translation>
         <translation>o modo 0 desliga o motor: o eixo fica solto quando o computador morre</translation>
     </message>
     <message>
-        <source>mode 15 brakes but does not hold; right only for a self-locking gearbox (timeout_mode = &quot;brake&quot; in the profile)</source>
-        <translation>o modo 15 freia mas não segura; certo só para um redutor autoblocante (timeout_mode = &quot;brake&quot; no perfil)</translation>
-    </message>
-    <message>
         <source>the profile says the gearbox locks itself and asks for brake (15)</source>
         <translation>o perfil diz que o redutor se bloqueia e pede freio (15)</translation>
     </message>
@@ -2421,10 +2417,6 @@ até %1</translation>
         <translation>acima de 0 A</translation>
     </message>
     <message>
-        <source>without current the axis falls, without a limit the motor burns; the value is in the data sheet of the motor</source>
-        <translation>sem corrente o eixo cai, sem limite o motor queima; o valor está na folha de dados do motor</translation>
-    </message>
-    <message>
         <source>10 to 46 V</source>
         <translation>10 a 46 V</translation>
     </message>
@@ -2443,10 +2435,6 @@ até %1</translation>
     <message>
         <source>turns/s</source>
         <translation>voltas/s</translation>
-    </message>
-    <message>
-        <source>the speed of every order that names none; the factory has no limit</source>
-        <translation>a velocidade de toda ordem que não indica nenhuma; de fábrica não há limite</translation>
     </message>
     <message>
         <source>turns/s²</source>
@@ -2983,10 +2971,6 @@ até %1</translation>
     <message>
         <source>readings: %1</source>
         <translation>leituras: %1</translation>
-    </message>
-    <message>
-        <source>the %1 is elsewhere all at once: the clock of this computer or the site was changed; the mount holds, follow it again if that is right</source>
-        <translation>%1 está de repente noutro lugar: o relógio deste computador ou o local foi mudado; a montagem mantém-se parada, siga de novo se isso estiver certo</translation>
     </message>
     <message>
         <source>far off the curve</source>
@@ -4724,10 +4708,6 @@ até %1</translation>
     <message>
         <source>Host</source>
         <translation>Anfitrião</translation>
-    </message>
-    <message>
-        <source>UDP: the address of this computer to listen on; 127.0.0.1 receives from this computer only, 0.0.0.0 from all. TCP: name or address of the receiver&apos;s program.</source>
-        <translation>UDP: o endereço deste computador em que escuta; 127.0.0.1 recebe só deste computador, 0.0.0.0 de todos. TCP: nome ou endereço do programa do recetor.</translation>
     </message>
     <message>
         <source>missing: %1. The keys of this table are only valid together.</source>
@@ -6499,15 +6479,15 @@ até %1</translation>
     </message>
     <message>
         <source> This contradicts %1, so Boresight proposes nothing. Look at the cable.</source>
-        <translation>: isso contradiz %1, por isso nada se propõe: olhe para o cabo</translation>
+        <translation> Isto contradiz %1, por isso o Boresight não propõe nada. Olhe para o cabo.</translation>
     </message>
     <message>
         <source> This agrees with the proposal.</source>
-        <translation>: isso concorda com o que se propõe</translation>
+        <translation> Isto concorda com a proposta.</translation>
     </message>
     <message>
         <source> None of the places is near that.</source>
-        <translation>: nenhum dos lugares fica perto disso</translation>
+        <translation> Nenhum dos lugares fica perto disto.</translation>
     </message>
     <message>
         <source>it is too large for a position journal</source>
@@ -7300,6 +7280,26 @@ até %1</translation>
     <message>
         <source>Scan a smaller width, or scan later. Not every place around the %1 is permitted: %2</source>
         <translation>Varra uma largura menor ou mais tarde. Nem todos os lugares à volta do astro (%1) são permitidos: %2</translation>
+    </message>
+    <message>
+        <source>The place of the %1 changed suddenly. The clock of this computer or the site was changed. The mount holds. Check both, then track the %1 again.</source>
+        <translation>O lugar do astro (%1) mudou de repente. O relógio deste computador ou o local foi alterado. A montagem mantém-se parada. Verifique ambos e siga de novo.</translation>
+    </message>
+    <message>
+        <source>UDP: the address of this computer to listen on. 127.0.0.1 receives from this computer only, 0.0.0.0 from all. TCP: name or address of the receiver&apos;s program.</source>
+        <translation>UDP: o endereço deste computador em que escuta. 127.0.0.1 recebe só deste computador, 0.0.0.0 de todos. TCP: nome ou endereço do programa do recetor.</translation>
+    </message>
+    <message>
+        <source>Mode 15 brakes but does not hold. It is right only for a self-locking gearbox (timeout_mode = &quot;brake&quot; in the profile).</source>
+        <translation>O modo 15 freia mas não segura. Só é certo para um redutor autoblocante (timeout_mode = &quot;brake&quot; no perfil).</translation>
+    </message>
+    <message>
+        <source>Without current the axis falls. Without a limit the motor burns. The value is in the data sheet of the motor.</source>
+        <translation>Sem corrente o eixo cai. Sem limite o motor queima. O valor está na folha de dados do motor.</translation>
+    </message>
+    <message>
+        <source>The speed of each command that gives none. The factory sets no limit.</source>
+        <translation>A velocidade de cada ordem que não indica nenhuma. De fábrica não há limite.</translation>
     </message>
 </context>
 <context>
@@ -8696,10 +8696,6 @@ velocidade %1</translation>
         <translation>Dar de novo ordens aos acionamentos e manter</translation>
     </message>
     <message>
-        <source>Move each axis, stop feeding its drive, measure; asks first</source>
-        <translation>Mover cada eixo, deixar de dar ordens ao acionamento, medir; pergunta antes</translation>
-    </message>
-    <message>
         <source>Leave the bus while the drives are switched on?</source>
         <translation>Deixar o barramento com os acionamentos ligados?</translation>
     </message>
@@ -8716,20 +8712,24 @@ velocidade %1</translation>
         <translation>Mover a montagem</translation>
     </message>
     <message>
-        <source>Nobody feeds the drives any more, and each does what its own setting says (&quot;When not fed&quot; on the Protection panel). With the factory setting an unbalanced elevation creeps down.
-
-A drive that is switched on again later gives no torque for a moment (13 ms and the two ticks before): an unbalanced elevation then drops a little.</source>
-        <translation>Já ninguém dá ordens aos acionamentos, e cada um faz o que diz o seu próprio parâmetro (&quot;Sem ordens&quot; no painel Proteções). Com o valor de fábrica uma elevação desequilibrada desce devagar.
-
-Um acionamento ligado de novo mais tarde não dá torque por um momento (13 ms e os dois ciclos antes): uma elevação desequilibrada cai então um pouco.</translation>
+        <source>Move each axis, stop the commands to its drive, and measure. Boresight asks first.</source>
+        <translation>Mover cada eixo, parar as ordens ao acionamento e medir. O Boresight pergunta antes.</translation>
     </message>
     <message>
-        <source>One axis after the other moves at %1. Then Boresight really stops feeding its drive, as if the cable were cut, and measures how far and how long the axis goes on. To be switched on again a drive gives no torque for a moment (13 ms and the two ticks before): an unbalanced elevation drops a little.
+        <source>The drives get no more commands. Each does what its own setting says (&quot;When not fed&quot; on the Protection panel). With the factory setting an unbalanced elevation sinks slowly.
+
+When a drive is switched on again, it gives no torque for a moment (some 50 ms). An unbalanced elevation then drops a little.</source>
+        <translation>Os acionamentos deixam de receber ordens. Cada um faz o que a sua própria definição diz (&quot;Sem ordens&quot; no painel Proteção). Com a definição de fábrica uma elevação desequilibrada desce devagar.
+
+Quando um acionamento volta a ser ligado, não dá torque por um momento (uns 50 ms). Uma elevação desequilibrada desce então um pouco.</translation>
+    </message>
+    <message>
+        <source>One axis after the other moves at %1. Then Boresight really sends its drive no more commands, as if the cable were cut. It measures how far and how long the axis goes on. When a drive is switched on again, it gives no torque for a moment (some 50 ms). An unbalanced elevation then drops a little.
 
 Keep people and ropes clear of the antenna. STOP ends the proof.</source>
-        <translation>Um eixo de cada vez move-se a %1. Então o Boresight deixa mesmo de dar ordens ao acionamento, como se o cabo fosse cortado, e mede até onde e por quanto tempo o eixo continua. Para ser ligado de novo, um acionamento não dá torque por um momento (13 ms e os dois ciclos antes): uma elevação desequilibrada cai um pouco.
+        <translation>Um eixo após o outro move-se a %1. Depois o Boresight deixa mesmo de dar ordens ao acionamento, como se o cabo fosse cortado. Mede até onde e durante quanto tempo o eixo continua. Quando um acionamento volta a ser ligado, não dá torque por um momento (uns 50 ms). Uma elevação desequilibrada desce então um pouco.
 
-Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
+Mantenha pessoas e cordas longe da antena. STOP termina a prova.</translation>
     </message>
 </context>
 <context>
@@ -9148,10 +9148,6 @@ swap the motors</source>
 trocar os motores</translation>
     </message>
     <message>
-        <source>Azimuth and elevation exchange their motors; connects anew</source>
-        <translation>Azimute e elevação trocam os seus motores; conecta-se de novo</translation>
-    </message>
-    <message>
         <source>It turns as the arrow shows</source>
         <translation>Gira como a seta</translation>
     </message>
@@ -9220,10 +9216,6 @@ trocar os motores</translation>
         <translation>EL girou ao contrário</translation>
     </message>
     <message>
-        <source>The %1 motor counts the other way round; connects anew</source>
-        <translation>O motor de %1 conta ao contrário; conecta-se de novo</translation>
-    </message>
-    <message>
         <source>↻ must turn the antenna clockwise, seen from above</source>
         <translation>↻ tem de girar a antena no sentido horário, visto de cima</translation>
     </message>
@@ -9246,6 +9238,14 @@ trocar os motores</translation>
     <message>
         <source>only one axis has a motor that can be exchanged</source>
         <translation>só um eixo tem um motor que se pode trocar</translation>
+    </message>
+    <message>
+        <source>Azimuth and elevation exchange their motors. Boresight connects again.</source>
+        <translation>Azimute e elevação trocam os motores. O Boresight volta a ligar.</translation>
+    </message>
+    <message>
+        <source>The %1 motor counts the other way. Boresight connects again.</source>
+        <translation>O motor de %1 conta ao contrário. O Boresight volta a ligar.</translation>
     </message>
 </context>
 <context>
@@ -9283,20 +9283,12 @@ trocar os motores</translation>
         <translation>Definir norte</translation>
     </message>
     <message>
-        <source>Sets the azimuth offset of the pointing model; nothing moves</source>
-        <translation>Define o desvio de azimute do modelo de apontamento; nada se move</translation>
-    </message>
-    <message>
         <source>Sensor, Sun, Moon (Ctrl+9)</source>
         <translation>Sensor, Sol, Lua (Ctrl+9)</translation>
     </message>
     <message>
         <source>Moves the %1 slowly while held</source>
         <translation>Move o eixo de %1 devagar enquanto premido</translation>
-    </message>
-    <message>
-        <source>To the panel North, which finds it by them; F3 comes back</source>
-        <translation>Para o painel Norte, que o acha por eles; F3 volta aqui</translation>
     </message>
     <message>
         <source>It really points to</source>
@@ -9331,10 +9323,6 @@ trocar os motores</translation>
         <translation>o norte é conhecido: marque primeiro que deve ser substituído</translation>
     </message>
     <message>
-        <source>Azimuth offset %1 → %2, at once; the way back: tab Mount, Profile, Undo. Nothing moves; travel, cable and park keep their numbers, horizon and keep-outs their true directions.</source>
-        <translation>Desvio de azimute %1 → %2, de imediato; o caminho de volta: separador Montagem, Perfil, Desfazer. Nada se move; curso, cabo e estacionamento guardam os seus números, horizonte e zonas proibidas as direções verdadeiras.</translation>
-    </message>
-    <message>
         <source>Sun, Moon (Ctrl+9)</source>
         <translation>Sol, Lua (Ctrl+9)</translation>
     </message>
@@ -9349,6 +9337,18 @@ trocar os motores</translation>
     <message>
         <source>Press Confirm to keep it. To replace it, type the true azimuth of the antenna.</source>
         <translation>Prima Confirmar para o manter. Para o substituir, escreva para onde a antena aponta realmente.</translation>
+    </message>
+    <message>
+        <source>Set the azimuth offset of the pointing model. Nothing moves.</source>
+        <translation>Definir o desvio de azimute do modelo de apontamento. Nada se move.</translation>
+    </message>
+    <message>
+        <source>Find north with them on the panel North. F3 returns to this step.</source>
+        <translation>Encontrar o norte com eles no painel Norte. F3 volta a este passo.</translation>
+    </message>
+    <message>
+        <source>The azimuth offset changes from %1 to %2 at once. Nothing moves. Travel, cable and park keep their numbers. Horizon and keep-outs keep their true directions. To go back, press Undo on the page Profile.</source>
+        <translation>O desvio de azimute muda de %1 para %2 de imediato. Nada se move. Curso, cabo e estacionamento mantêm os números. Horizonte e zonas proibidas mantêm as direções verdadeiras. Para voltar atrás, prima Desfazer na página Perfil.</translation>
     </message>
 </context>
 <context>
@@ -9376,10 +9376,6 @@ trocar os motores</translation>
     <message>
         <source>Finish later</source>
         <translation>Terminar depois</translation>
-    </message>
-    <message>
-        <source>To the panels; F3 comes back to this step</source>
-        <translation>Para os painéis; F3 volta a este passo</translation>
     </message>
     <message>
         <source>Commissioning guide</source>
@@ -9424,6 +9420,10 @@ trocar os motores</translation>
     <message>
         <source>Confirm: %1</source>
         <translation>Confirmar: %1</translation>
+    </message>
+    <message>
+        <source>Show the panels. F3 returns to this step.</source>
+        <translation>Mostrar os painéis. F3 volta a este passo.</translation>
     </message>
 </context>
 <context>
@@ -9548,16 +9548,8 @@ trocar os motores</translation>
         <translation>Localizador Maidenhead</translation>
     </message>
     <message>
-        <source>4 to 10 characters, like JN58td; the middle of its square becomes the place</source>
-        <translation>4 a 10 caracteres, como JN58td; o meio do seu quadrado torna-se o lugar</translation>
-    </message>
-    <message>
         <source>Station of Gpredict</source>
         <translation>Estação do Gpredict</translation>
-    </message>
-    <message>
-        <source>Ground stations that Gpredict on this computer knows; choosing one fills the fields</source>
-        <translation>Estações terrestres que o Gpredict deste computador conhece; escolher uma preenche os campos</translation>
     </message>
     <message>
         <source>Latitude (north +)</source>
@@ -9627,6 +9619,14 @@ trocar os motores</translation>
         <source>Where Gpredict keeps its files</source>
         <translation>Onde o Gpredict guarda seus arquivos</translation>
     </message>
+    <message>
+        <source>4 to 10 characters, for example JN58td. The place is the middle of this square.</source>
+        <translation>4 a 10 caracteres, por exemplo JN58td. O lugar é o meio deste quadrado.</translation>
+    </message>
+    <message>
+        <source>Ground stations of Gpredict on this computer. Choose one to fill in the fields.</source>
+        <translation>Estações terrestres do Gpredict neste computador. Escolha uma para preencher os campos.</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::GuideTravel</name>
@@ -9637,10 +9637,6 @@ trocar os motores</translation>
     <message>
         <source>Use these ends</source>
         <translation>Usar estes fins</translation>
-    </message>
-    <message>
-        <source>Takes them into the profile and connects anew; afterwards the drives&apos; own bounds are to be fixed (step Protect)</source>
-        <translation>Leva-os para o perfil e conecta-se de novo; depois há que corrigir os limites dos acionamentos (passo Proteção)</translation>
     </message>
     <message>
         <source>What the ends are</source>
@@ -9679,10 +9675,6 @@ trocar os motores</translation>
         <translation>superior</translation>
     </message>
     <message>
-        <source>Travel of the %1 in force; the pointer is where it is now</source>
-        <translation>Curso de %1 em vigor; o ponteiro é onde está agora</translation>
-    </message>
-    <message>
         <source>Move</source>
         <translation>Mover</translation>
     </message>
@@ -9709,6 +9701,14 @@ trocar os motores</translation>
     <message>
         <source>these are the ends in force</source>
         <translation>estes são os fins em vigor</translation>
+    </message>
+    <message>
+        <source>Write them into the profile and connect again. Then fix the limits of the drives (step Protect).</source>
+        <translation>Escrevê-los no perfil e voltar a ligar. Depois corrija os limites dos acionamentos (passo Proteção).</translation>
+    </message>
+    <message>
+        <source>Travel of the %1. The pointer shows where it is now.</source>
+        <translation>Curso de %1. O ponteiro mostra onde está agora.</translation>
     </message>
 </context>
 <context>
@@ -9740,10 +9740,6 @@ trocar os motores</translation>
     <message>
         <source>Set it</source>
         <translation>Definir</translation>
-    </message>
-    <message>
-        <source>Takes the new zero into the profile and connects anew; nothing moves</source>
-        <translation>Leva o novo zero para o perfil e conecta-se de novo; nada se move</translation>
     </message>
     <message>
         <source>True elevation of the antenna</source>
@@ -9788,6 +9784,10 @@ trocar os motores</translation>
     <message>
         <source>Every angle changes by %1: %2. %3</source>
         <translation>Cada ângulo muda %1: %2. %3</translation>
+    </message>
+    <message>
+        <source>Write the new zero into the profile and connect again. Nothing moves.</source>
+        <translation>Escrever o novo zero no perfil e voltar a ligar. Nada se move.</translation>
     </message>
 </context>
 <context>
@@ -10141,18 +10141,6 @@ trocar os motores</translation>
         <translation>mover um passo, ou corrigir o alvo de um cliente</translation>
     </message>
     <message>
-        <source>change the jog rate (on the slider; also arrows, Home, End)</source>
-        <translation>mudar a velocidade manual (no cursor; também setas, Home, End)</translation>
-    </message>
-    <message>
-        <source>hold LB or RB and move the left stick; B is STOP</source>
-        <translation>segurar LB ou RB e mover a alavanca esquerda; B é STOP</translation>
-    </message>
-    <message>
-        <source>go to the Az field; Enter starts the move</source>
-        <translation>ir ao campo Az; Enter inicia o movimento</translation>
-    </message>
-    <message>
         <source>Ctrl+H, Ctrl+P</source>
         <translation>Ctrl+H, Ctrl+P</translation>
     </message>
@@ -10221,6 +10209,18 @@ trocar os motores</translation>
 It does not replace the hard-wired emergency stop beside the mast.</source>
         <translation>STOP é uma função deste programa: a montagem abranda e segura a posição.
 Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
+    </message>
+    <message>
+        <source>change the jog rate (on the slider, also with arrows, Home, End)</source>
+        <translation>mudar a velocidade manual (no cursor, também com setas, Home, End)</translation>
+    </message>
+    <message>
+        <source>hold LB or RB and move the left stick. B is STOP</source>
+        <translation>segurar LB ou RB e mover a alavanca esquerda. B é STOP</translation>
+    </message>
+    <message>
+        <source>go to the Az field. Enter starts the move</source>
+        <translation>ir ao campo Az. Enter inicia o movimento</translation>
     </message>
 </context>
 <context>
@@ -11457,10 +11457,6 @@ el %2</translation>
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>Magnify around the target (Ctrl+0; Ctrl++, Ctrl+-, wheel)</source>
-        <translation>Ampliar em torno do alvo (Ctrl+0; Ctrl++, Ctrl+-, roda)</translation>
-    </message>
-    <message>
         <source>Save …</source>
         <translation>Gravar</translation>
     </message>
@@ -11527,6 +11523,10 @@ el %2</translation>
     <message>
         <source>Loss of power by the pointing error. It is shown up to one beam width.</source>
         <translation>O que o erro de apontamento custa. Acima de uma largura de feixe não é indicado.</translation>
+    </message>
+    <message>
+        <source>Zoom in on the target (Ctrl+0, Ctrl++, Ctrl+- or wheel)</source>
+        <translation>Ampliar em torno do alvo (Ctrl+0, Ctrl++, Ctrl+- ou roda)</translation>
     </message>
 </context>
 <context>
@@ -12049,16 +12049,8 @@ el %2</translation>
         <translation>Corrigir …</translation>
     </message>
     <message>
-        <source>Write the settings that differ; asks first</source>
-        <translation>Escrever os parâmetros que diferem; pergunta antes</translation>
-    </message>
-    <message>
         <source>Switch drives off …</source>
         <translation>Desligar acionam. …</translation>
-    </message>
-    <message>
-        <source>Release the axes; asks first</source>
-        <translation>Soltar os eixos; pergunta antes</translation>
     </message>
     <message>
         <source>Protection</source>
@@ -12173,6 +12165,14 @@ Se o perfil estiver errado, prima Cancelar e corrija-o na página Perfil.
 %3
 
 O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada se move.</translation>
+    </message>
+    <message>
+        <source>Write the settings that differ. Boresight asks first.</source>
+        <translation>Escrever os parâmetros que diferem. O Boresight pergunta antes.</translation>
+    </message>
+    <message>
+        <source>Switch the drives off. Boresight asks first.</source>
+        <translation>Desligar os acionamentos. O Boresight pergunta antes.</translation>
     </message>
 </context>
 <context>
@@ -13593,16 +13593,16 @@ Em comparação com a montagem em uso:
         <translation>Lugares onde o eixo pode estar</translation>
     </message>
     <message>
-        <source>◇ a place the axis may be at, filled: the chosen one; the hatched ends are out of travel</source>
-        <translation>◇ um lugar onde o eixo pode estar, cheio: o escolhido; as pontas tracejadas estão fora do curso</translation>
-    </message>
-    <message>
         <source>%1 places, chosen %2</source>
         <translation>%1 lugares, escolhido %2</translation>
     </message>
     <message>
         <source>%1 places, none chosen</source>
         <translation>%1 lugares, nenhum escolhido</translation>
+    </message>
+    <message>
+        <source>◇ a possible place of the axis, ◆ the chosen place. The hatched ends are outside the travel.</source>
+        <translation>◇ um lugar possível do eixo, ◆ o lugar escolhido. As pontas tracejadas estão fora do curso.</translation>
     </message>
 </context>
 <context>

@@ -241,8 +241,9 @@ void DrivesPanel::showProof()
     m_run->setCommand(running ? tr("End proof")
                       : both  ? tr("Run (both axes) …")
                               : tr("Run …"),
-                      running ? tr("Feed the drives again and hold")
-                              : tr("Move each axis, stop feeding its drive, measure; asks first"));
+                      running
+                          ? tr("Feed the drives again and hold")
+                          : tr("Move each axis, stop the commands to its drive, and measure. Boresight asks first."));
     m_run->setBlocked(m_status.permissions.reason(running ? Action::EndProof : Action::ProveCrashStop));
     m_rate->setEnabled(!running);
     m_proof->setValue(drives.proofText, running ? Tone::Advisory : Tone::Secondary,
@@ -257,10 +258,10 @@ void DrivesPanel::release()
     }
     askFirst(
         {.title = tr("Leave the bus while the drives are switched on?"),
-         .text = tr("Nobody feeds the drives any more, and each does what its own setting says (\"When not fed\" on "
-                    "the Protection panel). With the factory setting an unbalanced elevation creeps down.\n\nA drive "
-                    "that is switched on again later gives no torque for a moment (13 ms and the two ticks before): an "
-                    "unbalanced elevation then drops a little."),
+         .text = tr(
+             "The drives get no more commands. Each does what its own setting says (\"When not fed\" on the Protection "
+             "panel). With the factory setting an unbalanced elevation sinks slowly.\n\nWhen a drive is switched on "
+             "again, it gives no torque for a moment (some 50 ms). An unbalanced elevation then drops a little."),
          .act = tr("Leave the bus"),
          .request = request::ReleaseBus{},
          .action = Action::ReleaseBus},
@@ -276,11 +277,10 @@ void DrivesPanel::prove()
     const AngularRate rate = Angle::fromDegrees(m_rate->value()) / Seconds(1.0);
     askFirst(
         {.title = tr("Move the mount at %1 and let it run out?").arg(rateText(rate)),
-         .text = tr("One axis after the other moves at %1. Then Boresight really stops feeding its drive, as if "
-                    "the cable were cut, and measures how far and how long the axis goes on. To be "
-                    "switched on again a drive gives no torque for a moment (13 ms and the two ticks before): an "
-                    "unbalanced elevation drops a little.\n\nKeep people and ropes clear of the antenna. STOP ends "
-                    "the proof.")
+         .text = tr("One axis after the other moves at %1. Then Boresight really sends its drive no more commands, as "
+                    "if the cable were cut. It measures how far and how long the axis goes on. When a drive is "
+                    "switched on again, it gives no torque for a moment (some 50 ms). An unbalanced elevation then "
+                    "drops a little.\n\nKeep people and ropes clear of the antenna. STOP ends the proof.")
                      .arg(rateText(rate)),
          .act = tr("Move the mount"),
          .request = request::ProveCrashStop{rate},

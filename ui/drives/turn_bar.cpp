@@ -22,7 +22,7 @@ TurnBar::TurnBar(QWidget* parent) : QWidget(parent)
 {
     setFont(fonts::label());
     setAccessibleName(tr("Places the axis may be at"));
-    setToolTip(tr("◇ a place the axis may be at, filled: the chosen one; the hatched ends are out of travel"));
+    setToolTip(tr("◇ a possible place of the axis, ◆ the chosen place. The hatched ends are outside the travel."));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 

@@ -41,8 +41,8 @@ GuideDirections::GuideDirections(ProfileChange& change, RequestDesk& desk, QWidg
       m_change(change),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_swap(new CommandButton(tr("The other axis moved:\nswap the motors"),
-                               tr("Azimuth and elevation exchange their motors; connects anew"), desk, *m_notice,
-                               this)),
+                               tr("Azimuth and elevation exchange their motors. Boresight connects again."), desk,
+                               *m_notice, this)),
       m_confirm(new CommandButton(tr("Both turn as the arrows show"), {}, desk, *m_notice, this))
 {
     auto* const column = new QVBoxLayout(this);
@@ -91,8 +91,8 @@ void GuideDirections::addAxis(QGridLayout& grid, Axis axis, RequestDesk& desk)
     row.moved = new ValueLabel(tr("Test move of the %1").arg(name(axis)), fonts::label(), {}, this);
     row.moved->setStretching(true);
     row.reverse = new CommandButton(azimuth ? tr("AZ turned the other way") : tr("EL turned the other way"),
-                                    tr("The %1 motor counts the other way round; connects anew").arg(name(axis)), desk,
-                                    *m_notice, this);
+                                    tr("The %1 motor counts the other way. Boresight connects again.").arg(name(axis)),
+                                    desk, *m_notice, this);
     const int line = 2 * static_cast<int>(axisIndex(axis));
     grid.addWidget(row.arrow, line, 0, 2, 1);
     grid.addWidget(row.moved, line, 1, 1, 2);

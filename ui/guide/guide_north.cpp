@@ -85,10 +85,10 @@ GuideNorth::GuideNorth(ProfileChange& change, RequestDesk& desk, QWidget* parent
                         this)),
       m_replace(new QCheckBox(tr("Replace the known north"), this)),
       m_hold(new HoldButtons(desk, *m_notice, tr("Move"), this)),
-      m_set(new CommandButton(tr("Set north"), tr("Sets the azimuth offset of the pointing model; nothing moves"), desk,
+      m_set(new CommandButton(tr("Set north"), tr("Set the azimuth offset of the pointing model. Nothing moves."), desk,
                               *m_notice, this)),
       m_panel(makePushButton({.text = tr("Sensor, Sun, Moon (Ctrl+9)"),
-                              .help = tr("To the panel North, which finds it by them; F3 comes back")},
+                              .help = tr("Find north with them on the panel North. F3 returns to this step.")},
                              this))
 {
     const QString help = tr("Moves the %1 slowly while held").arg(name(Axis::Azimuth));
@@ -242,10 +242,11 @@ void GuideNorth::showEffect()
     }
     profile::Profile then = now;
     edit()(then);
-    m_effect->setValue(tr("Azimuth offset %1 → %2, at once; the way back: tab Mount, Profile, Undo. Nothing moves; "
-                          "travel, cable and park keep their numbers, horizon and keep-outs their true directions.")
-                           .arg(angleText(now.pointing.azimuthOffset), angleText(then.pointing.azimuthOffset)),
-                       Tone::Secondary);
+    m_effect->setValue(
+        tr("The azimuth offset changes from %1 to %2 at once. Nothing moves. Travel, cable and park keep their "
+           "numbers. Horizon and keep-outs keep their true directions. To go back, press Undo on the page Profile.")
+            .arg(angleText(now.pointing.azimuthOffset), angleText(then.pointing.azimuthOffset)),
+        Tone::Secondary);
 }
 
 }  // namespace boresight::ui

@@ -67,7 +67,7 @@ GuidePage::GuidePage(ProfileDraft& draft, RequestDesk& desk, HostDesk& host, con
     m_back = makeButton(tr("Back"), tr("To the step before (Alt+Left)"), &GuidePage::back);
     m_next = makeButton(tr("Next"), {}, &GuidePage::next);
     m_confirm = makeButton(tr("Confirm"), {}, &GuidePage::confirm);
-    m_finish = makeButton(tr("Finish later"), tr("To the panels; F3 comes back to this step"), &GuidePage::finishLater);
+    m_finish = makeButton(tr("Finish later"), tr("Show the panels. F3 returns to this step."), &GuidePage::finishLater);
     build();
     const auto addKey = [this](const QKeySequence& key, void (GuidePage::*act)()) {
         auto* const shortcut = new QShortcut(key, this);

@@ -98,11 +98,11 @@ void GuideSite::build()
     m_locator->setMaxLength(10);
     m_locator->setMinimumHeight(m_latitude->minimumHeight());
     m_locator->setAccessibleName(tr("Maidenhead locator"));
-    m_locator->setToolTip(tr("4 to 10 characters, like JN58td; the middle of its square becomes the place"));
+    m_locator->setToolTip(tr("4 to 10 characters, for example JN58td. The place is the middle of this square."));
     m_gpredict->setFont(fonts::label());
     m_gpredict->setMinimumHeight(m_latitude->minimumHeight());
     m_gpredict->setAccessibleName(tr("Station of Gpredict"));
-    m_gpredict->setToolTip(tr("Ground stations that Gpredict on this computer knows; choosing one fills the fields"));
+    m_gpredict->setToolTip(tr("Ground stations of Gpredict on this computer. Choose one to fill in the fields."));
     m_gpredictNote->setStretching(true);
     m_gpredictNote->setLines(3);
     m_notice->setStretching(true);

@@ -22,10 +22,10 @@ GuideTravel::GuideTravel(ProfileChange& change, RequestDesk& desk, QWidget* pare
     : QWidget(parent),
       m_change(change),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
-      m_use(new CommandButton(tr("Use these ends"),
-                              tr("Takes them into the profile and connects anew; afterwards the drives' own bounds are "
-                                 "to be fixed (step Protect)"),
-                              desk, *m_notice, this))
+      m_use(new CommandButton(
+          tr("Use these ends"),
+          tr("Write them into the profile and connect again. Then fix the limits of the drives (step Protect)."), desk,
+          *m_notice, this))
 {
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -76,7 +76,7 @@ QWidget* GuideTravel::makeAxis(Axis axis, RequestDesk& desk)
     row.minHere = makeHere(axis, *row.min, tr("lower"), box);
     row.maxHere = makeHere(axis, *row.max, tr("upper"), box);
     row.bar = new LimitBar(box);
-    row.bar->setToolTip(tr("Travel of the %1 in force; the pointer is where it is now").arg(name(axis)));
+    row.bar->setToolTip(tr("Travel of the %1. The pointer shows where it is now.").arg(name(axis)));
     row.hold = new HoldButtons(desk, *m_notice, tr("Move"), box);
     row.hold->addAxis(axis, tr("Towards the lower end of %1 while held").arg(name(axis)),
                       tr("Towards the upper end of %1 while held").arg(name(axis)));

@@ -38,7 +38,7 @@ GuideZero::GuideZero(ProfileChange& change, RequestDesk& desk, QWidget* parent)
       m_truth(nullptr),
       m_endsStay(new QCheckBox(tr("Cable and stops are where they were: their numbers change"), this)),
       m_hold(new HoldButtons(desk, *m_notice, tr("Move"), this)),
-      m_set(new CommandButton(tr("Set it"), tr("Takes the new zero into the profile and connects anew; nothing moves"),
+      m_set(new CommandButton(tr("Set it"), tr("Write the new zero into the profile and connect again. Nothing moves."),
                               desk, *m_notice, this))
 {
     m_truth = makeField({.name = tr("True elevation of the antenna"),

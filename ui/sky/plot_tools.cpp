@@ -38,7 +38,7 @@ PlotTools::PlotTools(QWidget* parent)
       m_edit(new PlotButton(PlotButton::Glyph::Edit, tr("Edit"),
                             tr("Change limits, horizon and keep-outs on the plot (Ctrl+E)"), this)),
       m_zoom(new PlotButton(PlotButton::Glyph::Zoom, tr("Zoom"),
-                            tr("Magnify around the target (Ctrl+0; Ctrl++, Ctrl+-, wheel)"), this)),
+                            tr("Zoom in on the target (Ctrl+0, Ctrl++, Ctrl+- or wheel)"), this)),
       m_save(
           new PlotButton(PlotButton::Glyph::Save, tr("Save …"), tr("Save the plot as a picture (PNG or SVG)"), this)),
       m_offCaption(new ValueLabel(tr("Distance to the target"), fonts::label(), tr("off by"), this)),

@@ -70,7 +70,7 @@ TEST(StationTurnCourse, AgreesWithTheJournalWhereNobodyTurnedTheMast)
     rig.cutPower();
     ASSERT_TRUE(rig.question().proposed) << "by the journal";
     EXPECT_NEAR(rig.question().proposed->degrees(), 400.0, 0.1);
-    EXPECT_THAT(rig.turning(), HasSubstr("has seen it turn to about 400.0° (± 30.0°): that agrees"));
+    EXPECT_THAT(rig.turning(), HasSubstr("It shows 400.0° (± 30.0°). This agrees with the proposal."));
     EXPECT_FALSE(rig.control.status().azimuth.turnKnown) << "it decides nothing";
 }
 
@@ -81,7 +81,7 @@ TEST(StationTurnCourse, SpeaksAgainstTheJournalWhereItWasTurned)
     rig.sense(40_deg);
     rig.run(Seconds(1.0));
     EXPECT_FALSE(rig.question().proposed);
-    EXPECT_THAT(rig.turning(), HasSubstr("contradicts 400.0°"));
+    EXPECT_THAT(rig.turning(), HasSubstr("This contradicts 400.0°"));
     EXPECT_FALSE(rig.control.status().azimuth.turnKnown);
     EXPECT_FALSE(rig.ask(request::PointAxes{{100_deg, 45_deg}})) << "nothing moves because of it";
     ASSERT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 40_deg})) << "the operator decides";

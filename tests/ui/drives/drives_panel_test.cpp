@@ -152,8 +152,8 @@ TEST_F(DrivesTest, ReleasingTheBusOfDrivesThatAreOnAsksFirst)
     open<DrivesPanel>();
     click("Release bus");
     EXPECT_TRUE(requests.empty());
-    EXPECT_TRUE(questionText().contains(QLatin1String("Nobody feeds the drives")));
-    EXPECT_TRUE(questionText().contains(QLatin1String("an unbalanced elevation then drops a little")));
+    EXPECT_TRUE(questionText().contains(QLatin1String("The drives get no more commands")));
+    EXPECT_TRUE(questionText().contains(QLatin1String("An unbalanced elevation then drops a little")));
     QTest::mouseClick(act("Leave the bus"), Qt::LeftButton);
     EXPECT_EQ(asked<request::ReleaseBus>().size(), 1u);
 }
@@ -168,9 +168,9 @@ TEST_F(DrivesTest, TheProofRunsAtTheChosenRateAfterASecondPressAndEndsAtOnce)
     QTest::keyClicks(rate, QStringLiteral("3.5"));
     click("Run (both axes) …");
     EXPECT_TRUE(questionText().contains(QStringLiteral("3.5°/s")));
-    EXPECT_TRUE(questionText().contains(QLatin1String("stops feeding its drive")));
+    EXPECT_TRUE(questionText().contains(QLatin1String("sends its drive no more commands")));
     EXPECT_TRUE(requests.empty());
-    EXPECT_TRUE(questionText().contains(QLatin1String("an unbalanced elevation drops a little")));
+    EXPECT_TRUE(questionText().contains(QLatin1String("An unbalanced elevation then drops a little")));
     QTest::mouseClick(act("Move the mount"), Qt::LeftButton);
     ASSERT_EQ(asked<request::ProveCrashStop>().size(), 1u);
     EXPECT_NEAR(asked<request::ProveCrashStop>().front().rate.degrees(), 3.5, 1e-9);

@@ -141,7 +141,8 @@ TEST_F(GuideTest, ANorthThatIsKnownIsReplacedOnlyOnPurpose)
     EXPECT_TRUE(inGuide<QPushButton>("Set north").toolTip().contains(QStringLiteral("north is known")));
     const QString effect = inGuide<ValueLabel>("What the change does").text();
     EXPECT_TRUE(effect.contains(QStringLiteral("38.11° → -10.00°"))) << effect.toStdString();
-    EXPECT_TRUE(effect.contains(QStringLiteral("Profile, Undo"))) << "the way back: " << effect.toStdString();
+    EXPECT_TRUE(effect.contains(QStringLiteral("press Undo on the page Profile")))
+        << "the way back: " << effect.toStdString();
     inGuide<QCheckBox>("Replace the known north").click();
     click("Set north");
     EXPECT_NEAR(lastApplied().pointing.azimuthOffset.degrees(), -10.0, 1e-9);

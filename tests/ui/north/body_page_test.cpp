@@ -208,7 +208,7 @@ TEST_F(NorthTest, HowFarTheBeamIsBesideTheBodyIsTold)
         << qPrintable(text("Position of the body"));
     status.actual.reset();
     give(samples::update(status));
-    EXPECT_TRUE(text("Position of the body").contains(QLatin1String("\nnot followed\n")));
+    EXPECT_TRUE(text("Position of the body").contains(QLatin1String("\nnot tracked\n")));
 }
 
 // It always said 6°, three beams of one operator's dish, and nothing was found.

@@ -63,7 +63,7 @@ TEST_F(NorthTest, WhatIsTypedIsShownWithWhatThePointsSayOfIt)
     give(samples::update(status));
     EXPECT_TRUE(named<QPlainTextEdit>("Remarks on the fit")
                     ->toPlainText()
-                    .startsWith(QStringLiteral("the text is of another mount\nand site\n")));
+                    .startsWith(QStringLiteral("The text belongs to another mount\nand site\n")));
 }
 
 // Story: a fit has more decimals than the field; a term stepped up and down again counted as given, and lost them.
