@@ -129,7 +129,8 @@ RecordTable satelliteTable(const orbit::ElementSet& set, const Site& site, const
     return table;
 }
 
-RecordTable bodyTable(ephemeris::Body body, const Site& site, const std::vector<UtcTime>& utcs, QString& problem)
+RecordTable objectTable(const ephemeris::SkyObject& object, const Site& site, const std::vector<UtcTime>& utcs,
+                        QString& problem)
 {
     static const UtcTime kLast = std::chrono::sys_days(std::chrono::year(2101) / 1 / 1);
     RecordTable table{.columns = {{"t_utc"}, {"az_deg", true}, {"el_deg", true}, {"dist_km", true}}};
@@ -137,13 +138,12 @@ RecordTable bodyTable(ephemeris::Body body, const Site& site, const std::vector<
     for (const UtcTime utc : utcs) {
         if (utc >= kLast) {
             table.rows.push_back(emptyRow(utc, table.columns.size()));
-            problem =
-                QStringLiteral("%1: Sun and Moon are known up to the year 2100").arg(toQString(skyTimeText(utc, 0)));
+            problem = QStringLiteral("%1: The sky is known up to the year 2100").arg(toQString(skyTimeText(utc, 0)));
             continue;
         }
-        const ephemeris::BodyPlace place = almanac.place(body, utc);
-        Row row = directionRow(utc, place.direction);
-        row.push_back(formatFixed(place.kilometres, kBodyDecimals));
+        const ephemeris::SeenObject seen = see(almanac, object, utc);
+        Row row = directionRow(utc, seen.direction);
+        row.push_back(seen.kilometres ? formatFixed(*seen.kilometres, kBodyDecimals) : std::string());
         table.rows.push_back(std::move(row));
     }
     return table;
@@ -152,8 +152,8 @@ RecordTable bodyTable(ephemeris::Body body, const Site& site, const std::vector<
 ExitStatus printTable(const SkyOptions& options, const Site& site, const SkyTimes& times)
 {
     QString problem;
-    if (options.body) {
-        print(bodyTable(*options.body, site, times.utcs, problem).text(options.format));
+    if (options.object) {
+        print(objectTable(*options.object, site, times.utcs, problem).text(options.format));
     } else {
         const auto satellites = chosenSatellites(kEphemerisCommand, options);
         if (satellites.empty()) {
@@ -190,20 +190,27 @@ ExitStatus run(Arguments arguments)
 
 const Subcommand kEphemerisCommand{
     .name = "ephemeris",
-    .arguments = "--elements FILE --norad N | --body sun|moon  --site LAT,LON,ALT --times FILE|- [--format FORMAT]",
-    .summary = "Print where a satellite, the Sun or the Moon stands over a site at given times",
+    .arguments =
+        "--elements FILE --norad N | --body NAME | --radec HOURS,DEGREES  --site LAT,LON,ALT --times FILE|- [--format "
+        "FORMAT]",
+    .summary =
+        "Print where a satellite, the Sun, the Moon, a planet or a radio source stands over a site at given times",
     .details =
         R"(  --elements FILE      element sets: TLE, OMM as JSON, CSV, XML or KVN, or NUMBER.sat of Gpredict. A folder: its files,
                        that of Gpredict its satdata. NAME.mod: the satellites of that module of Gpredict. May be given
                        again. The newest epoch of a number is used
   --norad N            the number of the satellite in the catalogue
-  --body sun|moon      in place of both
+  --body NAME          in place of both: sun, moon, mercury, venus, mars, jupiter, saturn, uranus, neptune, or a radio source:
+                       cas-a, cyg-a, tau-a, vir-a, sgr-a
+  --radec HOURS,DEGREES   a place among the stars in place of it: right ascension and declination of J2000, each as a number
+                       or like 12:30:49.4
   --site LAT,LON,ALT   degrees north, degrees east, metres above the ellipsoid of WGS-84. Or a NAME.qth of Gpredict
   --times FILE         a time in each line, - is standard input. UTC like 2024-05-10T04:50:02.5Z, or Unix seconds. What
                        follows a comma, blank lines, lines that begin with # and a first line of names are left out
   --format csv|table|json   csv without it
 
-Columns of a satellite: t_utc,az_deg,el_deg,range_km,range_rate_km_s. Of Sun and Moon: t_utc,az_deg,el_deg,dist_km.
+Columns of a satellite: t_utc,az_deg,el_deg,range_km,range_rate_km_s. Of all else: t_utc,az_deg,el_deg,dist_km. Radio
+sources and --radec have no distance.
 Azimuth from true north through east. Elevation from the horizon, without air. The rate is above 0 while it recedes. A
 time for which the elements have no answer has a row without numbers.
 Each bad element set and each bad time is reported as FILE:LINE: reason. The others are used.

@@ -64,10 +64,44 @@ Result<> takeNumber(const std::string& text, SkyOptions& options)
 
 Result<> takeBody(const std::string& text, SkyOptions& options)
 {
-    if (text != "sun" && text != "moon") {
-        return expected("body", text, QStringLiteral("sun or moon"));
+    options.object = ephemeris::skyObject(text);
+    return options.object
+               ? Result<>()
+               : expected("body", text, QStringLiteral("one of %1").arg(toQString(ephemeris::skyObjectKeys())));
+}
+
+// "5.5", or "5:30:00", or "-5:30"
+std::optional<double> sexagesimal(std::string_view text)
+{
+    const bool isNegative = text.starts_with('-');
+    double value = 0.0;
+    double unit = 1.0;
+    for (std::string_view rest = isNegative ? text.substr(1) : text;; unit /= 60.0) {
+        const std::size_t colon = rest.find(':');
+        const std::optional<double> part = parseFinite(rest.substr(0, colon));
+        if (!part || *part < 0.0 || (unit < 1.0 && *part >= 60.0) || unit < 1.0 / 3600.0) {
+            return {};
+        }
+        value += unit * *part;
+        if (colon == std::string_view::npos) {
+            return isNegative ? -value : value;
+        }
+        rest.remove_prefix(colon + 1);
     }
-    options.body = text == "sun" ? ephemeris::Body::Sun : ephemeris::Body::Moon;
+}
+
+Result<> takeRaDec(const std::string& text, SkyOptions& options)
+{
+    const std::size_t comma = text.find(',');
+    const auto hours = sexagesimal(std::string_view(text).substr(0, comma));
+    const auto degrees =
+        comma == std::string::npos ? std::nullopt : sexagesimal(std::string_view(text).substr(comma + 1));
+    if (!hours || !degrees || *hours < 0.0 || *hours >= 24.0 || std::abs(*degrees) > 90.0) {
+        return expected("radec", text,
+                        QStringLiteral("HOURS,DEGREES of J2000 like 12:30:49.4,12:23:28 or 12.514,12.391"));
+    }
+    options.object = ephemeris::StarPlace{.rightAscension = Angle::fromDegrees(15.0 * *hours),
+                                          .declination = Angle::fromDegrees(*degrees)};
     return {};
 }
 
@@ -131,7 +165,8 @@ constexpr SkyOption kTimes{"times", [](const std::string& text, SkyOptions& opti
 constexpr SkyOption kNorad{"norad", takeNumber};
 constexpr SkyOption kSite{"site", takeSite};
 constexpr SkyOption kFormat{"format", takeFormat};
-constexpr std::array kEphemerisOptions{kElements, kNorad, kSite, kTimes, SkyOption{"body", takeBody}, kFormat};
+constexpr std::array kEphemerisOptions{
+    kElements, kNorad, kSite, kTimes, SkyOption{"body", takeBody}, SkyOption{"radec", takeRaDec}, kFormat};
 constexpr std::array kPassesOptions{kElements,
                                     kNorad,
                                     kSite,
@@ -181,15 +216,17 @@ Result<SkyOptions> complete(SkyOptions options, const QString& missing)
 Result<SkyOptions> parseEphemerisOptions(Arguments arguments)
 {
     const auto check = [](SkyOptions options) -> Result<SkyOptions> {
-        if (options.body && (options.number || !options.elements.isEmpty())) {
-            return failure(ErrorCode::InvalidInput,
-                           QStringLiteral("--body needs no elements: give either --body, or --elements and --norad"));
+        if (options.object && (options.number || !options.elements.isEmpty())) {
+            return failure(
+                ErrorCode::InvalidInput,
+                QStringLiteral(
+                    "--body and --radec need no elements: give either one of them, or --elements and --norad"));
         }
-        const QString missing = !options.body && options.elements.isEmpty() ? QStringLiteral("--elements FILE")
-                                : !options.body && !options.number          ? QStringLiteral("--norad N")
-                                : !hasSite(options)                         ? QStringLiteral("--site LAT,LON,ALT")
-                                : options.times.isEmpty()                   ? QStringLiteral("--times FILE")
-                                                                            : QString();
+        const QString missing = !options.object && options.elements.isEmpty() ? QStringLiteral("--elements FILE")
+                                : !options.object && !options.number          ? QStringLiteral("--norad N")
+                                : !hasSite(options)                           ? QStringLiteral("--site LAT,LON,ALT")
+                                : options.times.isEmpty()                     ? QStringLiteral("--times FILE")
+                                                                              : QString();
         return complete(std::move(options), missing);
     };
     return read(arguments, kEphemerisOptions).and_then(check);

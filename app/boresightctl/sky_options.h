@@ -5,7 +5,7 @@
 #include "app/boresightctl/subcommand.h"
 #include "core/base/clock.h"
 #include "core/base/result.h"
-#include "core/ephemeris/almanac.h"
+#include "core/ephemeris/sky_object.h"
 #include "core/units/site.h"
 
 #include <QStringList>
@@ -20,7 +20,7 @@ struct SkyOptions
 {
     QStringList elements;  // files and folders
     std::optional<std::int64_t> number;
-    std::optional<ephemeris::Body> body;
+    std::optional<ephemeris::SkyObject> object;
     std::optional<Site> site;
     QString siteFile;  // a .qth of Gpredict, in place of it
     QString times;     // a file, "-" is standard input

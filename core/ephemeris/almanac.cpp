@@ -18,6 +18,7 @@ constexpr double kMoonLightTime = 1.28 / ERFA_DAYSEC;
 // Nominal radii of the IAU: resolution B3 of 2015; working group on cartographic coordinates, 2015.
 constexpr double kSunRadius = 695700.0;
 constexpr double kMoonRadius = 1737.4;
+constexpr std::array kPlanetRadii{2440.5, 6051.8, 3396.2, 71492.0, 60268.0, 25559.0, 24764.0};  // at the equator
 
 // In two parts: one double alone would resolve only 40 µs.
 struct JulianDate
@@ -54,22 +55,71 @@ Vector scaled(const double (&vector)[3], double factor)
 
 constexpr double kKilometresPerSecond = kKilometresPerUnit / ERFA_DAYSEC;  // of an astronomical unit per day
 
+struct Earth
+{
+    double fromSun[2][3];         // place and velocity in astronomical units and days
+    double fromBarycentre[2][3];  // of the planets and the Sun
+};
+
+Earth earthAt(const JulianDate& terrestrial)
+{
+    Earth earth;
+    (void)eraEpv00(terrestrial.day, terrestrial.fraction, earth.fromSun, earth.fromBarycentre);
+    return earth;
+}
+
+// Where a unit vector points for who moves with that part of the speed of light, so many astronomical units from the
+// Sun.
+Vector aberrated(const double (&towards)[3], const Vector& velocity, double fromSun)
+{
+    double given[3] = {towards[0], towards[1], towards[2]};
+    double moving[3] = {velocity[0], velocity[1], velocity[2]};
+    double seen[3];
+    eraAb(given, moving, fromSun, std::sqrt(1.0 - eraPdp(moving, moving)), seen);
+    return {seen[0], seen[1], seen[2]};
+}
+
 // The Sun hardly moves while its light travels, so aberration by the Earth's own motion is all there is.
 BodyMotion sun(const JulianDate& terrestrial)
 {
-    double fromSun[2][3];
-    double fromBarycentre[2][3];
-    (void)eraEpv00(terrestrial.day, terrestrial.fraction, fromSun, fromBarycentre);
+    Earth earth = earthAt(terrestrial);
     double distance = 0.0;
     double away[3];
-    eraPn(fromSun[0], &distance, away);
+    eraPn(earth.fromSun[0], &distance, away);
     double towards[3];
     eraSxp(-1.0, away, towards);
-    double velocity[3];  // of light
-    eraSxp(1.0 / ERFA_DC, fromBarycentre[1], velocity);
-    double seen[3];
-    eraAb(towards, velocity, distance, std::sqrt(1.0 - eraPdp(velocity, velocity)), seen);
-    return {scaled(seen, distance * kKilometresPerUnit), scaled(fromSun[1], -kKilometresPerSecond)};
+    const Vector seen = aberrated(towards, scaled(earth.fromBarycentre[1], 1.0 / ERFA_DC), distance);
+    const double kilometres = distance * kKilometresPerUnit;
+    return {{kilometres * seen[0], kilometres * seen[1], kilometres * seen[2]},
+            scaled(earth.fromSun[1], -kKilometresPerSecond)};
+}
+
+// As ERFA counts them: 3 is the Earth and the Moon.
+int numberOf(Planet planet)
+{
+    const int index = static_cast<int>(planet);
+    return index < 2 ? index + 1 : index + 2;
+}
+
+// Where it was when its light left, then the aberration by the Earth's own motion.
+BodyMotion planetMotion(Planet planet, const JulianDate& terrestrial)
+{
+    Earth earth = earthAt(terrestrial);
+    double fromEarth[2][3];
+    double lightDays = 0.0;
+    for (int round = 0; round < 3; ++round) {  // the third changes the place of Mercury by less than 0.0001″
+        double fromSun[2][3];
+        (void)eraPlan94(terrestrial.day, terrestrial.fraction - lightDays, numberOf(planet), fromSun);
+        eraPvmpv(fromSun, earth.fromSun, fromEarth);
+        lightDays = eraPm(fromEarth[0]) / ERFA_DC;
+    }
+    double distance = 0.0;
+    double towards[3];
+    eraPn(fromEarth[0], &distance, towards);
+    const Vector seen = aberrated(towards, scaled(earth.fromBarycentre[1], 1.0 / ERFA_DC), eraPm(earth.fromSun[0]));
+    const double kilometres = distance * kKilometresPerUnit;
+    return {{kilometres * seen[0], kilometres * seen[1], kilometres * seen[2]},
+            scaled(fromEarth[1], kKilometresPerSecond)};
 }
 
 // Its aberration is its light time: both move around the Sun together.
@@ -119,41 +169,75 @@ Almanac::Minute& Almanac::minuteOf(UtcTime utc)
     return *m_minute;
 }
 
-Almanac::Vector Almanac::celestial(Body body, UtcTime utc)
-{
-    Minute& minute = minuteOf(utc);
-    const UtcTime middle = middleOf(minute.number);
-    std::optional<BodyMotion>& motion = minute.bodies[static_cast<std::size_t>(body)];
-    if (!motion) {
-        const JulianDate terrestrial = terrestrialTime(julianDate(middle));
-        motion = body == Body::Sun ? sun(terrestrial) : moon(terrestrial);
-    }
-    const double since = Seconds(utc - middle).count();
-    return {motion->place[0] + since * motion->rate[0], motion->place[1] + since * motion->rate[1],
-            motion->place[2] + since * motion->rate[2]};
-}
-
 // UT1 is taken as UTC, which is never wrong by more than 0.9 s; the pole as standing still.
-BodyPlace Almanac::place(Body body, UtcTime utc)
+Almanac::Vector Almanac::fixedToTheEarth(const Vector& celestial, UtcTime utc)
 {
-    Vector fromEarth = celestial(body, utc);
     Minute& minute = minuteOf(utc);
     const JulianDate universal = julianDate(utc);
     const double turned = eraEra00(universal.day, universal.fraction) - minute.origins;
+    Vector given = celestial;
     double ofDate[3];
-    eraRxp(minute.toDate, fromEarth.data(), ofDate);
-    const Vector seen = {std::cos(turned) * ofDate[0] + std::sin(turned) * ofDate[1] - m_site[0],
-                         std::cos(turned) * ofDate[1] - std::sin(turned) * ofDate[0] - m_site[1],
-                         ofDate[2] - m_site[2]};
-    const double east = product(m_ground[0], seen);
-    const double north = product(m_ground[1], seen);
-    const double up = product(m_ground[2], seen);
-    const double distance = std::hypot(east, north, up);
-    const double size = body == Body::Sun ? kSunRadius : kMoonRadius;
-    return {.direction = {.azimuth = Angle::fromRadians(std::atan2(east, north)).wrapped360(),
-                          .elevation = Angle::fromRadians(std::atan2(up, std::hypot(east, north)))},
+    eraRxp(minute.toDate, given.data(), ofDate);
+    return {std::cos(turned) * ofDate[0] + std::sin(turned) * ofDate[1],
+            std::cos(turned) * ofDate[1] - std::sin(turned) * ofDate[0], ofDate[2]};
+}
+
+SkyPointing Almanac::directionOf(const Vector& fromSite) const
+{
+    const double east = product(m_ground[0], fromSite);
+    const double north = product(m_ground[1], fromSite);
+    const double up = product(m_ground[2], fromSite);
+    return {.azimuth = Angle::fromRadians(std::atan2(east, north)).wrapped360(),
+            .elevation = Angle::fromRadians(std::atan2(up, std::hypot(east, north)))};
+}
+
+BodyPlace Almanac::placeOf(const BodyMotion& motion, double radius, UtcTime utc)
+{
+    const double since = Seconds(utc - middleOf(minuteOf(utc).number)).count();
+    Vector seen = fixedToTheEarth({motion.place[0] + since * motion.rate[0], motion.place[1] + since * motion.rate[1],
+                                   motion.place[2] + since * motion.rate[2]},
+                                  utc);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        seen[i] -= m_site[i];
+    }
+    const double distance = std::hypot(seen[0], seen[1], seen[2]);
+    return {.direction = directionOf(seen),
             .kilometres = distance,
-            .radius = Angle::fromRadians(std::asin(size / distance))};
+            .radius = Angle::fromRadians(std::asin(radius / distance))};
+}
+
+BodyPlace Almanac::place(Body body, UtcTime utc)
+{
+    Minute& minute = minuteOf(utc);
+    std::optional<BodyMotion>& motion = minute.bodies[static_cast<std::size_t>(body)];
+    if (!motion) {
+        const JulianDate middle = terrestrialTime(julianDate(middleOf(minute.number)));
+        motion = body == Body::Sun ? sun(middle) : moon(middle);
+    }
+    return placeOf(*motion, body == Body::Sun ? kSunRadius : kMoonRadius, utc);
+}
+
+BodyPlace Almanac::place(Planet planet, UtcTime utc)
+{
+    Minute& minute = minuteOf(utc);
+    const auto index = static_cast<std::size_t>(planet);
+    std::optional<BodyMotion>& motion = minute.planets[index];
+    if (!motion) {
+        motion = planetMotion(planet, terrestrialTime(julianDate(middleOf(minute.number))));
+    }
+    return placeOf(*motion, kPlanetRadii[index], utc);
+}
+
+SkyPointing Almanac::direction(const StarPlace& star, UtcTime utc)
+{
+    Minute& minute = minuteOf(utc);
+    if (!minute.earthVelocity) {
+        const Earth earth = earthAt(terrestrialTime(julianDate(middleOf(minute.number))));
+        minute.earthVelocity = scaled(earth.fromBarycentre[1], 1.0 / ERFA_DC);
+    }
+    double towards[3];
+    eraS2c(star.rightAscension.radians(), star.declination.radians(), towards);
+    return directionOf(fixedToTheEarth(aberrated(towards, *minute.earthVelocity, 1.0), utc));
 }
 
 }  // namespace boresight::ephemeris

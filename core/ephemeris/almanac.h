@@ -9,17 +9,36 @@
 #include <cstdint>
 #include <optional>
 
-// Where the Sun and the Moon stand, seen from one site: the true direction of the centre of the disc, airless
-// (refraction.h bends it), for any UTC of the years 1900 to 2100. The sums are those of the IAU standards in the ERFA
-// library. An object remembers for a minute how the Earth's axis stands and how the bodies go, so it belongs to one
-// thread.
-// How exact it is: README.md.
+// Where the Sun, the Moon, the planets and the stars stand, seen from one site: the true direction of the centre of the
+// disc, airless (refraction.h bends it), for any UTC of the years 1900 to 2100. The sums are those of the IAU standards
+// in the ERFA library. An object remembers for a minute how the Earth's axis stands and how the bodies go, so it
+// belongs to one thread. How exact it is: README.md.
 namespace boresight::ephemeris {
 
 enum class Body
 {
     Sun,
     Moon
+};
+
+enum class Planet
+{
+    Mercury,
+    Venus,
+    Mars,
+    Jupiter,
+    Saturn,
+    Uranus,
+    Neptune
+};
+
+// Among the stars: right ascension and declination of J2000. It stands still there.
+struct StarPlace
+{
+    Angle rightAscension;
+    Angle declination;
+
+    bool operator==(const StarPlace&) const = default;
 };
 
 struct BodyPlace
@@ -45,6 +64,8 @@ public:
     explicit Almanac(const Site& site);
 
     [[nodiscard]] BodyPlace place(Body body, UtcTime utc);
+    [[nodiscard]] BodyPlace place(Planet planet, UtcTime utc);
+    [[nodiscard]] SkyPointing direction(const StarPlace& star, UtcTime utc);
 
 private:
     using Vector = BodyMotion::Vector;
@@ -54,9 +75,14 @@ private:
         double toDate[3][3] = {};  // from the celestial frame to the true equator and equinox of its middle
         double origins = 0.0;      // radians from the equinox to where the Earth's turning is counted from
         std::array<std::optional<BodyMotion>, 2> bodies;
+        std::array<std::optional<BodyMotion>, 7> planets;
+        std::optional<BodyMotion::Vector> earthVelocity;  // around the centre of mass of all, of the speed of light
     };
     [[nodiscard]] Minute& minuteOf(UtcTime utc);
-    [[nodiscard]] Vector celestial(Body body, UtcTime utc);  // from the Earth's centre, kilometres
+    // From the celestial frame to the Earth's, and what the site sees there.
+    [[nodiscard]] Vector fixedToTheEarth(const Vector& celestial, UtcTime utc);
+    [[nodiscard]] SkyPointing directionOf(const Vector& fromSite) const;
+    [[nodiscard]] BodyPlace placeOf(const BodyMotion& motion, double radius, UtcTime utc);
 
     Vector m_site;                   // kilometres, fixed to the Earth
     std::array<Vector, 3> m_ground;  // east, north and up there

@@ -87,11 +87,31 @@ TEST(SkyOptions, AreRefusedWithWhatIsExpected)
 TEST(SkyOptions, ABodyIsNoSatellite)
 {
     EXPECT_EQ(refusalOfEphemeris({"--body", "moon", "--site", "1,2,3", "--times", "-"}), "accepted");
-    EXPECT_EQ(refusalOfEphemeris({"--body", "mars"}), "--body \"mars\": expected sun or moon");
-    EXPECT_THAT(refusalOfEphemeris(with(kEphemeris, {"--body", "sun"})), HasSubstr("--body needs no elements"));
+    EXPECT_THAT(refusalOfEphemeris({"--body", "pluto"}),
+                HasSubstr("--body \"pluto\": expected one of sun, moon, mercury,"));
+    EXPECT_EQ(refusalOfEphemeris({"--body", "mars", "--site", "1,2,3", "--times", "-"}), "accepted");
+    EXPECT_THAT(refusalOfEphemeris(with(kEphemeris, {"--body", "sun"})),
+                HasSubstr("--body and --radec need no elements"));
     EXPECT_EQ(refusalOfEphemeris({"--elements", "a.tle"}), "--norad N is missing");
     EXPECT_EQ(refusalOfEphemeris({"--body", "sun"}), "--site LAT,LON,ALT is missing");
     EXPECT_EQ(refusalOfEphemeris({"--body", "sun", "--site", "1,2,3"}), "--times FILE is missing");
+}
+
+// REQ-CTL-940: A place among the stars is given in hours and degrees, as numbers or in parts of sixty.
+TEST(SkyOptions, APlaceAmongTheStars)
+{
+    const auto placeOf = [](const char* text) {
+        const std::vector<std::string> line{"--radec", text, "--site", "1,2,3", "--times", "-"};
+        const Result<SkyOptions> options = parseEphemerisOptions(line);
+        return options ? std::get<ephemeris::StarPlace>(*options->object) : ephemeris::StarPlace{};
+    };
+    EXPECT_NEAR(placeOf("12:30:49.4,12:23:28").rightAscension.degrees(), 187.705833, 1e-6);
+    EXPECT_NEAR(placeOf("12:30:49.4,12:23:28").declination.degrees(), 12.391111, 1e-6);
+    EXPECT_NEAR(placeOf("17.5,-0:30").declination.degrees(), -0.5, 1e-9);
+    EXPECT_NEAR(placeOf("17.5,-0:30").rightAscension.degrees(), 262.5, 1e-9);
+    for (const char* wrong : {"24,0", "-1,0", "1,91", "1", "1:60,0", "1:2:3:4,0", "a,b", "1,2,3", "1::2,0"}) {
+        EXPECT_THAT(refusalOfEphemeris({"--radec", wrong}), HasSubstr("expected HOURS,DEGREES of J2000")) << wrong;
+    }
 }
 
 }  // namespace

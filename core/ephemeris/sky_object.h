@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/ephemeris/almanac.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+// What stands in the sky by itself, with the name by which people ask for it: Sun and Moon, the planets, the strongest
+// radio sources, or any place among the stars. Pure.
+namespace boresight::ephemeris {
+
+using SkyObject = std::variant<Body, Planet, StarPlace>;
+
+// By its key in small letters: sun, moon, mercury … neptune, cas-a, cyg-a, tau-a, vir-a, sgr-a. Empty for all else.
+[[nodiscard]] std::optional<SkyObject> skyObject(std::string_view key);
+
+// All keys, for a message: "sun, moon, mercury, …".
+[[nodiscard]] std::string skyObjectKeys();
+
+// True direction, airless.
+struct SeenObject
+{
+    SkyPointing direction;
+    std::optional<double> kilometres;  // none for what stands among the stars
+};
+
+[[nodiscard]] SeenObject see(Almanac& almanac, const SkyObject& object, UtcTime utc);
+
+}  // namespace boresight::ephemeris
