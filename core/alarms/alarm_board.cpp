@@ -66,8 +66,7 @@ void AlarmBoard::clear(const AlarmKey& key)
     Lines& lines = linesOf(key);
     lines.leftOut.reset();
     if (std::exchange(lines.told, false)) {
-        lines.throttle.insist(Severity::Advisory, lines.source, Text::tr("the alarm is over"), LogKind::Alarm,
-                              lines.name);
+        lines.throttle.insist(Severity::Advisory, lines.source, Text::tr("Cleared."), LogKind::Alarm, lines.name);
     }
 }
 

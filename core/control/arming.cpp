@@ -52,8 +52,7 @@ Result<> Arming::admits(const Source& source) const
 Result<> Arming::mayCommand(const Source& source) const
 {
     if (source.kind == SourceKind::Client && m_authority == Authority::Operator) {
-        return failure(ErrorCode::Refused,
-                       Text::tr("The operator has control. Give control back to the clients first."));
+        return failure(ErrorCode::Refused, Text::tr("The operator has control. Press Hand over first."));
     }
     return {};
 }

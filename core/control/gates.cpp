@@ -15,7 +15,7 @@ namespace boresight {
 Result<> Gates::mayMove(const Source& source) const
 {
     if (m_of.mount.proofRunning()) {
-        return failure(ErrorCode::Refused, Text::tr("The crash-stop proof moves the mount. End it first."));
+        return failure(ErrorCode::Refused, Text::tr("The crash-stop test moves the mount. End it first."));
     }
     const auto commands = [&] { return mayCommand(source); };
     return m_of.arming.admits(source).and_then(commands).and_then([&]() -> Result<> {
@@ -333,7 +333,8 @@ Result<> Gates::mayProve(const Source& source) const
 
 Result<> Gates::mayEndProof() const
 {
-    return m_of.mount.proofRunning() ? Result<>{} : failure(ErrorCode::Refused, Text::tr("no proof is running"));
+    return m_of.mount.proofRunning() ? Result<>{}
+                                     : failure(ErrorCode::Refused, Text::tr("No crash-stop test is running."));
 }
 
 Result<> Gates::mayTakeBus() const

@@ -75,7 +75,7 @@ Result<> MountDesk::ask(const request::ProveCrashStop& wanted, const Source& by)
             .mayProve(rate, region.azimuthsAround(here), region.elevationsAround(here))
             .and_then([&] {
                 return m_helm.beginOwn(Activity::Proving, by,
-                                       Text::tr("crash-stop proof at %1°/s").arg(rate.degrees(), 0, 'f', 1));
+                                       Text::tr("crash-stop test at %1°/s").arg(rate.degrees(), 0, 'f', 1));
             })
             .map([this] { service().beginProof(); });
     });

@@ -56,11 +56,11 @@ QString verdictText(Verdict verdict)
         case Verdict::Unread:
             return QStringLiteral("unread");
         case Verdict::Right:
-            return QStringLiteral("right");
+            return QStringLiteral("OK");
         case Verdict::Advised:
             return QStringLiteral("ADVISED");
         case Verdict::Dangerous:
-            return QStringLiteral("DANGEROUS");
+            return QStringLiteral("UNSAFE");
     }
     return {};
 }

@@ -70,7 +70,7 @@ void ProofRun::end(const QString& how)
     }
     m_proof.reset();
     m_text = how;
-    m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("crash-stop proof: %1").arg(how));
+    m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("crash-stop test: %1").arg(how));
 }
 
 }  // namespace boresight

@@ -30,7 +30,7 @@ Result<> AxisObserver::standStill() const
     return m_control.measured().and_then([&](const AxisPosition&) -> Result<> {
         const auto moves = [this](Axis axis) { return m_control.isSeenToMove(axis); };
         if (!now() || std::ranges::any_of(kAxes, moves)) {
-            return failure(ErrorCode::Refused, Text::tr("the mount still moves"));
+            return failure(ErrorCode::Refused, Text::tr("Wait until the mount stands still."));
         }
         return {};
     });

@@ -182,8 +182,8 @@ Result<> BodyFollower::staysOnItsWay()
     return direction(*m_body).and_then([&](const SkyPointing& place) -> Result<> {
         if (m_place && angleBetween(place, *m_place) > kLeap) {
             return failure(ErrorCode::Refused,
-                           Text::tr("The place of the %1 changed suddenly. The clock of this computer or the site was "
-                                    "changed. The mount holds. Check both, then track the %1 again.")
+                           Text::tr("The computed position of the %1 jumped, so tracking stopped. Was the clock or the "
+                                    "site changed? Check both, then track the %1 again.")
                                .arg(bodyName(*m_body)));
         }
         return {};

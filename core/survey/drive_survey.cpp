@@ -18,18 +18,18 @@ constexpr auto kRetryTime = 2s;
 
 QString lineText(const ProtectionLine& line)
 {
-    return Text::tr("%1 is %2, wanted %3: %4").arg(line.key, line.found, line.wanted, line.reason);
+    return Text::tr("%1 is %2, needed %3").arg(line.key, line.foundBrief, line.wantedBrief);
 }
 
 QString protectionText(bool dangerous, int count, Axis axis, const QString& first)
 {
     if (count == 1) {
-        return (dangerous ? Text::tr("a setting of the %1 drive is dangerous: %2")
+        return (dangerous ? Text::tr("a setting of the %1 drive is unsafe: %2")
                           : Text::tr("a setting of the %1 drive is worth fixing: %2"))
             .arg(axisText(axis), first);
     }
-    return (dangerous ? Text::tr("%1 settings of the %2 drive are dangerous, first: %3")
-                      : Text::tr("%1 settings of the %2 drive are worth fixing, first: %3"))
+    return (dangerous ? Text::tr("%1 settings of the %2 drive are unsafe. The first: %3")
+                      : Text::tr("%1 settings of the %2 drive are worth fixing. The first: %3"))
         .arg(QString::number(count), axisText(axis), first);
 }
 
@@ -293,7 +293,7 @@ void DriveSurvey::addProtectionFinding(const Side& side, Verdict verdict)
          .about = axisName(side.axis),
          .weight = dangerous ? FindingWeight::Blocking : FindingWeight::Advice,
          .what = protectionText(dangerous, static_cast<int>(count), side.axis, lineText(*worst)),
-         .remedy = Text::tr("Open the page Protection and press Fix. It writes what can be written.")});
+         .remedy = Text::tr("Open the page Protection and press Fix. For a wrong gear ratio press Set gear.")});
 }
 
 Result<> DriveSurvey::fitToMove() const

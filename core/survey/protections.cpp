@@ -25,7 +25,7 @@ QString number(double value)
 // For people: the drive keeps six decimals of a turn, and 10° read back as 10.0001°.
 QString rounded(double value)
 {
-    return QString::number(value, 'g', 3);
+    return std::abs(value) >= 1000.0 ? QString::number(value, 'f', 0) : QString::number(value, 'g', 3);
 }
 
 QString degrees(double value)

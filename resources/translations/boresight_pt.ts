@@ -1795,10 +1795,6 @@ até %1</translation>
         <translation>não é possível escutar em %1: %2</translation>
     </message>
     <message>
-        <source>the alarm is over</source>
-        <translation>o alarme terminou</translation>
-    </message>
-    <message>
         <source>only the operator does this</source>
         <translation>só o operador faz isto</translation>
     </message>
@@ -2027,14 +2023,6 @@ até %1</translation>
         <translation>uma parada brusca ensaia-se a %1 até %2°/s</translation>
     </message>
     <message>
-        <source>crash-stop proof at %1°/s</source>
-        <translation>ensaio de parada brusca a %1°/s</translation>
-    </message>
-    <message>
-        <source>no proof is running</source>
-        <translation>não há ensaio em curso</translation>
-    </message>
-    <message>
         <source>ended by the %1</source>
         <translation>terminado por: %1</translation>
     </message>
@@ -2045,10 +2033,6 @@ até %1</translation>
     <message>
         <source>crash stop from %1°/s: stood after %2° and %3 ms</source>
         <translation>parada brusca desde %1°/s: parou após %2° e %3 ms</translation>
-    </message>
-    <message>
-        <source>crash-stop proof: %1</source>
-        <translation>ensaio de parada brusca: %1</translation>
     </message>
     <message>
         <source>command line</source>
@@ -2273,24 +2257,8 @@ até %1</translation>
         <translation>os parâmetros</translation>
     </message>
     <message>
-        <source>%1 is %2, wanted %3: %4</source>
-        <translation>%1 é %2, esperado %3: %4</translation>
-    </message>
-    <message>
-        <source>a setting of the %1 drive is dangerous: %2</source>
-        <translation>um parâmetro do acionamento de %1 é perigoso: %2</translation>
-    </message>
-    <message>
         <source>a setting of the %1 drive is worth fixing: %2</source>
         <translation>um parâmetro do acionamento de %1 merece correção: %2</translation>
-    </message>
-    <message>
-        <source>%1 settings of the %2 drive are dangerous, first: %3</source>
-        <translation>%1 parâmetros do acionamento de %2 são perigosos, o primeiro: %3</translation>
-    </message>
-    <message>
-        <source>%1 settings of the %2 drive are worth fixing, first: %3</source>
-        <translation>%1 parâmetros do acionamento de %2 merecem correção, o primeiro: %3</translation>
     </message>
     <message>
         <source>the drives are not read yet</source>
@@ -2775,10 +2743,6 @@ até %1</translation>
     <message>
         <source>the profile keeps the beam away from the Sun: if feed and receiver bear it, switch sun.keep_away off first</source>
         <translation>o perfil mantém o feixe afastado do Sol: se o alimentador e o receptor o suportarem, desligue primeiro sun.keep_away</translation>
-    </message>
-    <message>
-        <source>the mount still moves</source>
-        <translation>a montagem ainda se move</translation>
     </message>
     <message>
         <source>landmark</source>
@@ -3490,10 +3454,6 @@ até %1</translation>
         <translation>Verifique a energia, as fichas e o cabo do barramento.</translation>
     </message>
     <message>
-        <source>Open the page Protection and press Fix. It writes what can be written.</source>
-        <translation>Abra a página Proteção e prima Corrigir. Escreve o que pode ser escrito.</translation>
-    </message>
-    <message>
         <source>not all drives can be read, Boresight looks for them every 2 s</source>
         <translation>nem todos os acionamentos podem ser lidos, o Boresight procura-os a cada 2 s</translation>
     </message>
@@ -3642,10 +3602,6 @@ até %1</translation>
         <translation>%1. Rearme primeiro.</translation>
     </message>
     <message>
-        <source>The operator has control. Give control back to the clients first.</source>
-        <translation>O operador tem o controlo. Devolva primeiro o controlo aos clientes.</translation>
-    </message>
-    <message>
         <source>every drive answers, and nothing moves</source>
         <translation>todos os acionamentos respondem, e nada se move</translation>
     </message>
@@ -3720,10 +3676,6 @@ até %1</translation>
     <message>
         <source>The mount is locked to %1. Unlock it first.</source>
         <translation>A montagem está reservada a %1. Liberte-a primeiro.</translation>
-    </message>
-    <message>
-        <source>The crash-stop proof moves the mount. End it first.</source>
-        <translation>A prova de paragem de emergência move a montagem. Termine-a primeiro.</translation>
     </message>
     <message>
         <source>The %1 reports no position. Check its encoder.</source>
@@ -7282,10 +7234,6 @@ até %1</translation>
         <translation>Varra uma largura menor ou mais tarde. Nem todos os lugares à volta do astro (%1) são permitidos: %2</translation>
     </message>
     <message>
-        <source>The place of the %1 changed suddenly. The clock of this computer or the site was changed. The mount holds. Check both, then track the %1 again.</source>
-        <translation>O lugar do astro (%1) mudou de repente. O relógio deste computador ou o local foi alterado. A montagem mantém-se parada. Verifique ambos e siga de novo.</translation>
-    </message>
-    <message>
         <source>UDP: the address of this computer to listen on. 127.0.0.1 receives from this computer only, 0.0.0.0 from all. TCP: name or address of the receiver&apos;s program.</source>
         <translation>UDP: o endereço deste computador em que escuta. 127.0.0.1 recebe só deste computador, 0.0.0.0 de todos. TCP: nome ou endereço do programa do recetor.</translation>
     </message>
@@ -7300,6 +7248,58 @@ até %1</translation>
     <message>
         <source>The speed of each command that gives none. The factory sets no limit.</source>
         <translation>A velocidade de cada ordem que não indica nenhuma. De fábrica não há limite.</translation>
+    </message>
+    <message>
+        <source>Cleared.</source>
+        <translation>Terminou.</translation>
+    </message>
+    <message>
+        <source>The operator has control. Press Hand over first.</source>
+        <translation>O operador tem o controlo. Prima Entregar primeiro.</translation>
+    </message>
+    <message>
+        <source>The crash-stop test moves the mount. End it first.</source>
+        <translation>A prova de paragem move a montagem. Termine-a primeiro.</translation>
+    </message>
+    <message>
+        <source>No crash-stop test is running.</source>
+        <translation>Não está a decorrer nenhuma prova de paragem.</translation>
+    </message>
+    <message>
+        <source>crash-stop test at %1°/s</source>
+        <translation>prova de paragem a %1°/s</translation>
+    </message>
+    <message>
+        <source>crash-stop test: %1</source>
+        <translation>prova de paragem: %1</translation>
+    </message>
+    <message>
+        <source>Wait until the mount stands still.</source>
+        <translation>Espere que a montagem pare.</translation>
+    </message>
+    <message>
+        <source>The computed position of the %1 jumped, so tracking stopped. Was the clock or the site changed? Check both, then track the %1 again.</source>
+        <translation>A posição calculada do astro (%1) saltou, por isso o seguimento parou. O relógio ou o local foi alterado? Verifique ambos e siga de novo.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, needed %3</source>
+        <translation>%1 é %2, necessário %3</translation>
+    </message>
+    <message>
+        <source>a setting of the %1 drive is unsafe: %2</source>
+        <translation>uma definição do acionamento de %1 é perigosa: %2</translation>
+    </message>
+    <message>
+        <source>%1 settings of the %2 drive are unsafe. The first: %3</source>
+        <translation>%1 definições do acionamento de %2 são perigosas. A primeira: %3</translation>
+    </message>
+    <message>
+        <source>%1 settings of the %2 drive are worth fixing. The first: %3</source>
+        <translation>%1 definições do acionamento de %2 merecem correção. A primeira: %3</translation>
+    </message>
+    <message>
+        <source>Open the page Protection and press Fix. For a wrong gear ratio press Set gear.</source>
+        <translation>Abra a página Proteção e prima Corrigir. Para uma redução errada prima Definir redução.</translation>
     </message>
 </context>
 <context>
@@ -7684,10 +7684,6 @@ SDL 2, toml++</translation>
 <context>
     <name>boresight::ui::AuthorityButton</name>
     <message>
-        <source>Give to clients</source>
-        <translation>Dar aos clientes</translation>
-    </message>
-    <message>
         <source>Take control</source>
         <translation>Tomar controlo</translation>
     </message>
@@ -7698,6 +7694,10 @@ SDL 2, toml++</translation>
     <message>
         <source>Keep control for the operator. Boresight refuses motion commands of clients</source>
         <translation>Reservar a montagem para o operador: os comandos de movimento dos clientes são recusados</translation>
+    </message>
+    <message>
+        <source>Hand over</source>
+        <translation>Entregar</translation>
     </message>
 </context>
 <context>
@@ -8556,24 +8556,12 @@ velocidade %1</translation>
 <context>
     <name>boresight::ui::DrivesPanel</name>
     <message>
-        <source>Rate of the proof</source>
-        <translation>Velocidade do ensaio</translation>
-    </message>
-    <message>
-        <source>How fast each axis moves when its drive is not fed any more</source>
-        <translation>Com que rapidez se move cada eixo quando o seu acionamento deixa de ser alimentado com ordens</translation>
-    </message>
-    <message>
         <source>id %1 (%2, %3)</source>
         <translation>id %1 (%2, %3)</translation>
     </message>
     <message>
         <source>Also on the bus, not in the profile: %1</source>
         <translation>Também no barramento, fora do perfil: %1</translation>
-    </message>
-    <message>
-        <source>not proved yet</source>
-        <translation>ainda não ensaiada</translation>
     </message>
     <message>
         <source>%1: stopped after %2 in %3 s, %4</source>
@@ -8594,10 +8582,6 @@ velocidade %1</translation>
     <message>
         <source>May the mount move</source>
         <translation>A montagem pode mover-se</translation>
-    </message>
-    <message>
-        <source>Crash-stop proof</source>
-        <translation>Ensaio de parada brusca</translation>
     </message>
     <message>
         <source>Refused</source>
@@ -8656,10 +8640,6 @@ velocidade %1</translation>
         <translation>Volta</translation>
     </message>
     <message>
-        <source>Crash-stop proof: how each axis stops when its drive is really not fed</source>
-        <translation>Parada brusca: como cada eixo para quando o seu acionamento fica mesmo sem ordens</translation>
-    </message>
-    <message>
         <source>Rate</source>
         <translation>Velocidade</translation>
     </message>
@@ -8688,10 +8668,6 @@ velocidade %1</translation>
         <translation>desconhecida</translation>
     </message>
     <message>
-        <source>End proof</source>
-        <translation>Terminar ensaio</translation>
-    </message>
-    <message>
         <source>Feed the drives again and hold</source>
         <translation>Dar de novo ordens aos acionamentos e manter</translation>
     </message>
@@ -8716,20 +8692,44 @@ velocidade %1</translation>
         <translation>Mover cada eixo, parar as ordens ao acionamento e medir. O Boresight pergunta antes.</translation>
     </message>
     <message>
-        <source>The drives get no more commands. Each does what its own setting says (&quot;When not fed&quot; on the Protection panel). With the factory setting an unbalanced elevation sinks slowly.
-
-When a drive is switched on again, it gives no torque for a moment (some 50 ms). An unbalanced elevation then drops a little.</source>
-        <translation>Os acionamentos deixam de receber ordens. Cada um faz o que a sua própria definição diz (&quot;Sem ordens&quot; no painel Proteção). Com a definição de fábrica uma elevação desequilibrada desce devagar.
-
-Quando um acionamento volta a ser ligado, não dá torque por um momento (uns 50 ms). Uma elevação desequilibrada desce então um pouco.</translation>
-    </message>
-    <message>
         <source>One axis after the other moves at %1. Then Boresight really sends its drive no more commands, as if the cable were cut. It measures how far and how long the axis goes on. When a drive is switched on again, it gives no torque for a moment (some 50 ms). An unbalanced elevation then drops a little.
 
 Keep people and ropes clear of the antenna. STOP ends the proof.</source>
         <translation>Um eixo após o outro move-se a %1. Depois o Boresight deixa mesmo de dar ordens ao acionamento, como se o cabo fosse cortado. Mede até onde e durante quanto tempo o eixo continua. Quando um acionamento volta a ser ligado, não dá torque por um momento (uns 50 ms). Uma elevação desequilibrada desce então um pouco.
 
 Mantenha pessoas e cordas longe da antena. STOP termina a prova.</translation>
+    </message>
+    <message>
+        <source>Rate of the test</source>
+        <translation>Velocidade da prova</translation>
+    </message>
+    <message>
+        <source>Speed of each axis when the commands stop</source>
+        <translation>Velocidade de cada eixo quando as ordens param</translation>
+    </message>
+    <message>
+        <source>not tested yet</source>
+        <translation>ainda não provada</translation>
+    </message>
+    <message>
+        <source>Crash-stop test</source>
+        <translation>Prova de paragem</translation>
+    </message>
+    <message>
+        <source>Crash-stop test: cut the commands, measure the stop</source>
+        <translation>Prova de paragem: cortar as ordens, medir a paragem</translation>
+    </message>
+    <message>
+        <source>End test</source>
+        <translation>Terminar prova</translation>
+    </message>
+    <message>
+        <source>The drives get no more commands. Each does what its own setting says (&quot;If commands stop&quot; on the Protection panel). With the factory setting an unbalanced elevation sinks slowly.
+
+When a drive is switched on again, it gives no torque for a moment (some 50 ms). An unbalanced elevation then drops a little.</source>
+        <translation>Os acionamentos deixam de receber ordens. Cada um faz o que a sua própria definição diz (&quot;Se as ordens pararem&quot; no painel Proteção). Com a definição de fábrica uma elevação desequilibrada desce devagar.
+
+Quando um acionamento volta a ser ligado, não dá torque por um momento (uns 50 ms). Uma elevação desequilibrada desce então um pouco.</translation>
     </message>
 </context>
 <context>
@@ -9148,14 +9148,6 @@ swap the motors</source>
 trocar os motores</translation>
     </message>
     <message>
-        <source>It turns as the arrow shows</source>
-        <translation>Gira como a seta</translation>
-    </message>
-    <message>
-        <source>Both turn as the arrows show</source>
-        <translation>Ambos giram como as setas</translation>
-    </message>
-    <message>
         <source>From now on the mount may be moved faster and farther</source>
         <translation>A partir de agora a montagem pode mover-se mais depressa e mais longe</translation>
     </message>
@@ -9208,14 +9200,6 @@ trocar os motores</translation>
         <translation>Movimento de teste de %1</translation>
     </message>
     <message>
-        <source>AZ turned the other way</source>
-        <translation>AZ girou ao contrário</translation>
-    </message>
-    <message>
-        <source>EL turned the other way</source>
-        <translation>EL girou ao contrário</translation>
-    </message>
-    <message>
         <source>↻ must turn the antenna clockwise, seen from above</source>
         <translation>↻ tem de girar a antena no sentido horário, visto de cima</translation>
     </message>
@@ -9246,6 +9230,22 @@ trocar os motores</translation>
     <message>
         <source>The %1 motor counts the other way. Boresight connects again.</source>
         <translation>O motor de %1 conta ao contrário. O Boresight volta a ligar.</translation>
+    </message>
+    <message>
+        <source>Both directions are right</source>
+        <translation>Os dois sentidos estão certos</translation>
+    </message>
+    <message>
+        <source>AZ moved the wrong way</source>
+        <translation>AZ moveu-se ao contrário</translation>
+    </message>
+    <message>
+        <source>EL moved the wrong way</source>
+        <translation>EL moveu-se ao contrário</translation>
+    </message>
+    <message>
+        <source>The direction is right</source>
+        <translation>O sentido está certo</translation>
     </message>
 </context>
 <context>
@@ -9592,10 +9592,6 @@ trocar os motores</translation>
         <translation>%1 dias</translation>
     </message>
     <message>
-        <source>%1: nothing of Gpredict there</source>
-        <translation>%1: nada do Gpredict ali</translation>
-    </message>
-    <message>
         <source>%1: no satellite data</source>
         <translation>%1: sem dados de satélites</translation>
     </message>
@@ -9626,6 +9622,10 @@ trocar os motores</translation>
     <message>
         <source>Ground stations of Gpredict on this computer. Choose one to fill in the fields.</source>
         <translation>Estações terrestres do Gpredict neste computador. Escolha uma para preencher os campos.</translation>
+    </message>
+    <message>
+        <source>%1: No Gpredict settings found. Choose its folder.</source>
+        <translation>%1: Não há definições do Gpredict. Escolha a pasta.</translation>
     </message>
 </context>
 <context>
@@ -9730,16 +9730,8 @@ trocar os motores</translation>
         <translation>O que a mudança faz</translation>
     </message>
     <message>
-        <source>Cable and stops are where they were: their numbers change</source>
-        <translation>Cabo e batentes ficam onde estavam: mudam os seus números</translation>
-    </message>
-    <message>
         <source>Move</source>
         <translation>Mover</translation>
-    </message>
-    <message>
-        <source>Set it</source>
-        <translation>Definir</translation>
     </message>
     <message>
         <source>True elevation of the antenna</source>
@@ -9762,14 +9754,6 @@ trocar os motores</translation>
         <translation>Desativado: os fins mantêm os números e ficam noutro lugar da montagem</translation>
     </message>
     <message>
-        <source>It really is</source>
-        <translation>É de fato</translation>
-    </message>
-    <message>
-        <source>It reads %1</source>
-        <translation>Marca %1</translation>
-    </message>
-    <message>
         <source>travel %1, now %2</source>
         <translation>curso %1, agora %2</translation>
     </message>
@@ -9788,6 +9772,22 @@ trocar os motores</translation>
     <message>
         <source>Write the new zero into the profile and connect again. Nothing moves.</source>
         <translation>Escrever o novo zero no perfil e voltar a ligar. Nada se move.</translation>
+    </message>
+    <message>
+        <source>Keep cable and stops physically where they are</source>
+        <translation>Manter cabo e batentes onde estão fisicamente</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Definir</translation>
+    </message>
+    <message>
+        <source>True value</source>
+        <translation>Valor verdadeiro</translation>
+    </message>
+    <message>
+        <source>Shown %1</source>
+        <translation>Mostrado %1</translation>
     </message>
 </context>
 <context>
@@ -11916,14 +11916,6 @@ el %2</translation>
         <translation>Tempo do watchdog</translation>
     </message>
     <message>
-        <source>When not fed</source>
-        <translation>Sem ordens</translation>
-    </message>
-    <message>
-        <source>Torque not fed</source>
-        <translation>Torque sem ordens</translation>
-    </message>
-    <message>
         <source>Braking margin</source>
         <translation>Margem de freio</translation>
     </message>
@@ -11972,16 +11964,8 @@ el %2</translation>
         <translation>Redução</translation>
     </message>
     <message>
-        <source>right</source>
-        <translation>certo</translation>
-    </message>
-    <message>
         <source>advised</source>
         <translation>aconselhado</translation>
-    </message>
-    <message>
-        <source>dangerous</source>
-        <translation>perigoso</translation>
     </message>
     <message>
         <source>unread</source>
@@ -12018,8 +12002,24 @@ el %2</translation>
         <translation>Em EL</translation>
     </message>
     <message>
-        <source>Verdict</source>
-        <translation>Avaliação</translation>
+        <source>If commands stop</source>
+        <translation>Se as ordens pararem</translation>
+    </message>
+    <message>
+        <source>Torque after watchdog</source>
+        <translation>Torque após watchdog</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>certo</translation>
+    </message>
+    <message>
+        <source>unsafe</source>
+        <translation>perigoso</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
     </message>
 </context>
 <context>
@@ -12059,10 +12059,6 @@ el %2</translation>
     <message>
         <source>Select a line to read why it matters</source>
         <translation>Selecione uma linha para ler por que importa</translation>
-    </message>
-    <message>
-        <source>%1 dangerous, %2 advised. Select a line to read why it matters</source>
-        <translation>%1 perigosos, %2 aconselhados. Selecione uma linha para ler por que importa</translation>
     </message>
     <message>
         <source>What is in force already is kept in the drives&apos; memory. Nothing moves.</source>
@@ -12173,6 +12169,10 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
     <message>
         <source>Switch the drives off. Boresight asks first.</source>
         <translation>Desligar os acionamentos. O Boresight pergunta antes.</translation>
+    </message>
+    <message>
+        <source>%1 unsafe, %2 advised. Select a line to read why it matters</source>
+        <translation>%1 perigosas, %2 a corrigir. Escolha uma linha para ler porque importa</translation>
     </message>
 </context>
 <context>
@@ -13624,14 +13624,6 @@ Em comparação com a montagem em uso:
         <translation>Recusado</translation>
     </message>
     <message>
-        <source>It stands there</source>
-        <translation>Está ali</translation>
-    </message>
-    <message>
-        <source>Take the selected place for the truth</source>
-        <translation>Tomar o lugar selecionado por verdadeiro</translation>
-    </message>
-    <message>
         <source>Evidence</source>
         <translation>Indícios</translation>
     </message>
@@ -13648,16 +13640,8 @@ Em comparação com a montagem em uso:
         <translation>O eixo está perto de</translation>
     </message>
     <message>
-        <source>Which turn is the %1 on?</source>
-        <translation>Em que volta está o eixo de %1?</translation>
-    </message>
-    <message>
         <source>So %1 is proposed. Look at the mount before you confirm it.</source>
         <translation>Por isso propõe-se %1. Observe a montagem antes de confirmar.</translation>
-    </message>
-    <message>
-        <source>This does not tell the place. Look at the mount.</source>
-        <translation>Isto não diz o lugar. Observe a montagem.</translation>
     </message>
     <message>
         <source>The axis stands at %1</source>
@@ -13690,6 +13674,22 @@ Em comparação com a montagem em uso:
     <message>
         <source>read the question first</source>
         <translation>leia primeiro a pergunta</translation>
+    </message>
+    <message>
+        <source>Confirm position</source>
+        <translation>Confirmar posição</translation>
+    </message>
+    <message>
+        <source>Store the selected place as the position of the axis</source>
+        <translation>Guardar o lugar escolhido como posição do eixo</translation>
+    </message>
+    <message>
+        <source>Where is the %1 axis now?</source>
+        <translation>Onde está agora o eixo de %1?</translation>
+    </message>
+    <message>
+        <source>Not enough evidence. Look at the mount.</source>
+        <translation>Indícios insuficientes. Olhe para a montagem.</translation>
     </message>
 </context>
 <context>

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-// The crash-stop proof on drives with all their physics: what it reports is what the antenna really did.
+// The crash-stop test on drives with all their physics: what it reports is what the antenna really did.
 namespace boresight::system_test {
 namespace {
 
@@ -131,7 +131,7 @@ TEST_F(CrashStop, TheOperatorIsTheOnlyOneWhoStartsIt)
     EXPECT_NE(rig.ask(request::ProveCrashStop{0.1_deg_s}), "") << "too slow to tell";
     ASSERT_EQ(rig.ask(request::ProveCrashStop{2_deg_s}), "");
     rig.run(Seconds(0.5));
-    EXPECT_THAT(rig.ask(request::PointAxes{{.azimuth = 0_deg, .elevation = 20_deg}}), HasSubstr("crash-stop proof"));
+    EXPECT_THAT(rig.ask(request::PointAxes{{.azimuth = 0_deg, .elevation = 20_deg}}), HasSubstr("crash-stop test"));
     EXPECT_EQ(rig.ask(request::EndProof{}), "");
     ASSERT_TRUE(rig.settle());
     EXPECT_EQ(rig.status().state, StationState::Hold);

@@ -143,7 +143,7 @@ StationStatus factoryDrives()
     dropTarget(status);
     status.drives->switchedOn = false;
     status.drives->armingObstacle =
-        QStringLiteral("5 settings of each drive are dangerous, first: azimuth servopos.position_min");
+        QStringLiteral("5 settings of each drive are unsafe. The first: azimuth servopos.position_min");
     status.permissions = withoutMotion(status.drives->armingObstacle);
     for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
         DriveStatus& one = axis == Axis::Azimuth ? status.drives->azimuth : status.drives->elevation;
@@ -200,8 +200,8 @@ StationStatus proving()
 {
     StationStatus status = idle();
     status.state = StationState::Calibrate;
-    status.stateReason = QStringLiteral("crash-stop proof");
-    status.permissions = inMotion(withoutMoves(QStringLiteral("The crash-stop proof moves the mount. End it first.")));
+    status.stateReason = QStringLiteral("crash-stop test");
+    status.permissions = inMotion(withoutMoves(QStringLiteral("The crash-stop test moves the mount. End it first.")));
     place(status, {31.4_deg, 20_deg}, {31.45_deg, 20_deg}, {34_deg, 20_deg});
     status.azimuth.state = AxisState::Moving;
     dropTarget(status);

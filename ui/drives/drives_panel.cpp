@@ -48,8 +48,8 @@ QDoubleSpinBox* makeRate(QWidget* parent)
     rate->setValue(kUsualProof.degrees());
     rate->setSuffix(QStringLiteral(" °/s"));
     rate->setMinimumHeight(kTouchSize);
-    rate->setAccessibleName(DrivesPanel::tr("Rate of the proof"));
-    rate->setToolTip(DrivesPanel::tr("How fast each axis moves when its drive is not fed any more"));
+    rate->setAccessibleName(DrivesPanel::tr("Rate of the test"));
+    rate->setToolTip(DrivesPanel::tr("Speed of each axis when the commands stop"));
     return rate;
 }
 
@@ -73,7 +73,7 @@ Sentence crashStopSentence(const DriveStatus& drive)
         return {known({})};
     }
     if (!drive.crashStop) {
-        return {DrivesPanel::tr("not proved yet")};
+        return {DrivesPanel::tr("not tested yet")};
     }
     const CrashStop& stop = *drive.crashStop;
     const QString text = DrivesPanel::tr("%1: stopped after %2 in %3 s, %4")
@@ -93,7 +93,7 @@ DrivesPanel::DrivesPanel(RequestDesk& desk, QWidget* parent)
       m_strangers(new ValueLabel(tr("Unknown boards on the bus"), fonts::label(), {}, this)),
       m_survey(new ValueLabel(tr("Survey of the drives"), fonts::label(), {}, this)),
       m_arming(new ValueLabel(tr("May the mount move"), fonts::label(), {}, this)),
-      m_proof(new ValueLabel(tr("Crash-stop proof"), fonts::label(), {}, this)),
+      m_proof(new ValueLabel(tr("Crash-stop test"), fonts::label(), {}, this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_rate(makeRate(this)),
       m_release(new CommandButton(tr("Release bus"), {}, desk, *m_notice, this)),
@@ -172,7 +172,7 @@ QWidget* DrivesPanel::makeProof()
     auto* const grid = new QGridLayout(box);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(4);
-    const QString what = tr("Crash-stop proof: how each axis stops when its drive is really not fed");
+    const QString what = tr("Crash-stop test: cut the commands, measure the stop");
     grid->addWidget(makeCaption(what, box), 0, 0, 1, 4);
     grid->addWidget(makeCaption(tr("Rate"), *m_rate), 1, 0);
     grid->addWidget(m_rate, 1, 1);
@@ -238,7 +238,7 @@ void DrivesPanel::showProof()
     const DrivesStatus& drives = drivesOf(m_status);
     const bool running = drives.proofRunning;
     const bool both = drives.azimuth.present && drives.elevation.present;
-    m_run->setCommand(running ? tr("End proof")
+    m_run->setCommand(running ? tr("End test")
                       : both  ? tr("Run (both axes) …")
                               : tr("Run …"),
                       running
@@ -258,10 +258,11 @@ void DrivesPanel::release()
     }
     askFirst(
         {.title = tr("Leave the bus while the drives are switched on?"),
-         .text = tr(
-             "The drives get no more commands. Each does what its own setting says (\"When not fed\" on the Protection "
-             "panel). With the factory setting an unbalanced elevation sinks slowly.\n\nWhen a drive is switched on "
-             "again, it gives no torque for a moment (some 50 ms). An unbalanced elevation then drops a little."),
+         .text =
+             tr("The drives get no more commands. Each does what its own setting says (\"If commands stop\" on the "
+                "Protection "
+                "panel). With the factory setting an unbalanced elevation sinks slowly.\n\nWhen a drive is switched on "
+                "again, it gives no torque for a moment (some 50 ms). An unbalanced elevation then drops a little."),
          .act = tr("Leave the bus"),
          .request = request::ReleaseBus{},
          .action = Action::ReleaseBus},

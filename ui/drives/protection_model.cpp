@@ -27,8 +27,8 @@ constexpr Label kLabels[] = {
     {"servopos.position_min", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Lower limit")},
     {"servopos.position_max", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Upper limit")},
     {"servo.default_timeout_s", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Watchdog time")},
-    {"servo.timeout_mode", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "When not fed")},
-    {"servo.timeout_max_torque_Nm", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Torque not fed")},
+    {"servo.timeout_mode", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "If commands stop")},
+    {"servo.timeout_max_torque_Nm", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Torque after watchdog")},
     {"servo.flux_brake_margin_voltage", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Braking margin")},
     {"motor_position.output.sign", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Direction")},
     {"motor_position.output.reference_source", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Axis encoder")},
@@ -65,11 +65,11 @@ ShownLine shown(Verdict verdict)
 {
     switch (verdict) {
         case Verdict::Right:
-            return {ProtectionModel::tr("right")};
+            return {ProtectionModel::tr("OK")};
         case Verdict::Advised:
             return {ProtectionModel::tr("advised"), Tone::Advisory, Symbol::Advisory};
         case Verdict::Dangerous:
-            return {ProtectionModel::tr("dangerous"), Tone::Alarm, Symbol::Alarm};
+            return {ProtectionModel::tr("unsafe"), Tone::Alarm, Symbol::Alarm};
         case Verdict::Unread:
             break;
     }
@@ -112,7 +112,7 @@ QVariant decoration(const ShownLine& shown)
 }  // namespace
 
 ProtectionModel::ProtectionModel(QObject* parent)
-    : TableModel({tr("Setting"), tr("Wanted"), tr("Found AZ"), tr("Found EL"), tr("Verdict")}, parent)
+    : TableModel({tr("Setting"), tr("Wanted"), tr("Found AZ"), tr("Found EL"), tr("Result")}, parent)
 {}
 
 void ProtectionModel::show(const DrivesStatus& drives)

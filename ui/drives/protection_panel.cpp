@@ -89,6 +89,14 @@ void ProtectionPanel::build()
     column->addWidget(m_notice);
 }
 
+void ProtectionPanel::hideSwitches()
+{
+    for (CommandButton* const button : {m_switchAxisOff[0], m_switchAxisOff[1], m_switchOff}) {
+        button->hide();
+    }
+    m_reason->setLines(3);
+}
+
 QTableView* ProtectionPanel::makeTable()
 {
     QTableView* const table = makeReadTable(tr("Protection"), *m_model, this);
@@ -148,7 +156,7 @@ void ProtectionPanel::showReason()
     m_reason->setValue(
         dangerous + advised == 0
             ? tr("Select a line to read why it matters")
-            : tr("%1 dangerous, %2 advised. Select a line to read why it matters").arg(dangerous).arg(advised),
+            : tr("%1 unsafe, %2 advised. Select a line to read why it matters").arg(dangerous).arg(advised),
         Tone::Secondary);
 }
 

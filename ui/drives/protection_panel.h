@@ -19,6 +19,8 @@ class ProtectionPanel : public AskingPanel
 
 public:
     explicit ProtectionPanel(RequestDesk& desk, QWidget* parent = nullptr);
+    // In the guide, which has less room: reading and writing only.
+    void hideSwitches();
 
     void showStatus(const StationStatus& status);
 

@@ -38,8 +38,8 @@ TurnPage::TurnPage(RequestDesk& desk, QWidget* parent)
       m_selected(new ValueLabel(tr("Selected place"), fonts::label(), {}, this)),
       m_moved(new ValueLabel(tr("Moved since the question"), fonts::label(), tr("moved +000.0° since"), this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
-      m_answer(
-          new CommandButton(tr("It stands there"), tr("Take the selected place for the truth"), desk, *m_notice, this)),
+      m_answer(new CommandButton(tr("Confirm position"), tr("Store the selected place as the position of the axis"),
+                                 desk, *m_notice, this)),
       m_unwind(new UnwindButtons(desk, *m_notice, this))
 {
     m_fresh.setSingleShot(true);
@@ -143,7 +143,7 @@ void TurnPage::begin(Axis axis, const TurnQuestion& question)
     m_choice.begin(question);
     m_fresh.start();
     m_notice->setValue({});
-    m_title->setText(tr("Which turn is the %1 on?").arg(name(axis)));
+    m_title->setText(tr("Where is the %1 axis now?").arg(name(axis)));
     m_unwind->setAxis(axis);
     const auto proposed = m_choice.angle();
     m_field->setText(proposed ? QString::number(proposed->degrees(), 'f', 1) : QString());
@@ -157,7 +157,7 @@ void TurnPage::showQuestion(const TurnQuestion& question)
     }
     evidence << (question.proposed ? tr("So %1 is proposed. Look at the mount before you confirm it.")
                                          .arg(angleText(*question.proposed, 1))
-                                   : tr("This does not tell the place. Look at the mount."));
+                                   : tr("Not enough evidence. Look at the mount."));
     const QString text = evidence.join(QLatin1Char('\n'));
     if (text != m_evidence->toPlainText()) {
         m_evidence->setPlainText(text);

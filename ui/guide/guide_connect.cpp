@@ -196,6 +196,9 @@ void GuideConnect::showStatus(const StationStatus& status)
     }
     if (busInUse() != before) {
         m_result.reset();  // it belongs to what was before
+        m_adapters.clear();
+        m_list->clear();
+        Q_EMIT m_host.adaptersWanted(busInUse());
     }
     showButtons();
 }

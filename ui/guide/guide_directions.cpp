@@ -43,7 +43,7 @@ GuideDirections::GuideDirections(ProfileChange& change, RequestDesk& desk, QWidg
       m_swap(new CommandButton(tr("The other axis moved:\nswap the motors"),
                                tr("Azimuth and elevation exchange their motors. Boresight connects again."), desk,
                                *m_notice, this)),
-      m_confirm(new CommandButton(tr("Both turn as the arrows show"), {}, desk, *m_notice, this))
+      m_confirm(new CommandButton(tr("Both directions are right"), {}, desk, *m_notice, this))
 {
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -90,7 +90,7 @@ void GuideDirections::addAxis(QGridLayout& grid, Axis axis, RequestDesk& desk)
     row.hold->setKeyHeld(true);
     row.moved = new ValueLabel(tr("Test move of the %1").arg(name(axis)), fonts::label(), {}, this);
     row.moved->setStretching(true);
-    row.reverse = new CommandButton(azimuth ? tr("AZ turned the other way") : tr("EL turned the other way"),
+    row.reverse = new CommandButton(azimuth ? tr("AZ moved the wrong way") : tr("EL moved the wrong way"),
                                     tr("The %1 motor counts the other way. Boresight connects again.").arg(name(axis)),
                                     desk, *m_notice, this);
     const int line = 2 * static_cast<int>(axisIndex(axis));
@@ -158,7 +158,7 @@ void GuideDirections::showButtons()
     });
     const bool confirmed = m_status.profile->mount.directions == profile::Directions::Confirmed;
     const auto confirm = [](profile::Profile& p) { p.mount.directions = profile::Directions::Confirmed; };
-    m_confirm->setCommand(single ? tr("It turns as the arrow shows") : tr("Both turn as the arrows show"),
+    m_confirm->setCommand(single ? tr("The direction is right") : tr("Both directions are right"),
                           tr("From now on the mount may be moved faster and farther"));
     m_confirm->setBlocked(confirmed               ? tr("it is confirmed already")
                           : unseen != kAxes.end() ? tr("move the %1 a little first, and look at it").arg(name(*unseen))

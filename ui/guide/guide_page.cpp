@@ -84,6 +84,7 @@ void GuidePage::makePages(RequestDesk& desk, HostDesk& host)
 {
     auto* const connectPage = new GuideConnect(m_change, desk, host, m_pages);
     auto* const protection = new ProtectionPanel(desk, m_pages);
+    protection->hideSwitches();
     auto* const directions = new GuideDirections(m_change, desk, m_pages);
     auto* const travel = new GuideTravel(m_change, desk, m_pages);
     auto* const level = new GuideZero(m_change, desk, m_pages);

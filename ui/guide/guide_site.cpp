@@ -34,8 +34,9 @@ QString satellitesText(const profile::GpredictFiles& found, UtcTime now)
 {
     const profile::GpredictSatellites& satellites = found.satellites;
     if (satellites.files == 0) {
-        return found.stations.empty() ? GuideSite::tr("%1: nothing of Gpredict there").arg(found.folder)
-                                      : GuideSite::tr("%1: no satellite data").arg(found.folder);
+        return found.stations.empty()
+                   ? GuideSite::tr("%1: No Gpredict settings found. Choose its folder.").arg(found.folder)
+                   : GuideSite::tr("%1: no satellite data").arg(found.folder);
     }
     return satellites.newest ? GuideSite::tr("%1: satellites %2, the newest elements %3 old")
                                    .arg(found.folder)

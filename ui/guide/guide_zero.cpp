@@ -36,9 +36,9 @@ GuideZero::GuideZero(ProfileChange& change, RequestDesk& desk, QWidget* parent)
       m_reading(new ValueLabel(tr("What the %1 reads now").arg(name(kAxis)), fonts::text(), {}, this)),
       m_effect(new ValueLabel(tr("What the change does"), fonts::label(), {}, this)),
       m_truth(nullptr),
-      m_endsStay(new QCheckBox(tr("Cable and stops are where they were: their numbers change"), this)),
+      m_endsStay(new QCheckBox(tr("Keep cable and stops physically where they are"), this)),
       m_hold(new HoldButtons(desk, *m_notice, tr("Move"), this)),
-      m_set(new CommandButton(tr("Set it"), tr("Write the new zero into the profile and connect again. Nothing moves."),
+      m_set(new CommandButton(tr("Set"), tr("Write the new zero into the profile and connect again. Nothing moves."),
                               desk, *m_notice, this))
 {
     m_truth = makeField({.name = tr("True elevation of the antenna"),
@@ -79,7 +79,7 @@ void GuideZero::build()
     grid->addLayout(top, 0, 0, 1, 3);
     grid->addWidget(m_reading, 1, 0, 1, 2);
     grid->addWidget(m_hold, 1, 2);
-    grid->addWidget(makeCaption(tr("It really is"), *m_truth), 2, 0);
+    grid->addWidget(makeCaption(tr("True value"), *m_truth), 2, 0);
     grid->addWidget(m_truth, 2, 1);
     grid->addWidget(m_set, 2, 2);
     grid->addWidget(m_endsStay, 3, 0, 1, 3);
@@ -122,7 +122,7 @@ void GuideZero::showEffect()
 {
     const AxisStatus& now = axisOf(m_status, kAxis);
     const bool known = now.actual && isTurnKnown(m_status, kAxis) && freshness(now.age) != Freshness::NoData;
-    m_reading->setValue(tr("It reads %1").arg(known ? angleText(*now.actual) : noValue()));
+    m_reading->setValue(tr("Shown %1").arg(known ? angleText(*now.actual) : noValue()));
     m_set->setBlocked(whyNot());
     if (!known) {
         m_effect->setValue({});

@@ -73,6 +73,7 @@ GoToBar::GoToBar(RequestDesk& desk, ValueLabel& notice, const QStringList& recen
     build();
     showRecent();
     connect(m_go, &QPushButton::clicked, this, &GoToBar::go);
+    connect(m_go, &CommandButton::accepted, this, &GoToBar::leaveFields);
     connect(m_go, &CommandButton::accepted, this, &GoToBar::remember);
     connect(m_azimuth, &QLineEdit::returnPressed, this, &GoToBar::go);
     connect(m_elevation, &QLineEdit::returnPressed, this, &GoToBar::go);
@@ -159,6 +160,14 @@ bool GoToBar::isNumber(QLineEdit& field, const QString& otherwise)
     }
     complain(field, otherwise);
     return false;
+}
+
+// The next Esc stops the mount. In a field it would only leave the field.
+void GoToBar::leaveFields()
+{
+    if (m_azimuth->hasFocus() || m_elevation->hasFocus()) {
+        m_go->setFocus();
+    }
 }
 
 void GoToBar::remember()

@@ -39,6 +39,7 @@ private:
     void go();
     bool isNumber(QLineEdit& field, const QString& otherwise);
     void complain(QLineEdit& field, const QString& text);
+    void leaveFields();
     void remember();
     void showRecent();
     void fillIn(int recent);

@@ -4,7 +4,7 @@
 namespace boresight::ui {
 
 AuthorityButton::AuthorityButton(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
-    : CommandButton(tr("Give to clients"), {}, desk, notice, parent)
+    : CommandButton(tr("Hand over"), {}, desk, notice, parent)
 {
     connect(this, &QPushButton::clicked, this, [this] {
         ask(m_control == Authority::Operator ? Request(request::GiveAuthority{}) : Request(request::TakeAuthority{}));
@@ -15,7 +15,7 @@ void AuthorityButton::showStatus(const StationStatus& status)
 {
     m_control = status.authority;
     const bool ours = m_control == Authority::Operator;
-    setCommand(ours ? tr("Give to clients") : tr("Take control"),
+    setCommand(ours ? tr("Hand over") : tr("Take control"),
                ours ? tr("Let rotctld clients move the mount again")
                     : tr("Keep control for the operator. Boresight refuses motion commands of clients"));
     setBlocked(status.permissions.reason(ours ? Action::GiveAuthority : Action::TakeAuthority));

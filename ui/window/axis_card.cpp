@@ -122,7 +122,7 @@ AxisCard::AxisCard(Axis axis, QWidget* parent) : QWidget(parent), m_axis(axis)
     m_actual = new ValueLabel(tr("Actual %1").arg(axisName), {}, QStringLiteral("000.00°"), this);
     m_target = new ValueLabel(tr("Target %1").arg(axisName), fonts::value(), widest, this);
     m_error = new ValueLabel(tr("Error of %1").arg(axisName), fonts::value(), widest, this);
-    m_rate = new ValueLabel(tr("Rate of %1").arg(axisName), fonts::value(), widest, this);
+    m_rate = new ValueLabel(tr("Rate of %1").arg(axisName), fonts::value(), QStringLiteral("-00.00°/s"), this);
     m_rateCaption = makeCaption(tr("rate"), this);
     m_state = new ValueLabel(tr("State of %1").arg(axisName), fonts::text(), widestState(), this);
     m_bar = new ErrorBar(tr("Error bar of %1").arg(axisName), this);

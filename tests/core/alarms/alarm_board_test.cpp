@@ -13,7 +13,7 @@ namespace {
 
 const AlarmEntry& kBus = alarmEntry("bus.down");
 const QString kBusSource = QStringLiteral("bus");
-const QString kOver = QStringLiteral("the alarm is over");
+const QString kOver = QStringLiteral("Cleared.");
 
 QString wholeLine(const AlarmEntry& entry)
 {

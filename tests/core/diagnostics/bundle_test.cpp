@@ -120,7 +120,7 @@ TEST(DiagnosticsBundle, HasWhatABugReportNeeds)
         EXPECT_TRUE(versions.contains(part)) << part << " in\n" << versions.toStdString();
     }
     const QByteArray drives = Rig::read(dir, "drives.txt");
-    EXPECT_TRUE(drives.contains("DANGEROUS  servo.timeout_mode  found 12  wanted 10")) << drives.toStdString();
+    EXPECT_TRUE(drives.contains("UNSAFE  servo.timeout_mode  found 12  wanted 10")) << drives.toStdString();
     EXPECT_TRUE(drives.contains("from 2.00°/s stood after 0.42° and 310 ms")) << drives.toStdString();
     EXPECT_TRUE(Rig::read(dir, "station.txt").contains(": No reply from elevation. Check its cable.\n"));
 }

@@ -200,8 +200,8 @@ TEST_F(MqttTls, RefusesACertificateOfAnotherAuthority)
 TEST_F(MqttTls, RefusesACertificateOfAnotherName)
 {
     ASSERT_TRUE(startBroker(Door::TlsOther));
-    EXPECT_THAT(refused(to(*broker, "localhost", broker->caFile())), HasSubstr("not made for \"localhost\""));
-    EXPECT_THAT(refused(to(*broker, "127.0.0.1", broker->caFile())), HasSubstr("not made for \"127.0.0.1\""));
+    EXPECT_THAT(refused(to(*broker, "localhost", broker->caFile())), HasSubstr("not for \"localhost\""));
+    EXPECT_THAT(refused(to(*broker, "127.0.0.1", broker->caFile())), HasSubstr("not for \"127.0.0.1\""));
 }
 
 // A file that is mended while the program runs is read again.
@@ -318,7 +318,7 @@ TEST_F(MqttClient, OfTwoOfOneNameTheFirstIsThrownOut)
     second.client.open(named);
     ASSERT_TRUE(second.connected());
     ASSERT_TRUE(first.failed());
-    EXPECT_THAT(first.problems, ElementsAre(HasSubstr("does another program use the client id \"boresight\"?")));
+    EXPECT_THAT(first.problems, ElementsAre(HasSubstr("Does another program use the client id \"boresight\"?")));
     EXPECT_TRUE(second.client.isConnected());
 }
 

@@ -110,7 +110,7 @@ TEST(MqttConnecting, AClosedPortIsToldWithAndWithoutTls)
             Rig rig;
             rig.client.open(one);
             ASSERT_TRUE(rig.failed());
-            EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("no connection (Connection refused)")));
+            EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("No connection (Connection refused)")));
         });
         EXPECT_LT(stall, kLongestStall);
     }

@@ -144,13 +144,13 @@ TEST_F(MqttSourceTest, SaysWhenNothingComesAndWhenItIsNothingOfTheSensor)
 {
     listen(std::chrono::seconds(1));
     ASSERT_TRUE(fakes::waitUntil([this] { return states.size() == 2; }));
-    EXPECT_THAT(states, ElementsAre("open ", HasSubstr("nothing comes on roof/orientation")));
+    EXPECT_THAT(states, ElementsAre("open ", HasSubstr("No data on roof/orientation")));
     send("roof/orientation", kOrientation);
     ASSERT_TRUE(received(1));
     EXPECT_EQ(states.back(), "open ");
     send("roof/orientation", "21.5");
     ASSERT_TRUE(fakes::waitUntil([this] { return states.size() == 4; }));
-    EXPECT_THAT(states.back(), HasSubstr("what comes on roof/orientation is no message of the sensor"));
+    EXPECT_THAT(states.back(), HasSubstr("The messages on roof/orientation are not from the sensor"));
 }
 
 // Story: the broker refused, and the line said that the sensor might have no power.
@@ -167,9 +167,10 @@ TEST_F(MqttSourceTest, ATopicThatTheBrokerRefusesIsToldUntilItIsPermitted)
     listen(std::chrono::seconds(1));
     ASSERT_TRUE(fakes::waitUntil([this] { return states.size() == 2; }));
     EXPECT_THAT(states.back(), HasSubstr("open mqtt 127.0.0.1:"));
-    EXPECT_THAT(states.back(),
-                HasSubstr("the broker refuses to let us read roof/orientation: permit it in the broker's "
-                          "access list (ACL), or set mqtt.user and mqtt.password"));
+    EXPECT_THAT(
+        states.back(),
+        HasSubstr("The broker does not permit reading roof/orientation. Permit it in the access list (ACL) of the "
+                  "broker, or set mqtt.user and mqtt.password"));
     send("roof/orientation", kOrientation);
     station.letTimePass(Seconds(60.0));
     ASSERT_TRUE(fakes::waitUntil([this] { return broker->count("roof/orientation (QoS 0)") == 2; })) << "asked again";
@@ -178,7 +179,7 @@ TEST_F(MqttSourceTest, ATopicThatTheBrokerRefusesIsToldUntilItIsPermitted)
     station.letTimePass(Seconds(29.0));
     station.letTimePass(Seconds(1.0));
     ASSERT_TRUE(fakes::waitUntil([this] { return broker->count("roof/orientation (QoS 0)") == 3; }));
-    ASSERT_TRUE(fakes::waitUntil([this] { return states.back().find("nothing comes on roof/or") != npos; }))
+    ASSERT_TRUE(fakes::waitUntil([this] { return states.back().find("No data on roof/or") != npos; }))
         << "permitted, and waited for anew, without a message: " << states.back();
     send("roof/orientation", kOrientation);
     ASSERT_TRUE(received(1));
@@ -200,7 +201,7 @@ TEST_F(MqttSourceTest, ATopicBesideItThatIsRefusedIsToldAndTheRestWorks)
     topics.status = QStringLiteral("permitted/status");
     listen();
     ASSERT_TRUE(fakes::waitUntil([this] { return states.size() == 2; }));
-    EXPECT_THAT(states.back(), HasSubstr("refuses to let us read roof/calibration"));
+    EXPECT_THAT(states.back(), HasSubstr("does not permit reading roof/calibration"));
     send("permitted/orientation", kOrientation);
     ASSERT_TRUE(received(1));
     EXPECT_EQ(states.size(), 2U) << "as long as it lasts";

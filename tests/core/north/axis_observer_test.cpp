@@ -35,7 +35,7 @@ TEST(AxisObserver, AMountThatMovesDoesNotStandStill)
     rig.watch(Seconds(2.0));
     const Result<> moves = rig.axes.standStill();
     ASSERT_FALSE(moves);
-    EXPECT_EQ("the mount still moves", textOf(moves.error()));
+    EXPECT_EQ("Wait until the mount stands still.", textOf(moves.error()));
     rig.watch(Seconds(60.0));
     EXPECT_TRUE(rig.axes.standStill());
 }

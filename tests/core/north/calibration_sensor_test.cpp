@@ -103,7 +103,7 @@ TEST(CalibrationSensor, IsNotAveragedWhileTheMountMoves)
     rig.run(Seconds(2.0));
     const auto refused = rig.ask(request::MeasureSensorOffset{});
     ASSERT_FALSE(refused);
-    EXPECT_NE(std::string::npos, textOf(refused.error()).find("still moves"));
+    EXPECT_NE(std::string::npos, textOf(refused.error()).find("stands still"));
 }
 
 // Both come from one busy moment: the follower has not seen yet that the mount was sent elsewhere.

@@ -103,7 +103,7 @@ TEST(DriveSurvey, SaysWhatTheFactorySettingsWouldDo)
     EXPECT_THAT(causes(rig.drives), UnorderedElementsAre("drives.dangerous.azimuth", "drives.dangerous.elevation",
                                                          "drives.advised.azimuth", "drives.advised.elevation"));
     EXPECT_THAT(obstacle(rig.drives), HasSubstr("servopos.position_min"));
-    EXPECT_THAT(obstacle(rig.drives), HasSubstr("4 settings of the azimuth drive are dangerous"));
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("4 settings of the azimuth drive are unsafe"));
 }
 
 // REQ-SURVEY-04: Two boards with one id, a missing, swapped, replaced or third board, and an unknown register map are

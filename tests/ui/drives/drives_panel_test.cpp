@@ -162,7 +162,7 @@ TEST_F(DrivesTest, ReleasingTheBusOfDrivesThatAreOnAsksFirst)
 TEST_F(DrivesTest, TheProofRunsAtTheChosenRateAfterASecondPressAndEndsAtOnce)
 {
     auto& panel = open<DrivesPanel>();
-    auto* const rate = named<QDoubleSpinBox>("Rate of the proof");
+    auto* const rate = named<QDoubleSpinBox>("Rate of the test");
     rate->setFocus();
     rate->selectAll();
     QTest::keyClicks(rate, QStringLiteral("3.5"));
@@ -176,9 +176,9 @@ TEST_F(DrivesTest, TheProofRunsAtTheChosenRateAfterASecondPressAndEndsAtOnce)
     EXPECT_NEAR(asked<request::ProveCrashStop>().front().rate.degrees(), 3.5, 1e-9);
     give(samples::acceptance(samples::proving(), requests.back().id));
     EXPECT_FALSE(panel.isAsking());
-    EXPECT_EQ(text("Crash-stop proof"), QStringLiteral("azimuth at 2.0°/s, not fed since 0.3 s"));
+    EXPECT_EQ(text("Crash-stop test"), QStringLiteral("azimuth at 2.0°/s, not fed since 0.3 s"));
     EXPECT_FALSE(rate->isEnabled());
-    click("End proof");
+    click("End test");
     EXPECT_EQ(asked<request::EndProof>().size(), 1u);
 }
 
@@ -192,7 +192,7 @@ TEST_F(DrivesTest, HoldIsOfferedDuringAProofThatForbidsEveryOtherMotion)
 
 TEST_F(DrivesTest, TheRateOfTheProofStaysSlow)
 {
-    auto* const rate = named<QDoubleSpinBox>("Rate of the proof");
+    auto* const rate = named<QDoubleSpinBox>("Rate of the test");
     rate->setValue(60.0);
     EXPECT_DOUBLE_EQ(rate->value(), 5.0);
     rate->setValue(0.0);
@@ -206,7 +206,7 @@ TEST_F(DrivesTest, EachAxisShowsItsLastProofWithTheDate)
     StationStatus status = samples::proving();
     status.drives->azimuth.crashStop->drive = status.drives->elevation.identity.uuid;
     give(samples::update(status));
-    EXPECT_EQ(text("Crash stop of the elevation"), QStringLiteral("not proved yet"));
+    EXPECT_EQ(text("Crash stop of the elevation"), QStringLiteral("not tested yet"));
     EXPECT_EQ(named<ValueLabel>("Crash stop of the azimuth")->symbol(), Symbol::Warning) << "another drive";
 }
 

@@ -12,15 +12,15 @@ TEST_F(DrivesTest, TheTableSetsFoundAgainstWantedWithShapeAndWord)
 {
     give(samples::update(samples::factoryDrives()));
     open<ProtectionPanel>();
-    const int mode = rowOf("When not fed");
+    const int mode = rowOf("If commands stop");
     EXPECT_EQ(cell(mode, ProtectionModel::Wanted), QStringLiteral("10 (hold)"));
     EXPECT_EQ(cell(mode, ProtectionModel::FoundAzimuth), QStringLiteral("12 (damp)"));
-    EXPECT_EQ(cell(mode, ProtectionModel::Verdict), QStringLiteral("dangerous"));
+    EXPECT_EQ(cell(mode, ProtectionModel::Verdict), QStringLiteral("unsafe"));
     EXPECT_FALSE(model().index(mode, ProtectionModel::Verdict).data(Qt::DecorationRole).isNull());
     EXPECT_EQ(model().index(mode, ProtectionModel::Setting).data(Qt::ToolTipRole).toString(),
               QStringLiteral("servo.timeout_mode"));
     const int right = rowOf("Watchdog time");
-    EXPECT_EQ(cell(right, ProtectionModel::Verdict), QStringLiteral("right"));
+    EXPECT_EQ(cell(right, ProtectionModel::Verdict), QStringLiteral("OK"));
     EXPECT_TRUE(model().index(right, ProtectionModel::Verdict).data(Qt::DecorationRole).isNull());
     EXPECT_EQ(cell(rowOf("Speed limit"), ProtectionModel::Verdict), QStringLiteral("advised"));
 }
@@ -45,7 +45,7 @@ TEST_F(DrivesTest, WhatMustBeMendedStandsOnTop)
 {
     give(samples::update(samples::factoryDrives()));
     EXPECT_EQ(cell(0, ProtectionModel::Setting), QStringLiteral("Lower limit AZ"));
-    EXPECT_EQ(cell(model().rowCount() - 1, ProtectionModel::Verdict), QStringLiteral("right"));
+    EXPECT_EQ(cell(model().rowCount() - 1, ProtectionModel::Verdict), QStringLiteral("OK"));
     EXPECT_EQ(rowOf("Bus address AZ"), 9);
 }
 
@@ -106,7 +106,7 @@ TEST_F(DrivesTest, TheReasonOfTheSelectedLineIsReadWithTheKeyboardAndStaysWhileV
     EXPECT_EQ(text("Why the selected setting matters"),
               QStringLiteral("8 dangerous, 6 advised. Select a line to read why it matters"));
     table().setFocus();
-    while (table().currentIndex().row() < rowOf("When not fed")) {
+    while (table().currentIndex().row() < rowOf("If commands stop")) {
         QTest::keyClick(&table(), Qt::Key_Down);
     }
     const QString reason = text("Why the selected setting matters");
@@ -114,7 +114,7 @@ TEST_F(DrivesTest, TheReasonOfTheSelectedLineIsReadWithTheKeyboardAndStaysWhileV
                                      "mode 12 only damps: a loaded elevation creeps down when the computer dies"));
     EXPECT_FALSE(named<ValueLabel>("Why the selected setting matters")->isElided());
     give(samples::update(samples::reading()));
-    EXPECT_EQ(table().currentIndex().row(), rowOf("When not fed")) << "the line moved, the selection with it";
+    EXPECT_EQ(table().currentIndex().row(), rowOf("If commands stop")) << "the line moved, the selection with it";
     EXPECT_TRUE(text("Why the selected setting matters").contains(QLatin1String("found AZ 12 (damp), EL unread")));
     QTest::keyClick(&table(), Qt::Key_Tab);
     EXPECT_FALSE(table().hasFocus()) << "focus trap";

@@ -33,7 +33,7 @@ class TurnTest : public WindowFixture
 protected:
     QTabWidget& panels() { return *window.findChild<QTabWidget*>(); }
     TurnPage& page() { return *window.findChild<TurnPage*>(); }
-    CommandButton& answer() { return *named<CommandButton>("It stands there"); }
+    CommandButton& answer() { return *named<CommandButton>("Confirm position"); }
     QLineEdit& field() { return *named<QLineEdit>("Angle read off the mount"); }
     bool answerable()  // not at once
     {

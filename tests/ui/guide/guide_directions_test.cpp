@@ -92,7 +92,7 @@ TEST_F(GuideTest, TheArrowFollowsTheMotionAndConfirmingNeedsBothToBeSeen)
     status.azimuth.rate = -1_deg_s;
     moveTo({.azimuth = 10.4_deg, .elevation = 20_deg});
     EXPECT_EQ(arrow.turning(), Turning::Shrinks);
-    auto& confirm = inGuide<QPushButton>("Both turn as the arrows show");
+    auto& confirm = inGuide<QPushButton>("Both directions are right");
     EXPECT_FALSE(confirm.isEnabled());
     EXPECT_TRUE(confirm.toolTip().contains(QStringLiteral("elevation")));
     status.azimuth.rate = 0_deg_s;
@@ -117,12 +117,12 @@ TEST_F(GuideTest, OfAMountWithOneAxisThatOneHasToBeSeen)
     open<GuideDirections>(GuideStep::Directions);
     moveTo({.azimuth = 10.2_deg, .elevation = 20_deg});
     moveTo({.azimuth = 10.2_deg, .elevation = 20_deg}, AxisState::Holding);
-    auto& confirm = inGuide<QPushButton>("It turns as the arrow shows");
+    auto& confirm = inGuide<QPushButton>("The direction is right");
     EXPECT_FALSE(confirm.isEnabled()) << "too little to be seen";
     moveTo({.azimuth = 12_deg, .elevation = 20_deg});
     moveTo({.azimuth = 12_deg, .elevation = 20_deg}, AxisState::Holding);
     EXPECT_TRUE(confirm.isEnabled()) << confirm.toolTip().toStdString();
-    for (const char* const name : {"EL turned the other way", "The other axis moved:\nswap the motors"}) {
+    for (const char* const name : {"EL moved the wrong way", "The other axis moved:\nswap the motors"}) {
         EXPECT_FALSE(findNamed<QPushButton>(guide(), name)->isVisible()) << name;
     }
 }
@@ -131,15 +131,15 @@ TEST_F(GuideTest, WrongMotorsAreSwappedAndAWrongDirectionReversedByOnePress)
 {
     open<GuideDirections>(GuideStep::Directions);
     moveTo({.azimuth = 11_deg, .elevation = 21_deg});
-    EXPECT_FALSE(inGuide<QPushButton>("AZ turned the other way").isEnabled()) << "not in motion";
+    EXPECT_FALSE(inGuide<QPushButton>("AZ moved the wrong way").isEnabled()) << "not in motion";
     moveTo({.azimuth = 11_deg, .elevation = 21_deg}, AxisState::Holding);
     click("The other axis moved:\nswap the motors");
     EXPECT_EQ(lastApplied().azimuth.id, 2);
     EXPECT_EQ(lastApplied().elevation.id, 1);
     goThroughWithReconnect();
-    EXPECT_FALSE(inGuide<QPushButton>("Both turn as the arrows show").isEnabled()) << "to be seen anew";
+    EXPECT_FALSE(inGuide<QPushButton>("Both directions are right").isEnabled()) << "to be seen anew";
     requests.clear();
-    click("AZ turned the other way");
+    click("AZ moved the wrong way");
     EXPECT_EQ(lastApplied().azimuth.geometry.sign, -1);
     EXPECT_NEAR(lastApplied().azimuth.geometry.offset.degrees(), -22.0, 1e-9) << "it reads 11° as before";
     goThroughWithReconnect();

@@ -61,7 +61,7 @@ TEST_F(GuideGpredictTest, ItsFolderIsShownWithTheAgeOfItsSatellites)
     const QString usual = wanted.front();
     EXPECT_TRUE(usual.endsWith(QStringLiteral("/Gpredict")));
     answer({.folder = usual});
-    EXPECT_EQ(told(), usual + QStringLiteral(": nothing of Gpredict there"));
+    EXPECT_EQ(told(), usual + QStringLiteral(": No Gpredict settings found. Choose its folder."));
     profile::GpredictFiles found{.folder = usual};
     found.satellites = {.folder = usual + QStringLiteral("/satdata"), .files = 1820};
     answer(found);

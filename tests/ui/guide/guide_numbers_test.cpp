@@ -47,11 +47,11 @@ TEST_F(GuideTest, LevelIsSetHereAndItsEffectToldBefore)
     EXPECT_TRUE(inGuide<ValueLabel>("What the change does").text().contains(QStringLiteral("-3.20°")));
     EXPECT_TRUE(inGuide<ValueLabel>("What the change does").text().contains(QStringLiteral("-3.2°…86.8°")));
     moveTo({.azimuth = 10_deg, .elevation = 3.2_deg}, AxisState::Moving);
-    EXPECT_FALSE(inGuide<QPushButton>("Set it").isEnabled()) << "not in motion";
+    EXPECT_FALSE(inGuide<QPushButton>("Set").isEnabled()) << "not in motion";
     moveTo({.azimuth = 10_deg, .elevation = 3.2_deg}, AxisState::Holding);
-    inGuide<QCheckBox>("Cable and stops are where they were: their numbers change").click();
+    inGuide<QCheckBox>("Keep cable and stops physically where they are").click();
     EXPECT_TRUE(inGuide<ValueLabel>("What the change does").text().contains(QStringLiteral("0.0°…90.0°")));
-    click("Set it");
+    click("Set");
     EXPECT_NEAR(lastApplied().elevation.geometry.offset.degrees(), 93.2, 1e-9);
     EXPECT_EQ(lastApplied().elevation.geometry.travel, status.profile->elevation.geometry.travel);
     goThroughWithReconnect();

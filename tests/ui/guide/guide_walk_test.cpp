@@ -177,9 +177,8 @@ TEST_F(GuideWalk, FromTheFirstStartToTheFirstSafeMove)
     EXPECT_LE(farthest.azimuth, 2_deg);
     EXPECT_LE(farthest.elevation, 2_deg);
     EXPECT_LE(fastest, 5_deg_s);
-    ASSERT_TRUE(
-        until([this] { return inGuide<QPushButton>("Both turn as the arrows show").isEnabled(); }, Seconds(2.0)));
-    click("Both turn as the arrows show");
+    ASSERT_TRUE(until([this] { return inGuide<QPushButton>("Both directions are right").isEnabled(); }, Seconds(2.0)));
+    click("Both directions are right");
     tick();
     EXPECT_EQ(station->status().profile->mount.directions, profile::Directions::Confirmed);
     ASSERT_TRUE(kept) << "it is written down";
@@ -189,7 +188,7 @@ TEST_F(GuideWalk, FromTheFirstStartToTheFirstSafeMove)
     markPlace();
     tick();
     inGuide<QDoubleSpinBox>("True elevation of the antenna").setValue(20.0);
-    click("Set it");
+    click("Set");
     ASSERT_TRUE(until(
         [this] {
             return station->status().profile->elevation.geometry.offset != 90_deg &&

@@ -261,6 +261,22 @@ TEST_F(JogDeskTest, TheGoToLineIsThereOnEveryTab)
     EXPECT_TRUE(named<CommandButton>("Park")->isVisible()) << "a refusal would be seen";
 }
 
+// Story: after Ctrl+G, two numbers and Enter the first Esc only left the field, and the mount moved on.
+TEST_F(JogDeskTest, AfterGoByEnterTheFirstEscStops)
+{
+    QTest::keyClick(&window, Qt::Key_G, Qt::ControlModifier);
+    auto& azimuth = *named<QLineEdit>("Azimuth");
+    QTest::keyClicks(&azimuth, QStringLiteral("20"));
+    auto& elevation = *named<QLineEdit>("Elevation");
+    elevation.setFocus();
+    QTest::keyClicks(&elevation, QStringLiteral("30"));
+    QTest::keyClick(&elevation, Qt::Key_Return);
+    give(samples::acceptance(holding(), requests.back().id));
+    EXPECT_FALSE(elevation.hasFocus());
+    QTest::keyClick(&window, Qt::Key_Escape);
+    EXPECT_EQ(asked<request::Stop>().size(), 1U);
+}
+
 // REQ-UI-02c
 TEST_F(JogDeskTest, ARefusedDirectionIsNotRemembered)
 {

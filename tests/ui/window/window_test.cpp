@@ -269,7 +269,7 @@ TEST_F(WindowTest, ControlGoesBackToTheClientsWithOneClick)
     QTest::mouseClick(named<CommandButton>("Take control"), Qt::LeftButton);
     EXPECT_EQ(asked<request::TakeAuthority>().size(), 1u);
     give(samples::acceptance(samples::operatorMoving(), requests.back().id));
-    QTest::mouseClick(named<CommandButton>("Give to clients"), Qt::LeftButton);
+    QTest::mouseClick(named<CommandButton>("Hand over"), Qt::LeftButton);
     EXPECT_EQ(asked<request::GiveAuthority>().size(), 1u);
 }
 
