@@ -104,7 +104,7 @@ TEST_F(DrivesTest, TheReasonOfTheSelectedLineIsReadWithTheKeyboardAndStaysWhileV
     give(samples::update(samples::factoryDrives()));
     open<ProtectionPanel>();
     EXPECT_EQ(text("Why the selected setting matters"),
-              QStringLiteral("8 dangerous, 6 advised. Select a line to read why it matters"));
+              QStringLiteral("8 unsafe, 6 advised. Select a line to read why it matters"));
     table().setFocus();
     while (table().currentIndex().row() < rowOf("If commands stop")) {
         QTest::keyClick(&table(), Qt::Key_Down);
