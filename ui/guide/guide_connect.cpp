@@ -145,7 +145,9 @@ void GuideConnect::showEvent(QShowEvent* event)
 
 void GuideConnect::showAdapters(const std::vector<Adapter>& adapters)
 {
-    const QString selected = m_adapters.empty() ? busInUse() : selectedBus();
+    // The bus of the command line comes with the first status, which may come after the first list.
+    const bool isListed = std::ranges::find(m_adapters, busInUse(), &Adapter::bus) != m_adapters.end();
+    const QString selected = isListed ? selectedBus() : busInUse();
     m_adapters = adapters;
     m_list->clear();
     for (const Adapter& adapter : m_adapters) {
@@ -196,8 +198,6 @@ void GuideConnect::showStatus(const StationStatus& status)
     }
     if (busInUse() != before) {
         m_result.reset();  // it belongs to what was before
-        m_adapters.clear();
-        m_list->clear();
         Q_EMIT m_host.adaptersWanted(busInUse());
     }
     showButtons();

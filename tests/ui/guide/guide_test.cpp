@@ -232,6 +232,28 @@ TEST_F(GuideTest, TheRealMountBeginsAnewAfterTheSimulatedOne)
     EXPECT_EQ(stepButton(GuideStep::Travel).state(), StepState::Open);
 }
 
+// Story: the list came before the first status. It held the simulated mount alone, selected, and Scan answered for
+// that.
+TEST_F(GuideTest, TheBusInUseIsSelectedWhenItComesIntoTheList)
+{
+    open<GuideConnect>(GuideStep::Connect);
+    Q_EMIT window.host().adaptersFound(adaptersOf({}, {}));
+    QSignalSpy wanted(&window.host(), &HostDesk::adaptersWanted);
+    profile::Profile real = *status.profile;
+    real.bus = "socketcan:can7";
+    status.simulated = false;
+    putInForce(real);
+    open<GuideConnect>(GuideStep::Connect);
+    ASSERT_FALSE(wanted.isEmpty());
+    EXPECT_EQ(wanted.back().front().toString(), QStringLiteral("socketcan:can7"));
+    Q_EMIT window.host().adaptersFound(withNamed(adaptersOf({}, {}), QStringLiteral("socketcan:can7")));
+    auto& list = inGuide<QListWidget>("Adapters of this computer");
+    EXPECT_EQ(list.currentItem()->toolTip(), QStringLiteral("socketcan:can7"));
+    list.setCurrentRow(1);
+    Q_EMIT window.host().adaptersFound(withNamed(adaptersOf({}, {}), QStringLiteral("socketcan:can7")));
+    EXPECT_EQ(list.currentRow(), 1) << "what the operator has selected stays";
+}
+
 // Story: a bus waited for its reconnect while the level of another mount was set for it.
 TEST_F(GuideTest, NothingIsSetForAMountThatWaitsForItsReconnect)
 {
