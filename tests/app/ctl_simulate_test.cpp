@@ -262,6 +262,9 @@ TEST_F(SimulateTest, AnAdapterThatRefusesIsNamedAsTheCause)
 {
     start({QStringLiteral("--adapter-error")});
     scan();
+    for (int i = 0; i < 5 && scanned.find("no OK within") != std::string::npos; ++i) {
+        scan();  // a busy computer: the adapter's answer came too late
+    }
     EXPECT_EQ(scanStatus, 1);
     EXPECT_THAT(scanned, HasSubstr("the adapter refuses a frame: invalid data"));
 }

@@ -110,9 +110,11 @@ TEST_F(SocketCanLinkTest, CandumpSeesFlagsIdentifiersAndPadding)
     QProcess candump;
     candump.start(QStringLiteral("candump"), {QStringLiteral("-L"), QStringLiteral("boresight0")});
     QByteArray seen;
+    // It may begin to listen in the middle of a batch.
     const auto sawAll = [&candump, &seen] {
         seen += candump.readAllStandardOutput();
-        return seen.contains("101##");
+        const auto first = seen.indexOf("00008001##");
+        return first >= 0 && seen.indexOf("101##", first) >= 0 && seen.endsWith('\n');
     };
     CanFrame slow = frameTo(0x101, 2);
     slow.bitRateSwitch = false;
