@@ -85,8 +85,8 @@ void setNorth(Proposal& proposal, const calibration::Estimate& north, const prof
 void warnOfNorth(Proposal& proposal, Angle apart)
 {
     proposal.warnings.push_back(
-        Text::tr("The compass differs from the north in force by %1, more than both can be wrong. Apply this if the "
-                 "mount was moved or slipped. If iron came near, remove it and measure again.")
+        Text::tr("The compass and the north in force differ by %1. Their errors do not explain this. If the mount was "
+                 "moved or slipped, press Apply. If iron came near, remove it and measure again.")
             .arg(degreesText(apart, 1)));
 }
 

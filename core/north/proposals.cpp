@@ -149,8 +149,8 @@ void Proposals::proposeFrom(From from)
     }
     if (m_points.axesMayDiffer(m_proposal->points)) {
         m_proposal->warnings.push_back(
-            Text::tr("The cable wrap was entered again after the first of these points. If another wrap was entered, "
-                     "the points do not fit together. Then drop the older points."));
+            Text::tr("You entered the cable wrap again after the first of these points. If the wrap changed, the "
+                     "points do not fit together. Then drop the older points."));
     }
     m_proposal->number = ++m_count;
 }

@@ -6766,10 +6766,6 @@ até %1</translation>
         <translation>o norte só se conhece a %1: o Sol ou a Lua dizem-no melhor</translation>
     </message>
     <message>
-        <source>The compass differs from the north in force by %1, more than both can be wrong. Apply this if the mount was moved or slipped. If iron came near, remove it and measure again.</source>
-        <translation>a bússola contradiz o norte em vigor em %1, mais do que ambos podem errar: aplique isto se a montagem foi movida ou escorregou; se ferro se aproximou, afaste-o e meça de novo</translation>
-    </message>
-    <message>
         <source>North stays unchanged. It is known to %1, by compass only to %2.</source>
         <translation>o norte mantém-se: conhece-se a %1, por uma bússola a %2</translation>
     </message>
@@ -6920,10 +6916,6 @@ até %1</translation>
     <message>
         <source>The proposal has changed. Read it again first.</source>
         <translation>já não é isto que se propõe: veja-o primeiro de novo</translation>
-    </message>
-    <message>
-        <source>The cable wrap was entered again after the first of these points. If another wrap was entered, the points do not fit together. Then drop the older points.</source>
-        <translation>a volta de um eixo teve de ser indicada de novo desde o primeiro destes pontos: se foi indicada de outro modo do que estava, os pontos não combinam; retire os de antes</translation>
     </message>
     <message>
         <source>The width of a scan must be %1° to %2°.</source>
@@ -7300,6 +7292,14 @@ até %1</translation>
     <message>
         <source>Open the page Protection and press Fix. For a wrong gear ratio press Set gear.</source>
         <translation>Abra a página Proteção e prima Corrigir. Para uma redução errada prima Definir redução.</translation>
+    </message>
+    <message>
+        <source>The compass and the north in force differ by %1. Their errors do not explain this. If the mount was moved or slipped, press Apply. If iron came near, remove it and measure again.</source>
+        <translation>A bússola e o norte em vigor diferem %1. Os erros deles não o explicam. Se a montagem foi movida ou escorregou, prima Aplicar. Se há ferro por perto, afaste-o e meça de novo.</translation>
+    </message>
+    <message>
+        <source>You entered the cable wrap again after the first of these points. If the wrap changed, the points do not fit together. Then drop the older points.</source>
+        <translation>A volta do cabo foi indicada de novo depois do primeiro destes pontos. Se a volta mudou, os pontos não condizem. Elimine então os pontos mais antigos.</translation>
     </message>
 </context>
 <context>
@@ -7905,10 +7905,6 @@ velocidade %1</translation>
         <translation>Como o ar curva o que se centra: a sombra ou a potência</translation>
     </message>
     <message>
-        <source>From the other side, with the boom past the zenith. One such point of three, or two of six, separate north from collimation.</source>
-        <translation>Do outro lado, com a lança além do zênite. Um ponto de três ou dois de seis tomados assim distinguem o norte da colimação.</translation>
-    </message>
-    <message>
         <source>optical</source>
         <translation>como luz</translation>
     </message>
@@ -7951,6 +7947,10 @@ velocidade %1</translation>
     <message>
         <source>not tracked, beam %1 off</source>
         <translation>não é seguido, feixe a %1 dele</translation>
+    </message>
+    <message>
+        <source>The antenna points from the other side, with the boom past the zenith. This separates north from collimation. Take 1 of 3 points this way, or 2 of 6.</source>
+        <translation>A antena aponta do outro lado, com a lança para lá do zénite. Isto separa o norte da colimação. Tome assim 1 de 3 pontos, ou 2 de 6.</translation>
     </message>
 </context>
 <context>
@@ -8692,14 +8692,6 @@ velocidade %1</translation>
         <translation>Mover cada eixo, parar as ordens ao acionamento e medir. O Boresight pergunta antes.</translation>
     </message>
     <message>
-        <source>One axis after the other moves at %1. Then Boresight really sends its drive no more commands, as if the cable were cut. It measures how far and how long the axis goes on. When a drive is switched on again, it gives no torque for a moment (some 50 ms). An unbalanced elevation then drops a little.
-
-Keep people and ropes clear of the antenna. STOP ends the proof.</source>
-        <translation>Um eixo após o outro move-se a %1. Depois o Boresight deixa mesmo de dar ordens ao acionamento, como se o cabo fosse cortado. Mede até onde e durante quanto tempo o eixo continua. Quando um acionamento volta a ser ligado, não dá torque por um momento (uns 50 ms). Uma elevação desequilibrada desce então um pouco.
-
-Mantenha pessoas e cordas longe da antena. STOP termina a prova.</translation>
-    </message>
-    <message>
         <source>Rate of the test</source>
         <translation>Velocidade da prova</translation>
     </message>
@@ -8724,12 +8716,24 @@ Mantenha pessoas e cordas longe da antena. STOP termina a prova.</translation>
         <translation>Terminar prova</translation>
     </message>
     <message>
-        <source>The drives get no more commands. Each does what its own setting says (&quot;If commands stop&quot; on the Protection panel). With the factory setting an unbalanced elevation sinks slowly.
+        <source>The drives get no more commands. Each drive follows its setting &quot;If commands stop&quot; (page Protection). With the factory setting an unbalanced elevation sinks slowly.
 
-When a drive is switched on again, it gives no torque for a moment (some 50 ms). An unbalanced elevation then drops a little.</source>
-        <translation>Os acionamentos deixam de receber ordens. Cada um faz o que a sua própria definição diz (&quot;Se as ordens pararem&quot; no painel Proteção). Com a definição de fábrica uma elevação desequilibrada desce devagar.
+A drive gives no torque for 53 ms when it is switched on again. An unbalanced elevation then drops a little.</source>
+        <translation>Os acionamentos deixam de receber ordens. Cada um segue a sua definição &quot;Se as ordens pararem&quot; (página Proteção). Com a definição de fábrica uma elevação desequilibrada desce devagar.
 
-Quando um acionamento volta a ser ligado, não dá torque por um momento (uns 50 ms). Uma elevação desequilibrada desce então um pouco.</translation>
+Um acionamento não dá torque durante 53 ms quando volta a ser ligado. Uma elevação desequilibrada desce então um pouco.</translation>
+    </message>
+    <message>
+        <source>Boresight moves one axis after the other at %1. It stops the commands to the drive, as if the cable were cut. It measures how far and how long the axis goes on.
+
+A drive gives no torque for 53 ms when it is switched on again. An unbalanced elevation then drops a little.
+
+Keep people and ropes clear of the antenna. STOP ends the test.</source>
+        <translation>O Boresight move um eixo após o outro a %1. Para as ordens ao acionamento, como se o cabo fosse cortado. Mede até onde e durante quanto tempo o eixo continua.
+
+Um acionamento não dá torque durante 53 ms quando volta a ser ligado. Uma elevação desequilibrada desce então um pouco.
+
+Mantenha pessoas e cordas longe da antena. STOP termina a prova.</translation>
     </message>
 </context>
 <context>
@@ -9703,12 +9707,12 @@ trocar os motores</translation>
         <translation>estes são os fins em vigor</translation>
     </message>
     <message>
-        <source>Write them into the profile and connect again. Then fix the limits of the drives (step Protect).</source>
-        <translation>Escrevê-los no perfil e voltar a ligar. Depois corrija os limites dos acionamentos (passo Proteção).</translation>
-    </message>
-    <message>
         <source>Travel of the %1. The pointer shows where it is now.</source>
         <translation>Curso de %1. O ponteiro mostra onde está agora.</translation>
+    </message>
+    <message>
+        <source>Write these ends into the profile and connect again. Then fix the limits of the drives (step Protect).</source>
+        <translation>Escrever estes fins no perfil e voltar a ligar. Depois corrija os limites dos acionamentos (passo Proteção).</translation>
     </message>
 </context>
 <context>
@@ -11165,12 +11169,12 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Esquece de vez o ponto selecionado</translation>
     </message>
     <message>
-        <source>1 point finds the azimuth offset. 2 points also find the elevation offset. 3 or more find other terms, as far as needed</source>
-        <translation>1 ponto acha o desvio de azimute, 2 também o de elevação, a partir de 3 os outros termos, se os pontos os pedem</translation>
-    </message>
-    <message>
         <source>Select a point first.</source>
         <translation>selecione primeiro um ponto</translation>
+    </message>
+    <message>
+        <source>1 point finds the azimuth offset. 2 points also find the elevation offset. With 3 points or more the fit finds other terms.</source>
+        <translation>1 ponto acha o desvio de azimute. 2 pontos acham também o desvio de elevação. Com 3 pontos ou mais o ajuste acha outros termos.</translation>
     </message>
 </context>
 <context>

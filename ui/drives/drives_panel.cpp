@@ -258,11 +258,9 @@ void DrivesPanel::release()
     }
     askFirst(
         {.title = tr("Leave the bus while the drives are switched on?"),
-         .text =
-             tr("The drives get no more commands. Each does what its own setting says (\"If commands stop\" on the "
-                "Protection "
-                "panel). With the factory setting an unbalanced elevation sinks slowly.\n\nWhen a drive is switched on "
-                "again, it gives no torque for a moment (some 50 ms). An unbalanced elevation then drops a little."),
+         .text = tr("The drives get no more commands. Each drive follows its setting \"If commands stop\" (page "
+                    "Protection). With the factory setting an unbalanced elevation sinks slowly.\n\nA drive gives no "
+                    "torque for 53 ms when it is switched on again. An unbalanced elevation then drops a little."),
          .act = tr("Leave the bus"),
          .request = request::ReleaseBus{},
          .action = Action::ReleaseBus},
@@ -276,17 +274,16 @@ void DrivesPanel::prove()
         return;
     }
     const AngularRate rate = Angle::fromDegrees(m_rate->value()) / Seconds(1.0);
-    askFirst(
-        {.title = tr("Move the mount at %1 and let it run out?").arg(rateText(rate)),
-         .text = tr("One axis after the other moves at %1. Then Boresight really sends its drive no more commands, as "
-                    "if the cable were cut. It measures how far and how long the axis goes on. When a drive is "
-                    "switched on again, it gives no torque for a moment (some 50 ms). An unbalanced elevation then "
-                    "drops a little.\n\nKeep people and ropes clear of the antenna. STOP ends the proof.")
-                     .arg(rateText(rate)),
-         .act = tr("Move the mount"),
-         .request = request::ProveCrashStop{rate},
-         .action = Action::ProveCrashStop},
-        m_status);
+    askFirst({.title = tr("Move the mount at %1 and let it run out?").arg(rateText(rate)),
+              .text = tr("Boresight moves one axis after the other at %1. It stops the commands to the drive, as if "
+                         "the cable were cut. It measures how far and how long the axis goes on.\n\nA drive gives no "
+                         "torque for 53 ms when it is switched on again. An unbalanced elevation then drops a "
+                         "little.\n\nKeep people and ropes clear of the antenna. STOP ends the test.")
+                          .arg(rateText(rate)),
+              .act = tr("Move the mount"),
+              .request = request::ProveCrashStop{rate},
+              .action = Action::ProveCrashStop},
+             m_status);
 }
 
 }  // namespace boresight::ui

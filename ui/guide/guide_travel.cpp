@@ -24,8 +24,8 @@ GuideTravel::GuideTravel(ProfileChange& change, RequestDesk& desk, QWidget* pare
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_use(new CommandButton(
           tr("Use these ends"),
-          tr("Write them into the profile and connect again. Then fix the limits of the drives (step Protect)."), desk,
-          *m_notice, this))
+          tr("Write these ends into the profile and connect again. Then fix the limits of the drives (step Protect)."),
+          desk, *m_notice, this))
 {
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

@@ -50,8 +50,8 @@ void BodyBox::build()
     grid->addWidget(m_refraction, 1, 2);
     grid->addWidget(m_overTheTop, 2, 0, 1, 3);
     m_overTheTop->setToolTip(
-        tr("From the other side, with the boom past the zenith. One such point of three, or two of six, separate north "
-           "from collimation."));
+        tr("The antenna points from the other side, with the boom past the zenith. This separates north from "
+           "collimation. Take 1 of 3 points this way, or 2 of 6."));
     m_overTheTop->setAccessibleName(m_overTheTop->text());
     m_overTheTop->hide();
     m_refraction->setLines({tr("optical"), tr("radio"), tr("off")});

@@ -123,8 +123,8 @@ QWidget* ModelPage::makeTerms()
     m_remarks->setTabChangesFocus(true);
     m_remarks->setAccessibleName(tr("Remarks on the fit"));
     m_remarks->setPlaceholderText(
-        tr("1 point finds the azimuth offset. 2 points also find the elevation offset. 3 or more find other terms, as "
-           "far as needed"));
+        tr("1 point finds the azimuth offset. 2 points also find the elevation offset. With 3 points or more the fit "
+           "finds other terms."));
     m_remarks->setMinimumHeight(2 * m_remarks->fontMetrics().lineSpacing() + 10);
     m_remarks->setMaximumHeight(5 * m_remarks->fontMetrics().lineSpacing() + 10);
     m_remarks->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);

@@ -335,7 +335,7 @@ TEST(CalibrationPoints, PointsFromBeforeTheTurnWasToldWarn)
     ASSERT_TRUE(rig.control.isTurnAsked(Axis::Azimuth));
     ASSERT_TRUE(rig.status().proposal);
     ASSERT_EQ(1U, rig.status().proposal->warnings.size());
-    EXPECT_TRUE(rig.status().proposal->warnings.front().contains(QStringLiteral("entered again")));
+    EXPECT_TRUE(rig.status().proposal->warnings.front().contains(QStringLiteral("entered the cable wrap again")));
 }
 
 // REQ-NORTH-38

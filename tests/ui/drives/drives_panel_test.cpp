@@ -168,7 +168,7 @@ TEST_F(DrivesTest, TheProofRunsAtTheChosenRateAfterASecondPressAndEndsAtOnce)
     QTest::keyClicks(rate, QStringLiteral("3.5"));
     click("Run (both axes) …");
     EXPECT_TRUE(questionText().contains(QStringLiteral("3.5°/s")));
-    EXPECT_TRUE(questionText().contains(QLatin1String("sends its drive no more commands")));
+    EXPECT_TRUE(questionText().contains(QLatin1String("stops the commands to the drive")));
     EXPECT_TRUE(requests.empty());
     EXPECT_TRUE(questionText().contains(QLatin1String("An unbalanced elevation then drops a little")));
     QTest::mouseClick(act("Move the mount"), Qt::LeftButton);
