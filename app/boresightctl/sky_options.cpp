@@ -92,16 +92,16 @@ std::optional<double> sexagesimal(std::string_view text)
 
 Result<> takeRaDec(const std::string& text, SkyOptions& options)
 {
-    const std::size_t comma = text.find(',');
-    const auto hours = sexagesimal(std::string_view(text).substr(0, comma));
-    const auto degrees =
-        comma == std::string::npos ? std::nullopt : sexagesimal(std::string_view(text).substr(comma + 1));
-    if (!hours || !degrees || *hours < 0.0 || *hours >= 24.0 || std::abs(*degrees) > 90.0) {
+    const std::string_view both = text;
+    const std::size_t comma = std::min(both.find(','), both.size());
+    const double hours = sexagesimal(both.substr(0, comma)).value_or(std::nan(""));
+    const double degrees = sexagesimal(both.substr(std::min(comma + 1, both.size()))).value_or(std::nan(""));
+    if (!(hours >= 0.0 && hours < 24.0 && std::abs(degrees) <= 90.0)) {
         return expected("radec", text,
                         QStringLiteral("HOURS,DEGREES of J2000 like 12:30:49.4,12:23:28 or 12.514,12.391"));
     }
-    options.object = ephemeris::StarPlace{.rightAscension = Angle::fromDegrees(15.0 * *hours),
-                                          .declination = Angle::fromDegrees(*degrees)};
+    options.object = ephemeris::StarPlace{.rightAscension = Angle::fromDegrees(15.0 * hours),
+                                          .declination = Angle::fromDegrees(degrees)};
     return {};
 }
 

@@ -37,7 +37,8 @@ TEST(CalibrationPoints, ThePointsOutliveTheConnection)
         ASSERT_TRUE(again.status().proposal);
         const std::vector<QString> warnings = again.status().proposal->warnings;
         for (const QString& warning : warnings) {
-            EXPECT_FALSE(warning.contains(QStringLiteral("entered the cable wrap again"))) << "the turns were known all the time";
+            EXPECT_FALSE(warning.contains(QStringLiteral("entered the cable wrap again")))
+                << "the turns were known all the time";
         }
         ASSERT_TRUE(again.ask(request::DropAllPoints{}));
     }
