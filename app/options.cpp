@@ -244,33 +244,37 @@ profile::Profile Options::startingProfile() const
     return starting;
 }
 
-Result<Options> readOptions(const QStringList& arguments, const QString& description)
+tl::expected<Options, NoStart> readOptions(const QStringList& arguments, const QString& description)
 {
+    const auto byProfile = [](const Error& error) { return NoStart{error, true}; };
+    const auto byArguments = [](const Error& error) { return NoStart{error, false}; };
     QCommandLineParser parser;
     parser.setApplicationDescription(description);
     addOptions(parser);
     Options options;
     const auto plain = takeSimulatedDriver(options, arguments);
     if (!plain) {
-        return tl::unexpected(plain.error());
+        return tl::unexpected(byArguments(plain.error()));
     }
     parser.process(*plain);
     if (!parser.positionalArguments().isEmpty()) {
-        return failure(ErrorCode::InvalidInput, QStringLiteral("\"%1\" is no option. Options begin with --. See --help")
-                                                    .arg(parser.positionalArguments().constFirst()));
+        return tl::unexpected(byArguments(
+            {ErrorCode::InvalidInput, QStringLiteral("\"%1\" is no option. Options begin with --. See --help")
+                                          .arg(parser.positionalArguments().constFirst())}));
     }
     return readProfile(options, parser)
-        .and_then([&](const profile::Profile& profile) -> Result<> {
+        .map([&](const profile::Profile& profile) {
             options.profile = profile;
             if (const QString warning = profile::exposedSecret(profile, options.profilePath); !warning.isEmpty()) {
                 qWarning().noquote() << warning;
             }
-            return applyBus(options, parser);
         })
-        .and_then([&] { return fitsItsMount(options); })
-        .and_then([&] { return applyListen(options, parser); })
-        .and_then([&] { return applyStandingAt(options, parser); })
-        .and_then([&] { return makeStateDir(parser); })
+        .map_error(byProfile)
+        .and_then([&] { return applyBus(options, parser).map_error(byArguments); })
+        .and_then([&] { return fitsItsMount(options).map_error(byProfile); })
+        .and_then([&] { return applyListen(options, parser).map_error(byArguments); })
+        .and_then([&] { return applyStandingAt(options, parser).map_error(byArguments); })
+        .and_then([&] { return makeStateDir(parser).map_error(byArguments); })
         .map([&](const QString& stateDir) {
             options.stateDir = stateDir;
             warnSimulated(options);

@@ -34,8 +34,14 @@ struct Options
     [[nodiscard]] profile::Profile startingProfile() const;
 };
 
+// Why a program does not start.
+struct NoStart : Error
+{
+    bool byItsProfile = false;  // and not by what was typed: another profile helps
+};
+
 // `arguments` with the program's name first. Prints help or version and ends the program when asked for them. The
 // error text is ready to print: one or more lines.
-[[nodiscard]] Result<Options> readOptions(const QStringList& arguments, const QString& description);
+[[nodiscard]] tl::expected<Options, NoStart> readOptions(const QStringList& arguments, const QString& description);
 
 }  // namespace boresight::app

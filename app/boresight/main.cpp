@@ -206,7 +206,7 @@ void nameProgram()
 }
 
 // Help, version and mistakes of the command line or the profile are told without a display.
-Result<app::Options> readOptionsAlone(int argc, char** argv, const QStringList& more)
+tl::expected<app::Options, app::NoStart> readOptionsAlone(int argc, char** argv, const QStringList& more)
 {
     const QCoreApplication application(argc, argv);
     nameProgram();
@@ -214,8 +214,8 @@ Result<app::Options> readOptionsAlone(int argc, char** argv, const QStringList& 
                             QStringLiteral("Controls a ground-station antenna mount."));
 }
 
-// Whoever starts it from a menu sees no terminal. The end of the session closes the window as its button does. Returns
-// the profile to start with instead; empty: none.
+// Whoever starts it from a menu sees no terminal, and wherever it was started another profile helps. The end of the
+// session closes the window as its button does. Returns the profile to start with instead; empty: none.
 QString complainInWindow(int argc, char** argv, const QString& text)
 {
     QApplication::setStyle(QStringLiteral("Fusion"));
@@ -247,8 +247,8 @@ int main(int argc, char** argv)
     app::logToStandardError();
     auto options = readOptionsAlone(argc, argv, {});
     while (!options) {
-        const bool fromMenu = argc == 1 && hasDisplay();
-        if (!fromMenu) {
+        const bool typed = argc > 1 && !options.error().byItsProfile;
+        if (typed || !hasDisplay()) {
             return complain(options.error().text);
         }
         const QString profile = complainInWindow(argc, argv, options.error().text);

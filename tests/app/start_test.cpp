@@ -93,12 +93,23 @@ TEST_F(StartTest, ABrokenProfileIsSaidInAWindowThatStaysUntilItIsClosed)
     EXPECT_EQ(program.waitForEnd(), 2) << "the event loop ended it, and not the signal";
 }
 
-TEST_F(StartTest, FromATerminalItIsSaidThereAlone)
+TEST_F(StartTest, AProfileThatWasNamedIsSaidInAWindowToo)
 {
     const QString file = keep("version = 1\n[azimuth]\nmax_speed_deg_s = \"fast\"\n");
     fakes::Program program(QStringLiteral(BORESIGHT), {QStringLiteral("--profile"), file});
+    EXPECT_TRUE(program.waitForError(QStringLiteral("boresight: the window says: ") + file +
+                                     QStringLiteral(":3: azimuth.max_speed_deg_s: ")))
+        << program.errors().toStdString();
+    program.terminate();
     EXPECT_EQ(program.waitForEnd(), 2);
-    EXPECT_THAT(program.errors().toStdString(), HasSubstr(file.toStdString() + ":3: azimuth.max_speed_deg_s: "));
+}
+
+TEST_F(StartTest, WhatWasTypedWrongIsSaidInTheTerminalAlone)
+{
+    fakes::Program program(QStringLiteral(BORESIGHT), {QStringLiteral("--listen"), QStringLiteral("nowhere")});
+    EXPECT_EQ(program.waitForEnd(), 2);
+    EXPECT_THAT(program.errors().toStdString(), HasSubstr("--listen: "));
+    EXPECT_THAT(program.errors().toStdString(), Not(HasSubstr("the window says")));
 }
 
 }  // namespace
