@@ -118,10 +118,23 @@ AlarmList::Urgency AlarmList::urgencyOf(const Entry& entry) const
     return urgency;
 }
 
+// Nobody answers on a bus that is gone.
+bool AlarmList::goesWithoutSaying(const Entry& entry) const
+{
+    return entry.alarm.active && entry.key.entry->kin == AlarmKin::Silence &&
+           std::ranges::any_of(m_entries, [](const Entry& other) {
+               return other.alarm.active && other.key.entry->kin == AlarmKin::BusGone;
+           });
+}
+
 std::vector<Alarm> AlarmList::list() const
 {
     std::vector<const Entry*> entries;
-    std::ranges::transform(m_entries, std::back_inserter(entries), [](const Entry& entry) { return &entry; });
+    for (const Entry& entry : m_entries) {
+        if (!goesWithoutSaying(entry)) {
+            entries.push_back(&entry);
+        }
+    }
     // The oldest of equals is more likely the cause than a result.
     std::ranges::sort(entries, {}, [this](const Entry* entry) {
         return std::tuple(urgencyOf(*entry), depthOf(entry->key.entry->kin), entry->alarm.id);

@@ -41,6 +41,7 @@ private:
     using Urgency = std::tuple<bool, int, bool>;  // less comes first
 
     [[nodiscard]] std::vector<Entry>::iterator find(const AlarmKey& key);
+    [[nodiscard]] bool goesWithoutSaying(const Entry& entry) const;
     [[nodiscard]] Urgency urgencyOf(const Entry& entry) const;
     void forgetFinished();
 

@@ -60,6 +60,15 @@ inline constexpr std::array kPointingAlarms{
         .help = AlarmHelp::OpenNorth,
         .examples = {"40.3°"}},
     AlarmEntry{
+        .id = "limits.outside",
+        .source = "station",
+        .severity = Severity::Warning,
+        .what = QT_TRANSLATE_NOOP("Text", "The antenna stands in a forbidden direction: %1"),
+        .action = QT_TRANSLATE_NOOP("Text", "Boresight allows only motions that lead out. It starts none by itself"),
+        .remedy = QT_TRANSLATE_NOOP("Text", "Move the antenna out on the page Jog, or change the limits"),
+        .help = AlarmHelp::OpenLimits,
+        .examples = {"the keep-out \"mast\""}},
+    AlarmEntry{
         .id = "sun.near",
         .source = "Sun",
         .severity = Severity::Warning,

@@ -20,7 +20,8 @@ inline constexpr std::array kStationAlarms{
             QT_TRANSLATE_NOOP("Text", "Boresight can command nothing. It tries to open the bus again each second"),
         .remedy = QT_TRANSLATE_NOOP(
             "Text",
-            "Remove the fault. If this is the wrong adapter, choose another one in the guide or on the page Profile"),
+            "Check the adapter and its cable. If this is the wrong adapter, choose another one in the guide or on the "
+            "page Profile"),
         .brief = "%1",
         .help = AlarmHelp::OpenProfile,
         .kin = AlarmKin::BusGone,
@@ -33,7 +34,8 @@ inline constexpr std::array kStationAlarms{
         .action = QT_TRANSLATE_NOOP("Text", "Boresight can command nothing. It sends nothing more to this port"),
         .remedy = QT_TRANSLATE_NOOP(
             "Text",
-            "Remove the fault, then press Reconnect. If this is the wrong port, choose another one in the guide"),
+            "Check the adapter and its cable, then press Reconnect. If this is the wrong port, choose another one in "
+            "the guide"),
         .brief = "%1",
         .help = AlarmHelp::Reconnect,
         .kin = AlarmKin::BusGone,

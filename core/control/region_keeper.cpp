@@ -1,23 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/control/region_keeper.h"
 
+#include "core/alarms/catalogue.h"
 #include "core/base/text.h"
+#include "core/pointing/nearest_permitted.h"
 #include "core/pointing/sun_keep_out.h"
 
+#include <cmath>
+
 namespace boresight {
+namespace {
+
+// An axis that rests at a limit stands a little beyond it now and then.
+constexpr Angle kAtTheEdge = Angle::fromDegrees(0.5);
+
+// On the sky.
+Angle distance(const AxisPosition& a, const AxisPosition& b)
+{
+    const double across = (a.azimuth - b.azimuth).degrees() * std::cos(a.elevation.radians());
+    return Angle::fromDegrees(std::hypot(across, (a.elevation - b.elevation).degrees()));
+}
+
+}  // namespace
 
 RegionKeeper::RegionKeeper(const Parts& parts) : m_of(parts), m_sun(parts.profile), m_sunAlarms(parts.alarms) {}
 
 void RegionKeeper::begin()
 {
     (void)m_sun.update(m_of.clock);
+    layOutLimits();
     enforce();
 }
 
 void RegionKeeper::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
     m_sun.profileChanged(before, after);
-    renew(before.limits != after.limits || before.pointing != after.pointing);
+    const bool redrawn = before.limits != after.limits || before.pointing != after.pointing;
+    if (redrawn) {
+        layOutLimits();
+    }
+    renew(redrawn);
 }
 
 void RegionKeeper::step()
@@ -27,6 +49,28 @@ void RegionKeeper::step()
     const auto measured = view.mount.measured();
     const bool known = measured && view.mount.wrapsKnown();
     m_sunAlarms.update(m_sun, known ? std::optional(m_of.model.toSky(*measured)) : std::nullopt, m_of.model.missing());
+    watchPlace(known ? measured : std::nullopt);
+}
+
+void RegionKeeper::layOutLimits()
+{
+    const profile::Profile& profile = *m_of.profile;
+    m_limits.emplace(profile.limits, profile.azimuth.geometry.travel, profile.elevation.geometry.travel,
+                     pointing::PointingModel(profile.pointing));
+}
+
+// Limits that were drawn over a mount that stands, or a mount that was found, or pushed, beyond them.
+void RegionKeeper::watchPlace(const std::optional<AxisPosition>& measured)
+{
+    const AlarmEntry& outside = alarmEntry("limits.outside");
+    if (!measured || m_limits->permits(*measured)) {
+        m_of.alarms.clear(outside);
+        return;
+    }
+    const auto nearest = pointing::nearestPermitted(*m_limits, *measured);
+    if (m_of.alarms.active(outside) || !nearest || distance(*measured, *nearest) > kAtTheEdge) {
+        m_of.alarms.raise(outside, {m_limits->obstacle(*measured)});
+    }
 }
 
 // When the clock comes to be trusted, what was held back by the band stays where it is; when it comes to be doubted, a

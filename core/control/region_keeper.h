@@ -9,12 +9,16 @@
 #include "core/control/sun_watch.h"
 #include "core/motion/motion.h"
 #include "core/pointing/mount_model.h"
+#include "core/pointing/permitted_region.h"
 #include "core/profile/in_force.h"
+
+#include <optional>
 
 // Keeps in force where the beam may be: the limits of the profile, and a keep-out around the Sun that is renewed as the
 // Sun moves. So everything that obeys the region obeys the keep-out. While the clock is doubted the keep-out is a band
 // across the sky, the places that the Sun can have. A motion that is not permitted any more ends. A mount that stands
-// while the Sun comes over it stays, and raises an alarm. Station thread only.
+// while the Sun comes over it stays, and raises an alarm. So does one that stands where the limits forbid it. Station
+// thread only.
 namespace boresight {
 
 class RegionKeeper
@@ -44,9 +48,12 @@ public:
 private:
     void renew(bool redrawn);
     void enforce();
+    void layOutLimits();
+    void watchPlace(const std::optional<AxisPosition>& measured);
     void end(const QString& why);
 
     Parts m_of;
+    std::optional<pointing::PermittedRegion> m_limits;  // of the profile alone, without the Sun
     SunWatch m_sun;
     SunAlarms m_sunAlarms;
 };

@@ -53,6 +53,16 @@ struct RegionRig : StationRig
             }
         }
     }
+    bool stands(const char* name) const { return !alarmText(name).empty(); }
+    std::string alarmText(const char* name) const
+    {
+        for (const Alarm& alarm : control.status().alarms) {
+            if (alarm.active && alarm.name == QLatin1String(name)) {
+                return alarm.what.toStdString();
+            }
+        }
+        return {};
+    }
     bool logged(const QString& text) const
     {
         for (const LogEntry& line : log.since(0, 100000)) {
@@ -68,7 +78,7 @@ struct RegionRig : StationRig
 // REQ-CONTROL-405 (StationRegion.*): Azimuths in refusals are directions from 0° to 360°, as they are typed. Counts of
 // the axis are called so.
 // REQ-AXES-26 (StationRegion.*): A forbidden target is refused with the reason and the nearest permitted place, or the
-// mount goes there and shows LIMITED. A free target behind something forbidden is reached around it, on another wrap
+// mount goes there and shows AT LIMIT. A free target behind something forbidden is reached around it, on another wrap
 // if need be, or refused with the obstacle.
 TEST(StationRegion, TheOperatorIsRefusedAForbiddenPlaceAndToldTheNearest)
 {
@@ -131,6 +141,35 @@ TEST(StationRegion, ADirectionWithoutAWayIsForbiddenAndHasNoOtherNearIt)
     const DirectionVerdict verdict = rig.control.judge({280_deg, 5_deg});
     EXPECT_TRUE(verdict.whyNot.contains(QStringLiteral("There is no way"))) << verdict.whyNot.toStdString();
     EXPECT_FALSE(verdict.nearest);
+}
+
+// REQ-CONTROL-934 (StationLimits.*): An antenna that stands where limits, horizon or a keep-out forbid it raises an
+// alarm until it is out. It starts no motion. At the edge, within half a degree, there is none.
+TEST(StationLimits, AKeepOutDrawnOverTheAntennaIsAnAlarmUntilItIsOut)
+{
+    RegionRig rig({});
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 315_deg, .elevation = 39_deg}}));
+    rig.settlePermitted();
+    EXPECT_FALSE(rig.stands("limits.outside"));
+    rig.draw({.keepOuts = {stationMast(42_deg)}});
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.stands("limits.outside"));
+    EXPECT_EQ(rig.alarmText("limits.outside"),
+              "The antenna stands in a forbidden direction: the keep-out \"stationMast\".");
+    EXPECT_FALSE(rig.moving());
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 315_deg, .elevation = 50_deg}}));
+    rig.settlePermitted();
+    EXPECT_FALSE(rig.stands("limits.outside"));
+}
+
+TEST(StationLimits, AtTheEdgeThereIsNoAlarm)
+{
+    RegionRig rig({});
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 315_deg, .elevation = 39.7_deg}}));
+    rig.settlePermitted();
+    rig.draw({.keepOuts = {stationMast(40_deg)}});
+    rig.run(Seconds(1.0));
+    EXPECT_FALSE(rig.stands("limits.outside"));
 }
 
 // REQ-CONTROL-922: To ask about a direction moves nothing, takes no control and leaves no line in the log.
