@@ -62,7 +62,7 @@ enum class OnExit
 // What a client's direction outside the permitted region leads to.
 enum class OutsideLimits
 {
-    Nearest,  // drive to the nearest permitted point and show LIMITED
+    Nearest,  // drive to the nearest permitted point and show AT LIMIT
     Refuse    // an error to the client, nothing moves
 };
 

@@ -820,16 +820,16 @@ até %1</translation>
         <translation>Nada pode mover-se: %1</translation>
     </message>
     <message>
-        <source>Fit to move, drives switched on</source>
-        <translation>Apto a mover, acionamentos ligados</translation>
-    </message>
-    <message>
-        <source>Fit to move, drives switched off</source>
-        <translation>Apto a mover, acionamentos desligados</translation>
-    </message>
-    <message>
         <source>Nothing moves until you take it back. Then Boresight reads the drives again</source>
         <translation>Nada se move até ele ser retomado; então os acionamentos são lidos de novo</translation>
+    </message>
+    <message>
+        <source>Ready to move, drives switched on</source>
+        <translation>Pronto a mover, acionamentos ligados</translation>
+    </message>
+    <message>
+        <source>Ready to move, drives switched off</source>
+        <translation>Pronto a mover, acionamentos desligados</translation>
     </message>
 </context>
 <context>
@@ -4318,20 +4318,12 @@ até %1</translation>
         <translation>O Boresight não pode comandar nada. Tenta abrir o barramento de novo a cada segundo</translation>
     </message>
     <message>
-        <source>Remove the fault. If this is the wrong adapter, choose another one in the guide or on the page Profile</source>
-        <translation>Elimine a falha. Se este for o adaptador errado, escolha outro no guia ou na página Perfil</translation>
-    </message>
-    <message>
         <source>The CAN bus is closed: %1</source>
         <translation>O barramento CAN está fechado: %1</translation>
     </message>
     <message>
         <source>Boresight can command nothing. It sends nothing more to this port</source>
         <translation>O Boresight não pode comandar nada. Não envia mais nada a esta porta</translation>
-    </message>
-    <message>
-        <source>Remove the fault, then press Reconnect. If this is the wrong port, choose another one in the guide</source>
-        <translation>Elimine a falha e prima Reconectar. Se esta for a porta errada, escolha outra no guia</translation>
     </message>
     <message>
         <source>The CAN bus is disturbed: %1</source>
@@ -7301,6 +7293,26 @@ até %1</translation>
         <source>You entered the cable wrap again after the first of these points. If the wrap changed, the points do not fit together. Then drop the older points.</source>
         <translation>A volta do cabo foi indicada de novo depois do primeiro destes pontos. Se a volta mudou, os pontos não condizem. Elimine então os pontos mais antigos.</translation>
     </message>
+    <message>
+        <source>The antenna stands in a forbidden direction: %1</source>
+        <translation>A antena está numa direção proibida: %1</translation>
+    </message>
+    <message>
+        <source>Boresight allows only motions that lead out. It starts none by itself</source>
+        <translation>O Boresight só permite movimentos que saem de lá. Não inicia nenhum por si</translation>
+    </message>
+    <message>
+        <source>Move the antenna out on the page Jog, or change the limits</source>
+        <translation>Tire a antena de lá na página Manual, ou altere os limites</translation>
+    </message>
+    <message>
+        <source>Check the adapter and its cable. If this is the wrong adapter, choose another one in the guide or on the page Profile</source>
+        <translation>Verifique o adaptador e o seu cabo. Se este for o adaptador errado, escolha outro no guia ou na página Perfil</translation>
+    </message>
+    <message>
+        <source>Check the adapter and its cable, then press Reconnect. If this is the wrong port, choose another one in the guide</source>
+        <translation>Verifique o adaptador e o seu cabo e prima Reconectar. Se esta for a porta errada, escolha outra no guia</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -8242,6 +8254,10 @@ velocidade %1</translation>
         <source>▲ waiting</source>
         <translation>▲ quer mover</translation>
     </message>
+    <message>
+        <source>● moves the mount</source>
+        <translation>● move a montagem</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::ClientsPanel</name>
@@ -8616,10 +8632,6 @@ velocidade %1</translation>
         <translation>MAPA REGISTROS</translation>
     </message>
     <message>
-        <source>TURN</source>
-        <translation>VOLTA</translation>
-    </message>
-    <message>
         <source>%1 of the %2 drive</source>
         <translation>%1 do acionamento de %2</translation>
     </message>
@@ -8634,10 +8646,6 @@ velocidade %1</translation>
     <message>
         <source>Register map</source>
         <translation>Mapa de registros</translation>
-    </message>
-    <message>
-        <source>Turn</source>
-        <translation>Volta</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -8734,6 +8742,14 @@ Keep people and ropes clear of the antenna. STOP ends the test.</source>
 Um acionamento não dá torque durante 53 ms quando volta a ser ligado. Uma elevação desequilibrada desce então um pouco.
 
 Mantenha pessoas e cordas longe da antena. STOP termina a prova.</translation>
+    </message>
+    <message>
+        <source>WRAP</source>
+        <translation>VOLTA</translation>
+    </message>
+    <message>
+        <source>Cable wrap</source>
+        <translation>Volta do cabo</translation>
     </message>
 </context>
 <context>
@@ -9884,10 +9900,6 @@ trocar os motores</translation>
         <translation>SIMULADO</translation>
     </message>
     <message>
-        <source>LIMITED</source>
-        <translation>LIMITADO</translation>
-    </message>
-    <message>
         <source>no target</source>
         <translation>sem alvo</translation>
     </message>
@@ -10016,6 +10028,10 @@ trocar os motores</translation>
     <message>
         <source>Boresight was started with --simulate. No mount is real until the program ends.</source>
         <translation>Iniciado com --simulate: nenhum acionamento real é conectado, qualquer que seja a montagem escolhida, até o fim do programa</translation>
+    </message>
+    <message>
+        <source>AT LIMIT</source>
+        <translation>NO LIMITE</translation>
     </message>
 </context>
 <context>
@@ -10560,10 +10576,6 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
 </context>
 <context>
     <name>boresight::ui::LeadPrompt</name>
-    <message>
-        <source>Port %1</source>
-        <translation>Porta %1</translation>
-    </message>
     <message>
         <source>This client moves the mount from now on (panel Clients, Ctrl+4)</source>
         <translation>Este cliente passa a mover a montagem (painel Clientes, Ctrl+4)</translation>

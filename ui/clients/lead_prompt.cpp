@@ -19,9 +19,7 @@ QString hostOf(const ClientStatus& client)
 QString shortName(const StationStatus& status, const ClientStatus& client)
 {
     const auto sameHost = [&](const ClientStatus& one) { return hostOf(one) == hostOf(client); };
-    return std::ranges::count_if(status.clients, sameHost) > 1
-               ? LeadPrompt::tr("Port %1").arg(client.address.section(QLatin1Char(':'), -1))
-               : hostOf(client);
+    return std::ranges::count_if(status.clients, sameHost) > 1 ? client.address : hostOf(client);
 }
 
 QString question(const QString& name)

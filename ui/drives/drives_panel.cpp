@@ -138,7 +138,7 @@ QWidget* DrivesPanel::makeIdentities()
     grid->setVerticalSpacing(2);
     grid->setHorizontalSpacing(12);
     int column = 1;
-    for (const QString& heading : {tr("ID"), tr("UUID"), tr("FIRMWARE"), tr("REGISTER MAP"), tr("TURN")}) {
+    for (const QString& heading : {tr("ID"), tr("UUID"), tr("FIRMWARE"), tr("REGISTER MAP"), tr("WRAP")}) {
         grid->addWidget(makeCaption(heading, box), 0, column++);
     }
     for (const Axis axis : kAxes) {
@@ -150,7 +150,7 @@ QWidget* DrivesPanel::makeIdentities()
                .uuid = value(tr("UUID"), QStringLiteral("00000000…0000")),
                .firmware = value(tr("Firmware"), QStringLiteral("00.00.00")),
                .registerMap = value(tr("Register map"), QStringLiteral("---")),
-               .turn = value(tr("Turn"), tr("unknown"))};
+               .turn = value(tr("Cable wrap"), tr("unknown"))};
         row.turn->setFont(fonts::label());
         row.turn->setSymbolRoom(true);
         const int line = static_cast<int>(axisIndex(axis)) + 1;

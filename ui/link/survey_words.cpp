@@ -46,8 +46,8 @@ Sentence armingSentence(const DrivesStatus& drives)
     if (!drives.armingObstacle.isEmpty()) {
         return {SurveyWords::tr("Nothing may move: %1").arg(drives.armingObstacle), Tone::Alarm, Symbol::Alarm};
     }
-    return {drives.switchedOn ? SurveyWords::tr("Fit to move, drives switched on")
-                              : SurveyWords::tr("Fit to move, drives switched off")};
+    return {drives.switchedOn ? SurveyWords::tr("Ready to move, drives switched on")
+                              : SurveyWords::tr("Ready to move, drives switched off")};
 }
 
 }  // namespace boresight::ui

@@ -30,7 +30,9 @@ CableState cableOf(const StationStatus& status)
     }
     const AxisStatus& axis = status.azimuth;
     const Freshness age = freshness(axis.age);
-    CableState cable{.travel = axis.travel, .wrapKnown = isTurnKnown(status, Axis::Azimuth)};
+    CableState cable{.travel = axis.travel,
+                     .zero = status.profile->pointing.azimuthOffset,
+                     .wrapKnown = isTurnKnown(status, Axis::Azimuth)};
     cable.late = age == Freshness::Late;
     if (age != Freshness::NoData && cable.wrapKnown) {
         cable.actual = axis.actual;
@@ -39,8 +41,8 @@ CableState cableOf(const StationStatus& status)
     return cable;
 }
 
-CableRing::CableRing(const SkyFrame& frame, const TravelRange& travel)
-    : m_frame(frame), m_travel(travel), m_width(frame.widestTrack())
+CableRing::CableRing(const SkyFrame& frame, const TravelRange& travel, Angle zero)
+    : m_frame(frame), m_travel(travel), m_zero(zero), m_width(frame.widestTrack())
 {
     if (isSpiral()) {
         const double pitch = (frame.outerTrack() - frame.innerTrack()) / (m_travel.max - m_travel.min).turns();
@@ -59,8 +61,13 @@ double CableRing::radius(Angle angle) const
 
 QPointF CableRing::pixel(Angle angle) const
 {
-    const double distance = radius(angle);
-    return m_frame.sky().zenith + QPointF(distance * std::sin(angle.radians()), -distance * std::cos(angle.radians()));
+    return m_frame.sky().zenith + radius(angle) * outwards(angle);
+}
+
+QPointF CableRing::outwards(Angle angle) const
+{
+    const double azimuth = (angle + m_zero).radians();
+    return {std::sin(azimuth), -std::cos(azimuth)};
 }
 
 QPainterPath CableRing::arc(Angle from, Angle to) const
@@ -110,7 +117,7 @@ void CableRing::paintEnds(QPainter& painter) const
     }
     painter.setPen(QPen(currentTheme().text, 1.5));
     for (const Angle end : {m_travel.min, m_travel.max}) {
-        const QPointF away(std::sin(end.radians()), -std::cos(end.radians()));
+        const QPointF away = outwards(end);
         painter.drawLine(pixel(end) - away * (m_width / 2.0 + 1.5), pixel(end) + away * (m_width / 2.0 + 1.5));
     }
 }

@@ -13,12 +13,14 @@ class QPainter;
 
 // The azimuth cable as a ring around the sky. A travel of more than a turn is a spiral: each angle of the axis has a
 // place of its own. The track, its ends and the zones before them stand still; the used part from 0°, where the cable
-// is not wound, and the dot of the axis move. Angles are those of the axis; pixels are the widget's own.
+// is not wound, and the dot of the axis move. Angles are those of the axis; each is drawn where the beam looks at it,
+// so that the dot is beside the beam when north is set. Pixels are the widget's own.
 namespace boresight::ui {
 
 struct CableState
 {
     TravelRange travel;                // min = max: the mount has no azimuth cable
+    Angle zero;                        // the true azimuth where the axis shows 0°
     std::optional<Angle> actual;       // empty: silent, or the wrap is unknown
     std::optional<Angle> destination;  // of a slew
     bool wrapKnown = true;
@@ -36,7 +38,7 @@ class CableRing
 {
 public:
     CableRing() = default;
-    CableRing(const SkyFrame& frame, const TravelRange& travel);
+    CableRing(const SkyFrame& frame, const TravelRange& travel, Angle zero = {});
 
     [[nodiscard]] bool isSpiral() const { return m_travel.max - m_travel.min > Angle::fromTurns(1.0); }
     [[nodiscard]] double width() const { return m_width; }  // of the track, px
@@ -49,6 +51,7 @@ public:
 
 private:
     [[nodiscard]] double radius(Angle angle) const;
+    [[nodiscard]] QPointF outwards(Angle angle) const;  // of length 1
     [[nodiscard]] QPainterPath arc(Angle from, Angle to) const;
     [[nodiscard]] QRectF dotBox(Angle angle) const;
     void hatch(QPainter& painter, Angle from, Angle to) const;
@@ -56,6 +59,7 @@ private:
 
     SkyFrame m_frame;
     TravelRange m_travel;
+    Angle m_zero;
     double m_width = 0.0;
 };
 

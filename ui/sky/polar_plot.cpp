@@ -221,7 +221,7 @@ SkyProjection PolarPlot::sky() const
 std::optional<CableRing> PolarPlot::ring() const
 {
     const bool there = !m_zoom.isOn() && m_cableTravel.min < m_cableTravel.max;
-    return there ? std::optional(CableRing(m_frame, m_cableTravel)) : std::nullopt;
+    return there ? std::optional(CableRing(m_frame, m_cableTravel, m_cableZero)) : std::nullopt;
 }
 
 void PolarPlot::changeView()
@@ -375,8 +375,9 @@ void PolarPlot::showStatus(const StationStatus& status)
 void PolarPlot::showCable(const StationStatus& status)
 {
     const CableState cable = cableOf(status);
-    if (cable.travel != m_cableTravel || cable.wrapKnown != m_wrapKnown) {
+    if (cable.travel != m_cableTravel || cable.zero != m_cableZero || cable.wrapKnown != m_wrapKnown) {
         m_cableTravel = cable.travel;
+        m_cableZero = cable.zero;
         m_wrapKnown = cable.wrapKnown;
         drawGround();
     }

@@ -99,6 +99,7 @@ private:
     std::optional<pointing::Region> m_region;  // what is drawn
     Travel m_travel;
     TravelRange m_cableTravel;  // as the ring is drawn
+    Angle m_cableZero;
     bool m_wrapKnown = true;
     bool m_hasSensor = false;  // the legend tells of it
     Angle m_beamWidth;

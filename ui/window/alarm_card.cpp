@@ -83,8 +83,7 @@ std::optional<Alarm> mostUrgent(const StationStatus& status)
                  .action = text.action,
                  .remedy = text.remedy,
                  .help = entry.help,
-                 .since = status.utc,
-                 .acknowledged = true};
+                 .since = status.utc};
 }
 
 QString linesOf(QStringList sentences)
@@ -146,7 +145,7 @@ void AlarmCard::build()
         buttons->addWidget(part);
     }
     auto* const column = new QVBoxLayout(this);
-    column->setContentsMargins(2 * kCardMargin + kCardSymbol, kCardMargin - 2, kCardMargin, kCardMargin - 2);
+    column->setContentsMargins(2 * kCardMargin + kCardSymbol, kCardMargin - 4, kCardMargin, kCardMargin - 4);
     column->setSpacing(4);
     column->addWidget(m_what);
     column->addWidget(m_advice);
@@ -182,6 +181,7 @@ void AlarmCard::showAlarm(const StationStatus& status)
     const Alarm& alarm = *m_shown;
     m_what->setValue(alarm.active ? alarm.what : tr("Cleared: %1").arg(alarm.what));
     m_advice->setValue(linesOf({alarm.action, alarm.remedy}));
+    m_advice->setVisible(!alarm.acknowledged);  // who acknowledged it has read it. A click opens it in the log
     m_since->setValue(clockText(alarm.since) + QLatin1Char('Z'), Tone::Secondary);
     m_what->setToolTip(listOf(status.alarms));
     m_advice->setToolTip(m_what->toolTip());

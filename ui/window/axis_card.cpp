@@ -89,9 +89,21 @@ QString driveHelp(const QString& axisName, const AxisStatus& axis, const QString
     return text;
 }
 
+QWidget* makeName(const QString& text, QWidget* parent)
+{
+    auto* const label = new QLabel(text, parent);
+    QFont bold = fonts::text();
+    bold.setBold(true);
+    label->setFont(bold);
+    label->setIndent(2);  // as its state below
+    return label;
+}
+
 int pointsOf(Numerals numerals)
 {
     switch (numerals) {
+        case Numerals::Beside:
+            return 22;
         case Numerals::Small:
             return 28;
         case Numerals::Usual:
@@ -123,6 +135,9 @@ AxisCard::AxisCard(Axis axis, QWidget* parent) : QWidget(parent), m_axis(axis)
     m_target = new ValueLabel(tr("Target %1").arg(axisName), fonts::value(), widest, this);
     m_error = new ValueLabel(tr("Error of %1").arg(axisName), fonts::value(), widest, this);
     m_rate = new ValueLabel(tr("Rate of %1").arg(axisName), fonts::value(), QStringLiteral("-00.00°/s"), this);
+    m_name = makeName(m_axis == Axis::Azimuth ? tr("AZ") : tr("EL"), this);
+    m_targetCaption = makeCaption(tr("target"), this);
+    m_errorCaption = makeCaption(tr("error"), this);
     m_rateCaption = makeCaption(tr("rate"), this);
     m_state = new ValueLabel(tr("State of %1").arg(axisName), fonts::text(), widestState(), this);
     m_bar = new ErrorBar(tr("Error bar of %1").arg(axisName), this);
@@ -133,38 +148,48 @@ AxisCard::AxisCard(Axis axis, QWidget* parent) : QWidget(parent), m_axis(axis)
     m_state->setSymbolRoom(true);
     m_detail->setStretching(true);
     m_detail->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    build();
     setNumerals(Numerals::Small);
 }
 
-void AxisCard::build()
+// The name with the state below it, the numeral, and beside it a line for each further number. In the narrow card the
+// lines of target and error are one, below the numeral.
+void AxisCard::build(Numerals numerals)
 {
+    delete layout();
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(kCardSides, kCardEnds, kCardSides, kCardEnds);
     grid->setHorizontalSpacing(kGrid);
     grid->setVerticalSpacing(0);
-    auto* const axisName = new QLabel(m_axis == Axis::Azimuth ? tr("AZ") : tr("EL"), this);
-    QFont bold = fonts::text();
-    bold.setBold(true);
-    axisName->setFont(bold);
-    axisName->setIndent(2);  // as its state below
     auto* const names = new QVBoxLayout;
-    names->addWidget(axisName);
+    names->addWidget(m_name);
     names->addWidget(m_state);
     names->addStretch(1);
-    grid->addLayout(names, 0, 0, 3, 1);
-    grid->addWidget(m_actual, 0, 1, 3, 1, Qt::AlignRight | Qt::AlignVCenter);
-    grid->addWidget(makeCaption(tr("target"), this), 0, 2);
-    grid->addWidget(m_target, 0, 3);
-    grid->addWidget(makeCaption(tr("error"), this), 1, 2);
-    grid->addWidget(m_error, 1, 3);
-    grid->addWidget(m_rateCaption, 2, 2);
-    grid->addWidget(m_rate, 2, 3);
     auto* const below = new QHBoxLayout;
     below->setSpacing(kGrid);
     below->addWidget(m_bar, 1);
     below->addWidget(m_detail, 1);
-    grid->addLayout(below, 3, 0, 1, 4);
+    if (numerals == Numerals::Beside) {
+        auto* const line = new QHBoxLayout;
+        for (QWidget* const part :
+             {m_targetCaption, static_cast<QWidget*>(m_target), m_errorCaption, static_cast<QWidget*>(m_error)}) {
+            line->addWidget(part);
+        }
+        line->insertStretch(2, 1);
+        grid->addLayout(names, 0, 0);
+        grid->addWidget(m_actual, 0, 1, Qt::AlignRight | Qt::AlignVCenter);
+        grid->addLayout(line, 1, 0, 1, 2);
+        grid->addLayout(below, 2, 0, 1, 2);
+    } else {
+        grid->addLayout(names, 0, 0, 3, 1);
+        grid->addWidget(m_actual, 0, 1, 3, 1, Qt::AlignRight | Qt::AlignVCenter);
+        grid->addWidget(m_targetCaption, 0, 2);
+        grid->addWidget(m_target, 0, 3);
+        grid->addWidget(m_errorCaption, 1, 2);
+        grid->addWidget(m_error, 1, 3);
+        grid->addWidget(m_rateCaption, 2, 2);
+        grid->addWidget(m_rate, 2, 3);
+        grid->addLayout(below, 3, 0, 1, 4);
+    }
     grid->setColumnStretch(1, 1);
 }
 
@@ -175,9 +200,14 @@ void AxisCard::setNumerals(Numerals numerals)
     }
     m_numerals = numerals;
     m_actual->setFont(fonts::actual(pointsOf(numerals)));
-    m_actual->updateGeometry();
-    m_rate->setVisible(numerals != Numerals::Small);
-    m_rateCaption->setVisible(numerals != Numerals::Small);
+    for (ValueLabel* const number : {m_target, m_error}) {
+        number->setFont(numerals == Numerals::Beside ? fonts::small() : fonts::value());
+    }
+    const bool roomForRate = numerals == Numerals::Usual || numerals == Numerals::Large;
+    m_rate->setVisible(roomForRate);
+    m_rateCaption->setVisible(roomForRate);
+    build(numerals);
+    updateGeometry();
 }
 
 void AxisCard::showStatus(const StationStatus& status)

@@ -19,9 +19,10 @@ class ValueLabel;
 // Of the numeral of the actual angle, by the room there is in the window.
 enum class Numerals
 {
-    Small,  // 28 pt, and no line for the rate: a window of 1024×700 has no room for more
-    Usual,  // 44 pt
-    Large   // 60 pt
+    Beside,  // 22 pt, and no line for the rate: both cards in one row, while an alarm needs room
+    Small,   // 28 pt, and no line for the rate: a window of 1024×700 has no room for more
+    Usual,   // 44 pt
+    Large    // 60 pt
 };
 
 class AxisCard : public QWidget
@@ -39,19 +40,22 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    void build();
+    void build(Numerals numerals);
     void showNumbers(bool turnKnown);
     void showError(const StationStatus& status, bool known);
     [[nodiscard]] QString detail() const;
     [[nodiscard]] Angle trim() const;
 
     const Axis m_axis;
+    QWidget* m_name;
     ValueLabel* m_actual;
     ValueLabel* m_target;
     ValueLabel* m_error;
     ValueLabel* m_rate;
-    QWidget* m_rateCaption;
     ValueLabel* m_state;
+    QWidget* m_targetCaption;
+    QWidget* m_errorCaption;
+    QWidget* m_rateCaption;
     ErrorBar* m_bar;
     ValueLabel* m_detail;
     std::optional<Numerals> m_numerals;

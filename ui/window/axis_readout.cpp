@@ -2,9 +2,10 @@
 #include "ui/window/axis_readout.h"
 
 #include "ui/kit/theme.h"
-#include "ui/window/axis_card.h"
 
-#include <QVBoxLayout>
+#include <QBoxLayout>
+
+#include <utility>
 
 namespace boresight::ui {
 
@@ -13,22 +14,24 @@ namespace {
 constexpr QSize kUsualFrom{1280, 760};  // of the window
 constexpr QSize kLargeFrom{1900, 1000};
 
+}  // namespace
+
 Numerals numeralsFor(QSize window)
 {
     const auto reaches = [window](QSize size) { return window.expandedTo(size) == window; };
     return reaches(kLargeFrom) ? Numerals::Large : reaches(kUsualFrom) ? Numerals::Usual : Numerals::Small;
 }
 
-}  // namespace
-
 AxisReadout::AxisReadout(QWidget* parent)
-    : QWidget(parent), m_azimuth(new AxisCard(Axis::Azimuth, this)), m_elevation(new AxisCard(Axis::Elevation, this))
+    : QWidget(parent),
+      m_cards(new QBoxLayout(QBoxLayout::TopToBottom, this)),
+      m_azimuth(new AxisCard(Axis::Azimuth, this)),
+      m_elevation(new AxisCard(Axis::Elevation, this))
 {
-    auto* const column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(kGrid / 2);
-    column->addWidget(m_azimuth);
-    column->addWidget(m_elevation);
+    m_cards->setContentsMargins(0, 0, 0, 0);
+    m_cards->setSpacing(kGrid / 2);
+    m_cards->addWidget(m_azimuth, 1);
+    m_cards->addWidget(m_elevation, 1);
 }
 
 void AxisReadout::showStatus(const StationStatus& status)
@@ -37,10 +40,24 @@ void AxisReadout::showStatus(const StationStatus& status)
     m_elevation->showStatus(status);
 }
 
-void AxisReadout::setRoom(QSize window)
+void AxisReadout::setNumerals(Numerals numerals)
 {
-    m_azimuth->setNumerals(numeralsFor(window));
-    m_elevation->setNumerals(numeralsFor(window));
+    m_numerals = numerals;
+    m_cards->setDirection(numerals == Numerals::Beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_azimuth->setNumerals(numerals);
+    m_elevation->setNumerals(numerals);
+}
+
+// Measured once: the parts of a card have the size of their templates, whatever they show.
+QSize AxisReadout::sizeWith(Numerals numerals)
+{
+    if (!m_sizes.contains(numerals)) {
+        const Numerals now = m_numerals;
+        setNumerals(numerals);
+        m_sizes[numerals] = minimumSizeHint();
+        setNumerals(now);
+    }
+    return m_sizes[numerals];
 }
 
 }  // namespace boresight::ui

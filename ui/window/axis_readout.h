@@ -2,13 +2,19 @@
 #pragma once
 
 #include "core/messages/station_status.h"
+#include "ui/window/axis_card.h"
 
 #include <QWidget>
 
-// A card for each axis, with numerals that fit the window. Gui thread.
+#include <map>
+
+class QBoxLayout;
+
+// A card for each axis. Gui thread.
 namespace boresight::ui {
 
-class AxisCard;
+// The largest that a window of this size has room for.
+[[nodiscard]] Numerals numeralsFor(QSize window);
 
 class AxisReadout : public QWidget
 {
@@ -18,11 +24,15 @@ public:
     explicit AxisReadout(QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
-    void setRoom(QSize window);
+    void setNumerals(Numerals numerals);
+    [[nodiscard]] QSize sizeWith(Numerals numerals);  // px that it would need
 
 private:
+    QBoxLayout* m_cards;
     AxisCard* m_azimuth;
     AxisCard* m_elevation;
+    Numerals m_numerals = Numerals::Small;
+    std::map<Numerals, QSize> m_sizes;
 };
 
 }  // namespace boresight::ui

@@ -128,7 +128,7 @@ QString controlHelp(const StationStatus& status)
         if (!client.program.isEmpty()) {
             text += QLatin1Char(' ') + client.program;
         }
-        if (client.driving) {
+        if (client.leading) {
             text += HeaderBar::tr(", in control");
         }
         if (!client.lastCommand.isEmpty()) {
@@ -241,7 +241,7 @@ HeaderBar::HeaderBar(AuthorityButton& authority, QWidget* parent)
     : QWidget(parent),
       m_state(new ValueLabel(tr("Station state"), fonts::state(), widestStationState(fonts::state()), this)),
       m_reason(new ValueLabel(tr("Reason of the state"), fonts::label(), {}, this)),
-      m_limited(new ValueLabel(tr("Target limited"), fonts::text(), tr("LIMITED"), this)),
+      m_limited(new ValueLabel(tr("Target limited"), fonts::text(), tr("AT LIMIT"), this)),
       m_target(new ValueLabel(tr("Target and its source"), fonts::text(), {}, this)),
       m_line(new ValueLabel(tr("Line to the mount"), fonts::label(), {}, this)),
       m_azimuth(new ValueLabel(tr("Azimuth drive"), fonts::label(), widestDrive(tr("AZ")), this)),
@@ -343,7 +343,7 @@ void HeaderBar::showState(const StationStatus& status)
 void HeaderBar::showTarget(const StationStatus& status)
 {
     m_limited->setVisible(status.limited);
-    m_limited->setValue(status.limited ? tr("LIMITED") : QString(), Tone::Warning, Symbol::Warning);
+    m_limited->setValue(status.limited ? tr("AT LIMIT") : QString(), Tone::Warning, Symbol::Warning);
     m_limited->setToolTip(tr("The target is outside the limits. The mount goes to the nearest permitted point.\n%1")
                               .arg(status.limitedReason));
     if (status.targetText.isEmpty()) {

@@ -23,8 +23,8 @@
 #include "ui/window/about_page.h"
 #include "ui/window/alarm_card.h"
 #include "ui/window/authority_button.h"
-#include "ui/window/axis_readout.h"
 #include "ui/window/close_prompt.h"
+#include "ui/window/column_head.h"
 #include "ui/window/diagnostics_saver.h"
 #include "ui/window/guide_room.h"
 #include "ui/window/header_bar.h"
@@ -33,7 +33,6 @@
 #include "ui/window/panel_tabs.h"
 #include "ui/window/pick_prompt.h"
 #include "ui/window/progress_line.h"
-#include "ui/window/sensor_readout.h"
 #include "ui/window/stop_keys.h"
 
 #include <QApplication>
@@ -55,7 +54,6 @@ namespace {
 constexpr std::chrono::milliseconds kBeat{100};
 constexpr int kBeatsPerSecond = 10;
 constexpr int kWidthWithCharts = 1600;
-constexpr int kHeightWithSensor = 600;  // besides an alarm
 
 // Before the first widget is made: its size depends on the style, and what a screen reader is told of it is settled
 // with it.
@@ -80,8 +78,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_plot(new PolarPlot(m_draft, m_desk, this)),
       m_plotCell(new QGridLayout),
       m_strip(new QWidget(this)),
-      m_readout(new AxisReadout(this)),
-      m_sensor(new SensorReadout(this)),
+      m_head(new ColumnHead(*m_alarms, this)),
       m_panels(new PanelTabs(clock, m_desk, m_draft, settings, this)),
       m_places(new PlacesBar(m_draft, m_desk, settings.recentGoTos, this)),
       m_side(new GuideRoom(*m_panels, m_last, m_draft, m_desk, m_host, settings.guide, this)),
@@ -183,9 +180,7 @@ QWidget* MainWindow::makeSide(QWidget& ground)
     auto* const column = new QVBoxLayout(side);
     side->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Preferred);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_alarms);
-    column->addWidget(m_readout);
-    column->addWidget(m_sensor);
+    column->addWidget(m_head);
     // The guide needs the room and moves the mount by its own buttons.
     connect(m_side, &GuideRoom::guideShown, m_places, &QWidget::setHidden);
     // While an alarm takes room in a low window, the panel scrolls.
@@ -245,7 +240,7 @@ void MainWindow::connectMenu()
     connect(m_menu, &MainMenu::guideWanted, m_side, &GuideRoom::showGuide);
     connect(m_menu, &MainMenu::profileWanted, this, [this] { m_panels->bringUp(m_panels->profile()); });
     connect(m_menu, &MainMenu::diagnosticsWanted, this, &MainWindow::saveDiagnostics);
-    connect(m_menu, &MainMenu::aboutWanted, this, [this] { showBelowReadout(*m_about); });
+    connect(m_menu, &MainMenu::aboutWanted, this, [this] { showBelowHead(*m_about); });
 }
 
 void MainWindow::addKey(const QKeySequence& key, void (MainWindow::*act)())
@@ -278,11 +273,9 @@ void MainWindow::showStatus(const StationStatus& status)
     m_header->showStatus(status);
     m_progress->setDone(status.slew ? std::optional(status.slew->done) : std::nullopt);
     m_alarms->showStatus(status);
-    fitColumn();
     m_authority->showStatus(status);
     m_plot->showStatus(status);
-    m_readout->showStatus(status);
-    m_sensor->showStatus(status.sensor);
+    m_head->showStatus(status);
     m_panels->showStatus(status);
     m_places->showStatus(status);
     m_side->showStatus(status);
@@ -327,19 +320,11 @@ void MainWindow::warn(const QString& what)
     m_alarms->notice().setValue(what, Tone::Warning, what.isEmpty() ? Symbol::None : Symbol::Warning);
 }
 
-// The panel keeps its room: an alarm takes that of the large numerals, and in a low window that of the sensor.
-void MainWindow::fitColumn()
-{
-    const int alarm = m_alarms->isHidden() ? 0 : m_alarms->sizeHint().height();
-    m_readout->setRoom(size() - QSize(0, alarm));
-    m_sensor->setRoom(height() - alarm >= kHeightWithSensor);
-}
-
 // A wide window has room for all at once: sky, panels, and the charts beside them.
 void MainWindow::resizeEvent(QResizeEvent* event)
 {
     QMainWindow::resizeEvent(event);
-    fitColumn();
+    m_head->setRoom(size());
     const bool beside = width() >= kWidthWithCharts;
     if (beside != m_strip->isHidden()) {
         return;
@@ -433,18 +418,18 @@ void MainWindow::showManual()
     if (m_manual == nullptr) {
         m_manual = new ManualWindow(this);
     }
-    showBelowReadout(*m_manual);
+    showBelowHead(*m_manual);
 }
 
 void MainWindow::showHelp()
 {
-    showBelowReadout(*m_help);
+    showBelowHead(*m_help);
 }
 
 // Never over STOP, the state, the alarm or the numbers.
-void MainWindow::showBelowReadout(QWidget& page)
+void MainWindow::showBelowHead(QWidget& page)
 {
-    page.move(mapToGlobal(QPoint(0, m_readout->mapTo(this, m_readout->rect().bottomLeft()).y())));
+    page.move(mapToGlobal(QPoint(0, m_head->mapTo(this, m_head->rect().bottomLeft()).y())));
     page.show();
     page.raise();
     page.activateWindow();

@@ -23,8 +23,8 @@ namespace boresight::ui {
 class AboutPage;
 class AlarmCard;
 class AuthorityButton;
-class AxisReadout;
 class ClosePrompt;
+class ColumnHead;
 class DiagnosticsSaver;
 class Gamepad;
 class GuideRoom;
@@ -39,7 +39,6 @@ class PickPrompt;
 class PlacesBar;
 class PolarPlot;
 class ProgressLine;
-class SensorReadout;
 class StopKeys;
 class ValueLabel;
 
@@ -91,7 +90,6 @@ private:
     void addKey(const QKeySequence& key, void (MainWindow::*act)());
     void stop();
     void showStatus(const StationStatus& status);
-    void fitColumn();
     void beat();
     void nextTheme();
     void chooseTheme(ThemeKind theme, Brightness brightness);
@@ -104,7 +102,7 @@ private:
     void openMenu();
     void showManual();
     void showHelp();
-    void showBelowReadout(QWidget& page);
+    void showBelowHead(QWidget& page);
     void saveDiagnostics();
     void toggleGuide();
     void goTo();
@@ -124,8 +122,7 @@ private:
     PolarPlot* m_plot;
     QGridLayout* m_plotCell;  // the plot, and prompts over it
     QWidget* m_strip;         // the charts, in a wide window
-    AxisReadout* m_readout;
-    SensorReadout* m_sensor;
+    ColumnHead* m_head;
     PanelTabs* m_panels;
     PlacesBar* m_places;
     GuideRoom* m_side;

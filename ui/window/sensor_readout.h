@@ -6,8 +6,7 @@
 #include <QWidget>
 
 // What the orientation sensor says, below the axes: its true direction, how old that is, how far it is from the axes,
-// and how well it is calibrated. Not there without a sensor, and
-// where an alarm needs its room. Gui thread.
+// and how well it is calibrated. Not there without a sensor, and where an alarm needs its room. Gui thread.
 namespace boresight::ui {
 
 class CalibrationBars;
@@ -22,6 +21,7 @@ public:
 
     void showStatus(const SensorStatus& sensor);
     void setRoom(bool has);  // for it
+    [[nodiscard]] bool isConfigured() const { return m_isConfigured; }
 
 private:
     ValueLabel* m_direction;

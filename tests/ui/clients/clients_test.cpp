@@ -72,6 +72,21 @@ TEST_F(ClientsPanelTest, ShowsWhoIsThereAndWhatEachMayDo)
     EXPECT_FALSE(named<ValueLabel>("About the selected client")->isElided());
 }
 
+// Story: 17 s after its last command the list said "in control" of a client, and the header "Control: clients".
+// REQ-UI-977: A client is said to be in control only where others are refused. Without that the one whose target the
+// mount follows is said to move it.
+TEST_F(ClientsPanelTest, WhoMovesTheMountIsInControlOnlyWhereOthersAreRefused)
+{
+    StationStatus status = samples::fighting();
+    status.clients[0].leading = false;
+    give(samples::update(status));
+    EXPECT_EQ(cell(0, ClientModel::Role).toStdString(), "● moves the mount");
+    status.clients[0].driving = false;
+    status.clients[0].leading = true;
+    give(samples::update(status));
+    EXPECT_EQ(cell(0, ClientModel::Role).toStdString(), "in control");
+}
+
 TEST_F(ClientsPanelTest, TellsOfTheBrokerIfThereIsToBeOne)
 {
     EXPECT_EQ(text("MQTT broker"), QString());
@@ -273,7 +288,7 @@ TEST_F(LeadPromptTest, AsksAboutOneUntilThatIsAnswered)
     two.clients[0].wanting = true;  // an earlier one wants it, too
     two.clients[0].address = QStringLiteral("192.168.100.109:40001");
     give(samples::update(two));
-    EXPECT_EQ(text("A client asks for control").toStdString(), "Port 50112 asks for control");
+    EXPECT_EQ(text("A client asks for control").toStdString(), "192.168.100.109:50112 asks for control");
     click("Allow control");
     ASSERT_EQ(asked<request::GiveLead>().size(), 1U);
     EXPECT_EQ(asked<request::GiveLead>()[0].clientId, 2U);

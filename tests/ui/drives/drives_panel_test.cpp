@@ -66,14 +66,14 @@ TEST_F(DrivesTest, ShowsWhoTheDrivesAre)
               QStringLiteral("3f2a9c1d-77b0-4e0c-9a52-5b1d20c4e811"));
     EXPECT_EQ(text("Firmware of the azimuth drive"), QStringLiteral("1.1.0"));
     EXPECT_EQ(text("Register map of the azimuth drive"), QStringLiteral("5"));
-    EXPECT_EQ(text("Turn of the azimuth drive"), QStringLiteral("known"));
+    EXPECT_EQ(text("Cable wrap of the azimuth drive"), QStringLiteral("known"));
     StationStatus unknown = samples::idle();
     unknown.drives->azimuth = {};
     unknown.azimuth.turnKnown = false;
     give(samples::update(unknown));
     EXPECT_EQ(text("UUID of the azimuth drive"), QStringLiteral("---"));
     EXPECT_EQ(text("Id of the azimuth drive"), QStringLiteral("---"));
-    EXPECT_EQ(named<ValueLabel>("Turn of the azimuth drive")->symbol(), Symbol::Warning);
+    EXPECT_EQ(named<ValueLabel>("Cable wrap of the azimuth drive")->symbol(), Symbol::Warning);
 }
 
 // The mount has only the other axis, or another kind of rotator turns this one.
@@ -83,10 +83,10 @@ TEST_F(DrivesTest, AnAxisWithoutSuchADriveShowsNothingOfOne)
     one.drives->elevation = {.present = false};
     give(samples::update(one));
     for (const char* const what : {"Id of the elevation drive", "UUID of the elevation drive",
-                                   "Turn of the elevation drive", "Crash stop of the elevation"}) {
+                                   "Cable wrap of the elevation drive", "Crash stop of the elevation"}) {
         EXPECT_EQ(text(what), QStringLiteral("---")) << what;
     }
-    EXPECT_EQ(text("Turn of the azimuth drive"), QStringLiteral("known"));
+    EXPECT_EQ(text("Cable wrap of the azimuth drive"), QStringLiteral("known"));
 }
 
 TEST_F(DrivesTest, ABoardThatTheProfileDoesNotKnowIsListed)

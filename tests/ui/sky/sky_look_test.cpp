@@ -19,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 namespace boresight::ui {
 namespace {
@@ -210,6 +211,32 @@ TEST_F(SkyLook, TheCableIsASpiralWithItsUsedPart)
     }
     EXPECT_EQ(words("Azimuth cable"), QStringLiteral("cable 335°"));
     EXPECT_EQ(words("Travel of the azimuth cable"), QStringLiteral("travel -90…450°"));
+}
+
+// Story: after north was set the dot of the cable was at the axis angle, and the beam somewhere else.
+// REQ-UI-976: Once north is set the ring is turned with it: the dot of the cable is beside the beam, and each end is
+// where the beam looks when the axis stands there.
+TEST_F(SkyLook, TheCableIsTurnedWithNorth)
+{
+    StationStatus status = samples::bounded();  // travel -90° to 450°
+    status.azimuth.actual = 100_deg;
+    profile::Profile profile = *status.profile;
+    profile.pointing.azimuthOffset = 40_deg;
+    status.profile = std::make_shared<const profile::Profile>(profile);
+    show(status);
+    EXPECT_EQ(plot.markers().cable().zero, 40_deg);
+    const CableRing untouched(plot.frame(), status.azimuth.travel);
+    const CableRing ring(plot.frame(), status.azimuth.travel, 40_deg);
+    const QPointF away = ring.pixel(100_deg) - plot.frame().sky().zenith;
+    EXPECT_NEAR(std::atan2(away.x(), -away.y()), (140_deg).radians(), 1e-9);
+    EXPECT_TRUE(alike(pixelAt(ring.pixel(80_deg)), currentTheme().accent));
+    const auto warnsNear = [&](const CableRing& of, Angle angle) {  // the zone is striped
+        return std::ranges::any_of(std::array{-2_deg, -1_deg, 0_deg, 1_deg, 2_deg}, [&](Angle beside) {
+            return alike(pixelAt(of.pixel(angle + beside)), currentTheme().warning);
+        });
+    };
+    EXPECT_TRUE(warnsNear(ring, -75_deg));
+    EXPECT_FALSE(warnsNear(untouched, -75_deg));
 }
 
 // REQ-UI-703

@@ -276,7 +276,7 @@ TEST_F(WindowTest, ControlGoesBackToTheClientsWithOneClick)
 TEST_F(WindowTest, ATargetOutsideTheLimitsIsToldWithTheReason)
 {
     give(samples::update(samples::limited()));
-    EXPECT_EQ(text("Target limited"), QStringLiteral("LIMITED"));
+    EXPECT_EQ(text("Target limited"), QStringLiteral("AT LIMIT"));
     EXPECT_TRUE(
         named<ValueLabel>("Target limited")->toolTip().endsWith(QStringLiteral("elevation -2.4° below limit 10.0°")));
     EXPECT_TRUE(text("Worst alarm").contains(QStringLiteral("outside the limits")));

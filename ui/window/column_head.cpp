@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/column_head.h"
+
+#include "ui/kit/theme.h"
+#include "ui/window/alarm_card.h"
+#include "ui/window/axis_readout.h"
+#include "ui/window/sensor_readout.h"
+
+#include <QVBoxLayout>
+
+#include <array>
+
+namespace boresight::ui {
+
+ColumnHead::ColumnHead(AlarmCard& alarms, QWidget* parent)
+    : QWidget(parent), m_alarms(alarms), m_axes(new AxisReadout(this)), m_sensor(new SensorReadout(this))
+{
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kGrid / 2);
+    column->addWidget(&m_alarms);
+    column->addWidget(m_axes);
+    column->addWidget(m_sensor);
+    column->addStretch(1);
+}
+
+void ColumnHead::showStatus(const StationStatus& status)
+{
+    m_axes->showStatus(status);
+    m_sensor->showStatus(status.sensor);
+    arrange();
+}
+
+void ColumnHead::setRoom(QSize window)
+{
+    m_window = window;
+    arrange();
+}
+
+int ColumnHead::heightOfAlarm() const
+{
+    return m_alarms.isHidden() ? 0 : m_alarms.heightForWidth(width()) + layout()->spacing();
+}
+
+// The fullest arrangement that the room without an alarm has place for.
+void ColumnHead::arrange()
+{
+    struct Arrangement
+    {
+        Numerals numerals;
+        bool sensor;
+    };
+    const Numerals usual = numeralsFor(m_window);
+    const int sensor = m_sensor->isConfigured() ? m_sensor->sizeHint().height() + layout()->spacing() : 0;
+    const auto height = [&](const Arrangement& of) {
+        return m_axes->sizeWith(of.numerals).height() + (of.sensor ? sensor : 0);
+    };
+    const std::array arrangements{Arrangement{usual, true}, Arrangement{Numerals::Small, true},
+                                  Arrangement{Numerals::Beside, true}, Arrangement{Numerals::Beside, false}};
+    const int room = height(arrangements.front());
+    const int alarm = heightOfAlarm();
+    Arrangement best = arrangements.back();
+    for (const Arrangement& one : arrangements) {
+        if (alarm + height(one) <= room) {
+            best = one;
+            break;
+        }
+    }
+    setMinimumSize(m_axes->sizeWith(usual).width(), room);
+    m_axes->setNumerals(best.numerals);
+    m_sensor->setRoom(best.sensor);
+}
+
+}  // namespace boresight::ui
+
+#include "moc_column_head.cpp"

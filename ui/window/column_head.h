@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/messages/station_status.h"
+
+#include <QWidget>
+
+// What stands above the tabs: the alarm card while there is one, the readouts of the axes and of the sensor. An alarm
+// takes its room from the readouts, which get smaller, so that tabs and buttons stay where the operator's hand is. Only
+// an alarm for which that is not enough moves them. Gui thread.
+namespace boresight::ui {
+
+class AlarmCard;
+class AxisReadout;
+class SensorReadout;
+
+class ColumnHead : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ColumnHead(AlarmCard& alarms, QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+    void setRoom(QSize window);
+
+private:
+    void arrange();
+    [[nodiscard]] int heightOfAlarm() const;
+
+    AlarmCard& m_alarms;
+    AxisReadout* m_axes;
+    SensorReadout* m_sensor;
+    QSize m_window;
+};
+
+}  // namespace boresight::ui
