@@ -13,6 +13,7 @@
 #include <QDateTime>
 #include <QDebug>
 #include <QDir>
+#include <QFileInfo>
 #include <QStandardPaths>
 
 #include <algorithm>
@@ -25,6 +26,7 @@ const QString kProfile = QStringLiteral("profile");
 const QString kBus = QStringLiteral("bus");
 const QString kSimulate = QStringLiteral("simulate");
 const QString kListen = QStringLiteral("listen");
+const QString kElements = QStringLiteral("elements");
 const QString kStateDir = QStringLiteral("state-dir");
 const QString kStandingAt = QStringLiteral("standing-at");
 
@@ -61,6 +63,11 @@ void addOptions(QCommandLineParser& parser)
                                      .arg(simulatedDrivers())});
     parser.addOption({kListen, QStringLiteral("Address of the rotctld server. Port 0 picks a free one."),
                       QStringLiteral("HOST:PORT")});
+    parser.addOption(
+        {kElements,
+         QStringLiteral("File or folder with the elements of satellites. May be given again. Overrides the "
+                        "profile."),
+         QStringLiteral("PATH")});
     parser.addOption({kStateDir, QStringLiteral("Folder of the log, the position journal and the window layout."),
                       QStringLiteral("DIR")});
     parser.addOption(
@@ -178,11 +185,23 @@ Result<> applyListen(Options& options, const QCommandLineParser& parser)
     return profile::parseListenAddress(parser.value(kListen).toStdString())
         .map([&](const profile::ListenAddress& address) {
             options.profile.rotctld.listen = address;
-            options.overridden = {"rotctld.listen"};
+            options.overridden.emplace_back("rotctld.listen");
         })
         .map_error([](Error error) {
             return Error{error.code, QStringLiteral("--listen: ") + error.text};
         });
+}
+
+void applyElements(Options& options, const QCommandLineParser& parser)
+{
+    if (!parser.isSet(kElements)) {
+        return;
+    }
+    options.profile.orbit.elements.clear();
+    for (const QString& path : parser.values(kElements)) {
+        options.profile.orbit.elements.push_back(QFileInfo(path).absoluteFilePath().toStdString());
+    }
+    options.overridden.emplace_back("orbit.elements");
 }
 
 Result<> applyStandingAt(Options& options, const QCommandLineParser& parser)
@@ -273,6 +292,7 @@ tl::expected<Options, NoStart> readOptions(const QStringList& arguments, const Q
         .and_then([&] { return applyBus(options, parser).map_error(byArguments); })
         .and_then([&] { return fitsItsMount(options).map_error(byProfile); })
         .and_then([&] { return applyListen(options, parser).map_error(byArguments); })
+        .map([&] { applyElements(options, parser); })
         .and_then([&] { return applyStandingAt(options, parser).map_error(byArguments); })
         .and_then([&] { return makeStateDir(parser).map_error(byArguments); })
         .map([&](const QString& stateDir) {

@@ -99,8 +99,8 @@ Rooms joined(Rooms one, const Rooms& other)
     return one;
 }
 
-const Rooms kSeenByTheWindow{"core/base",    "core/units",  "core/pointing",
-                             "core/profile", "core/alarms", "core/messages"};
+const Rooms kSeenByTheWindow{"core/base",     "core/units",    "core/pointing", "core/profile", "core/alarms",
+                             "core/messages", "core/elements", "core/orbit",    "core/passes"};
 const Rooms kAboveTheDriver{"core/control", "core/sources", "core/motion", "core/mount",
                             "core/north",   "core/tuning",  "core/witness"};
 const Rooms kBelowPanels{"ui/kit", "ui/look", "ui/link", "ui/hold", "ui/sky"};
@@ -180,7 +180,7 @@ TEST(Rooms, OnlyTheirDriverKnowsTheCheckAndTheJournal)
 
 TEST(Rooms, MessagesAreMadeOfValues)
 {
-    EXPECT_THAT(wrong({"core/messages"}, {"core/base", "core/units", "core/pointing", "core/profile",
+    EXPECT_THAT(wrong({"core/messages"}, {"core/base", "core/units", "core/pointing", "core/profile", "core/elements",
                                           "core/calibration", "core/ephemeris", "core/orientation", "core/response"}),
                 IsEmpty());
 }

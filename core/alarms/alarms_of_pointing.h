@@ -68,6 +68,13 @@ inline constexpr std::array kPointingAlarms{
         .remedy = QT_TRANSLATE_NOOP("Text", "Move the antenna out on the page Jog, or change the limits"),
         .help = AlarmHelp::OpenLimits,
         .examples = {"the keep-out \"mast\""}},
+    AlarmEntry{.id = "track.no-orbit",
+               .source = "station",
+               .severity = Severity::Warning,
+               .what = QT_TRANSLATE_NOOP("Text", "The orbit of %1 cannot be computed any more: %2"),
+               .action = QT_TRANSLATE_NOOP("Text", "Boresight ended the tracking. The mount holds"),
+               .remedy = QT_TRANSLATE_NOOP("Text", "Load newer elements of the satellite, then track it again"),
+               .examples = {"ISS (ZARYA)", "it has decayed"}},
     AlarmEntry{
         .id = "sun.near",
         .source = "Sun",

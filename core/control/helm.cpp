@@ -172,6 +172,33 @@ Result<> Helm::streamTo(const AxisPosition& place, const Source& by)
     });
 }
 
+Result<AxisPosition> Helm::lead(const Lead& lead, const Source& by, const QString& what)
+{
+    return mayPoint(by).map([&] {
+        const pointing::MountModel& model = view().model;
+        const pointing::Resolved here = model.resolve(lead.now, lead.near.value_or(heading()));
+        const pointing::Resolved there = model.resolve(lead.soon, here.position);
+        const bool limited = here.limited || !m_of.motion.region().permits(here.position);
+        const bool goesOn = current().continues(Activity::Streaming, by);
+        const bool onWrap = lead.near && abs(here.position.azimuth - lead.near->azimuth) < 180_deg;
+        const auto back = goesOn && onWrap ? std::nullopt : turnBackTo(here.position, by);
+        begin(Activity::Streaming, by, what);
+        beginTurnBack(back);
+        if (limited) {
+            m_of.current.limit(here.limited ? here.reason : m_of.motion.region().reason(here.position), lead.now);
+        }
+        // At an end of the travel the next place is on another turn.
+        const auto rate = [&](Angle from, Angle to) {
+            return abs(to - from) < 90_deg ? (to - from) / lead.apart : AngularRate{};
+        };
+        m_of.motion.lead(here.position,
+                         {.azimuth = rate(here.position.azimuth, there.position.azimuth),
+                          .elevation = rate(here.position.elevation, there.position.elevation)},
+                         now());
+        return here.position;
+    });
+}
+
 Result<> Helm::follow(pointing::Resolved resolved, const SkyPointing& asked, const Source& by, const QString& what)
 {
     if (const QString why = m_of.motion.region().reason(resolved.position); !resolved.limited && !why.isEmpty()) {

@@ -33,6 +33,7 @@ public:
         CableGuard& cable;
         FirstMovesGuard& firstMoves;
         SourceLog& log;
+        AlarmBoard& alarms;
     };
 
     // `view` is asked each time, because the time of the tick is a part of what it gives.
@@ -70,6 +71,17 @@ public:
     // profile says. `anew`: this point does not continue the points before. An empty `what` names the direction.
     Result<> streamTo(const SkyPointing& direction, const Source& by, const QString& what = {}, bool anew = false);
     Result<> streamTo(const AxisPosition& place, const Source& by);
+    // What is followed goes from one direction to another in this time, and is in the first one now. A direction out of
+    // reach is followed at the nearest permitted place.
+    struct Lead
+    {
+        SkyPointing now;
+        SkyPointing soon;
+        Seconds apart;
+        std::optional<AxisPosition> near;  // chooses the turn; empty: where the axes are going
+    };
+    // The place of the axes for it.
+    Result<AxisPosition> lead(const Lead& lead, const Source& by, const QString& what);
     // At these rates until somebody ends it. A jog is slow where nothing else is permitted.
     Result<> runAt(const AxisRates& rates, Activity activity, const Source& by, const QString& what);
 
@@ -91,6 +103,10 @@ public:
     void hold(Activity left);
     // The same, and logs why in the name of whoever moved the mount. This line is never left out.
     void end(Severity severity, const QString& why);
+    // Logged in the name of whoever moves the mount.
+    void note(Severity severity, const QString& what) { m_of.log.insist(severity, current().commander(), what); }
+    void raiseAlarm(const AlarmEntry& entry, const QStringList& arguments) { m_of.alarms.raise(entry, arguments); }
+    void clearAlarm(const AlarmEntry& entry) { m_of.alarms.clear(entry); }
     // The operator who asks has the authority from now on. Clients lose it never without a line in the log.
     void takeOver(const Source& by, Taking how = Taking::ByAct);
 

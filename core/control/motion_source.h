@@ -26,8 +26,8 @@ struct RequestList
 // The requests that the control hands to the sources. It answers all others itself, and the compiler finds one that
 // nobody takes.
 using MotionRequests = RequestList<request::PointSky, request::PointAxes, request::PointAxis, request::Jog,
-                                   request::Move, request::Step, request::Follow, request::Nudge, request::Horizon,
-                                   request::Park, request::Home, request::Unwind, request::Trial>;
+                                   request::Move, request::Step, request::Follow, request::Track, request::Nudge,
+                                   request::Horizon, request::Park, request::Home, request::Unwind, request::Trial>;
 
 class MotionSource
 {
@@ -39,6 +39,8 @@ public:
 
     // The answer to a request of this source. Empty: the request belongs to another one.
     [[nodiscard]] virtual std::optional<Result<>> take(const Request& request, const Source& by) = 0;
+    // What it knows of its motion, for the screen.
+    virtual void describe(StationStatus& /*status*/) const {}
     // Once in a tick, before the set-points move on.
     virtual void step(SteadyTime /*now*/) {}
     // This client is gone for good.

@@ -43,7 +43,8 @@ StationControl::StationControl(const profile::InForce& profile, const Clock& clo
               .lead = m_lead,
               .cable = m_cable,
               .firstMoves = m_firstMoves,
-              .log = m_sourceLog},
+              .log = m_sourceLog,
+              .alarms = m_alarms},
              [this] { return parts(); }),
       m_region({.profile = m_profile,
                 .clock = clock,
@@ -103,6 +104,15 @@ Result<> StationControl::request(const Request& request, const Source& source)
         }
     };
     return std::visit(answer, request);
+}
+
+StationStatus StationControl::status() const
+{
+    StationStatus status = report().status();
+    for (const auto& one : m_sources) {
+        one->describe(status);
+    }
+    return status;
 }
 
 Result<> StationControl::askSources(const Request& request, const Source& source)

@@ -73,7 +73,7 @@ public:
 
     [[nodiscard]] StationState state() const { return report().state(); }
     // Everything this class knows; bus, clients and server are left to the Station.
-    [[nodiscard]] StationStatus status() const { return report().status(); }
+    [[nodiscard]] StationStatus status() const;
     // What the last tick commanded and what the drives have answered to it; empty before the first tick.
     [[nodiscard]] std::optional<TickSample> sample() const { return report().sample(); }
     // The mount still does what this source asked for last: nobody has ended it, nor asked for anything else.

@@ -28,6 +28,7 @@ enum class Action
     Move,   // anything at all
     Hold,   // also leaves PARKED; where nothing is left to hold the screen does not offer it, but it is never refused
     Point,  // to an angle: needs the wrap of both axes
+    Track,
     Park,
     Home,
     Unwind,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/elements/element_set.h"
 #include "core/ephemeris/almanac.h"
 #include "core/ephemeris/refraction.h"
 #include "core/messages/drive_gains.h"
@@ -57,6 +58,10 @@ struct Follow  // one point of the operator's own stream: what is followed is th
     SkyPointing direction;
     QString what;       // "Sun"
     bool anew = false;  // the points before say nothing about this one
+};
+struct Track  // go to where this satellite rises, follow it until it sets, then hold
+{
+    orbit::ElementSet elements;
 };
 struct Nudge  // while a stream is followed: shifts it, see StationStatus::trim; else as Step
 {
@@ -263,9 +268,9 @@ using TuningRequest = std::variant<request::StartTuning, request::EndTuning>;
 
 using Request =
     std::variant<request::PointSky, request::PointAxes, request::PointAxis, request::JudgeDirection, request::Jog,
-                 request::Move, request::Step, request::Follow, request::Nudge, request::ClearTrim, request::Horizon,
-                 request::Hold, request::Stop, request::ResetStop, request::Park, request::Home, request::Unwind,
-                 request::Rearm, request::TakeAuthority, request::GiveAuthority, request::GiveLead,
+                 request::Move, request::Step, request::Follow, request::Track, request::Nudge, request::ClearTrim,
+                 request::Horizon, request::Hold, request::Stop, request::ResetStop, request::Park, request::Home,
+                 request::Unwind, request::Rearm, request::TakeAuthority, request::GiveAuthority, request::GiveLead,
                  request::SetReadOnly, request::Disconnect, request::AcknowledgeAlarms, request::AcknowledgeAlarm,
                  request::ApplyProfile, request::Reconnect, request::ReadDrives, request::FixDrives,
                  request::AssignBoard, request::SetGear, request::SwitchOff, request::ReleaseBus, request::TakeBus,

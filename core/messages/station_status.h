@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/result.h"
+#include "core/elements/element_set.h"
 #include "core/ephemeris/almanac.h"
 #include "core/messages/calibration_status.h"
 #include "core/messages/capabilities.h"
@@ -194,6 +195,15 @@ struct SlewProgress
     double done = 0.0;  // 0 to 1 of the time that the whole way takes
 };
 
+// The satellite that is followed by its elements, or waited for.
+struct TrackedSatellite
+{
+    QString name;
+    std::int64_t number = 0;
+    bool isUp = false;
+    std::optional<UtcTime> next = {};  // it sets, or rises; empty: it never sets
+};
+
 // A body in the sky over the site, also below the horizon.
 struct BodyPlace
 {
@@ -231,6 +241,10 @@ struct StationStatus
     Authority authority = Authority::Clients;
     // An act of the operator other than "Take control" took the control from clients, and they have not got it back.
     bool tookControl = false;
+    std::optional<TrackedSatellite> tracked;
+    // Whose elements are known, in the order of their numbers. Never null.
+    std::shared_ptr<const std::vector<orbit::ElementSet>> satellites =
+        std::make_shared<const std::vector<orbit::ElementSet>>();
     std::vector<BodyPlace> bodies;       // empty: the site is not set
     Permissions permissions;             // of the operator
     Capabilities capabilities;           // of the mount

@@ -96,6 +96,17 @@ void Motion::keepOn(SteadyTime now)
     }
 }
 
+void Motion::lead(const AxisPosition& place, const AxisRates& rates, SteadyTime now)
+{
+    if (!std::holds_alternative<Straight>(m_wanted)) {
+        forgetWay();
+    }
+    const AxisPosition trimmed{.azimuth = place.azimuth + m_trim.azimuth,
+                               .elevation = place.elevation + m_trim.elevation};
+    m_wanted =
+        Straight{.target = {.position = trimmed, .rates = rates, .streaming = rates != AxisRates{}}, .since = now};
+}
+
 void Motion::run(const AxisRates& rates)
 {
     m_wanted = rates;

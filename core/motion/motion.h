@@ -38,6 +38,8 @@ public:
     void confirmStream(SteadyTime now);                      // its client has read the position
     void settleStream();                                     // no more points: stop at the last one
     void keepOn(SteadyTime now);                             // a stream goes on straight, without more points
+    // What is followed is here now, and goes on like this until the next call.
+    void lead(const AxisPosition& place, const AxisRates& rates, SteadyTime now);
     void run(const AxisRates& rates);
     void setTrim(const AxisPosition& trim);  // is added to the points of streams
     [[nodiscard]] const AxisPosition& trim() const { return m_trim; }

@@ -148,6 +148,16 @@ struct GpredictSettings
     bool operator==(const GpredictSettings&) const = default;
 };
 
+// Satellites that Boresight follows by itself.
+struct OrbitSettings
+{
+    std::vector<std::string> elements;  // files and folders; empty: those of Gpredict on this computer
+    double oldestDays = 30.0;           // of elements that may be tracked
+    Seconds lead{0.0};                  // of the set-points, for the latency of the drives
+
+    bool operator==(const OrbitSettings&) const = default;
+};
+
 // A feed that the Sun would melt, or a receiver that hears nothing beside it, is kept away from the Sun.
 enum class KeepAway
 {
@@ -306,6 +316,7 @@ struct Profile
     std::vector<Preset> presets;
     SiteSettings site;
     GpredictSettings gpredict;
+    OrbitSettings orbit;
     SunSettings sun;
     JogSettings jog;
     RotctldSettings rotctld;

@@ -295,6 +295,7 @@ std::vector<Setting> makeSettings()
     addControl(list);
     addSite(list);
     addGpredict(list);
+    addOrbit(list);
     addSun(list);
     addJog(list);
     addClients(list);

@@ -13,6 +13,7 @@ void addPointing(std::vector<Setting>& list);
 void addRegion(std::vector<Setting>& list);
 void addSite(std::vector<Setting>& list);
 void addGpredict(std::vector<Setting>& list);
+void addOrbit(std::vector<Setting>& list);
 void addSun(std::vector<Setting>& list);
 void addSupervision(std::vector<Setting>& list);
 void addRecovery(std::vector<Setting>& list);

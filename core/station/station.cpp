@@ -67,6 +67,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_broker(m_profile, m_log, clock, this),
       m_sensor(m_profile, clock, m_log, m_control.alarms(), m_broker, this),
       m_power(m_profile, clock, m_log, this),
+      m_elements(m_profile, m_log, this),
       m_calibrationFile(calibrationPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_calibration(m_control, m_profile, m_calibrationFile, clock, m_log),
       m_tuning(m_control, clock, m_log),
@@ -129,6 +130,7 @@ void Station::openAll()
     m_broker.open();
     m_sensor.open();
     m_power.open();
+    m_elements.open();
     m_eventFile.tick();
 }
 
@@ -414,6 +416,7 @@ void Station::profileChanged(const profile::Profile& before)
     m_broker.profileChanged(before, after);
     m_sensor.profileChanged(before, after);
     m_power.profileChanged(before, after);
+    m_elements.profileChanged(before, after);
     m_calibration.profileChanged(before, after);
 }
 
@@ -472,6 +475,7 @@ StationStatus Station::status() const
                      .scheduling = m_realTime.text()};
     status.broker = m_broker.status();
     status.sensor = m_sensor.status();
+    status.satellites = m_elements.satellites();
     m_calibration.fill(status);
     judgeCalibration(status);
     m_tuning.fill(status, m_calibration.moves());

@@ -15,6 +15,7 @@
 #include "core/rotctld/server.h"
 #include "core/station/real_time.h"
 #include "core/station/station_broker.h"
+#include "core/station/station_elements.h"
 #include "core/station/station_power.h"
 #include "core/station/station_rotator.h"
 #include "core/station/station_sensor.h"
@@ -130,6 +131,7 @@ private:
     StationBroker m_broker;
     StationSensor m_sensor;
     StationPower m_power;
+    StationElements m_elements;
     CalibrationFile m_calibrationFile;
     CalibrationDesk m_calibration;
     TuningDesk m_tuning;

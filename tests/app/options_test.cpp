@@ -50,6 +50,18 @@ private:
 
 }  // namespace
 
+// REQ-TRACK-907: --elements names files and folders in place of those of the profile. It may be given again.
+TEST_F(OptionsTest, ElementsOverrideTheProfile)
+{
+    const auto options = read({QStringLiteral("--elements"), QStringLiteral("/data/weather.tle"),
+                               QStringLiteral("--elements"), QStringLiteral("own.json")});
+    ASSERT_TRUE(options) << textOf(options.error());
+    ASSERT_EQ(options->profile.orbit.elements.size(), 2U);
+    EXPECT_EQ(options->profile.orbit.elements[0], "/data/weather.tle");
+    EXPECT_EQ(options->profile.orbit.elements[1], QDir::currentPath().toStdString() + "/own.json");
+    EXPECT_EQ(options->overridden, std::vector<std::string>{"orbit.elements"});
+}
+
 TEST_F(OptionsTest, WithoutAnyProfileItIsTheFirstStart)
 {
     const auto options = read();

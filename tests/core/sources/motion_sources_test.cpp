@@ -46,6 +46,18 @@ Request sampleOf<request::Follow>()
 {
     return request::Follow{.direction = kUp, .what = QStringLiteral("Sun")};
 }
+// Over the equator, as seen from the site below.
+template <>
+Request sampleOf<request::Track>()
+{
+    return request::Track{.elements = {.name = "FIXED",
+                                       .number = 1,
+                                       .epoch = {.day = 2461365.5, .fraction = 0.0},  // 2026-11-21
+                                       .revolutionsPerDay = 1.00273791,
+                                       .eccentricity = 1e-5,
+                                       .inclination = 0.01_deg,
+                                       .meanAnomaly = 60_deg}};
+}
 template <>
 Request sampleOf<request::Jog>()
 {
@@ -91,6 +103,7 @@ struct SourcesRig
     static profile::Profile parkedElsewhere()
     {
         profile::Profile profile;
+        profile.site = {.known = true, .latitude = 0_deg, .longitude = 0_deg};
         profile.park = {.azimuth = kUp.azimuth, .elevation = kUp.elevation};
         return profile;
     }

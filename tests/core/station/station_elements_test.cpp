@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/station_elements.h"
+
+#include "tests/fakes/manual_clock.h"
+#include "tests/fakes/wait_until.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+// Made up. The sum of the first line of the second one is wrong.
+const QByteArray kFirst =
+    "FIRST\n"
+    "1 90001U 26001A   26001.50000000  .00001000  00000-0  20000-4 0   104\n"
+    "2 90001  51.6000 100.0000 0010000  90.0000 270.0000 15.50000000000016\n";
+const QByteArray kBroken =
+    "BROKEN\n"
+    "1 90002U 26001B   26001.50000000  .00001000  00000-0  20000-4 0   106\n"
+    "2 90002  51.6000 100.0000 0010000  90.0000 270.0000 15.50000000000017\n";
+
+class StationElementsTest : public ::testing::Test
+{
+protected:
+    void write(const QByteArray& text) const
+    {
+        QFile out(file());
+        ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+        out.write(text);
+    }
+    [[nodiscard]] QString file() const { return m_folder.filePath(QStringLiteral("some.tle")); }
+    [[nodiscard]] profile::Profile naming(const QString& path) const
+    {
+        profile::Profile profile;
+        profile.orbit.elements = {path.toStdString()};
+        return profile;
+    }
+    [[nodiscard]] std::vector<std::string> lines(Severity severity) const
+    {
+        std::vector<std::string> texts;
+        for (const LogEntry& line : log.since(0, EventLog::kCapacity)) {
+            if (line.severity == severity) {
+                texts.push_back(line.text.toStdString());
+            }
+        }
+        return texts;
+    }
+    [[nodiscard]] bool waitFor(const StationElements& elements, std::size_t count) const
+    {
+        return fakes::waitUntil([&] { return elements.satellites()->size() == count; });
+    }
+
+    fakes::ManualClock clock;
+    EventLog log{clock};
+
+private:
+    QTemporaryDir m_folder;
+};
+
+// REQ-TRACK-908: The station reads the element files of the profile at its start, with a change of the profile and when
+// a file changes. The good sets are used. What is wrong with the others is in the log once, with file and line.
+TEST_F(StationElementsTest, ReadsTheFilesOfTheProfileAndTellsWhatIsWrong)
+{
+    write(kFirst + kBroken);
+    profile::InForce profile(naming(file()));
+    StationElements elements(profile, log, nullptr);
+    EXPECT_TRUE(elements.satellites()->empty()) << "nobody has opened it";
+    elements.open();
+    ASSERT_TRUE(waitFor(elements, 1));
+    EXPECT_EQ(elements.satellites()->front().name, "FIRST");
+    EXPECT_THAT(lines(Severity::Warning), testing::ElementsAre(testing::StartsWith(file().toStdString() + ":5: ")));
+    EXPECT_THAT(lines(Severity::Advisory), testing::ElementsAre("the elements of 1 satellites are read"));
+}
+
+TEST_F(StationElementsTest, ReadsAgainWhenAFileOrTheProfileChanges)
+{
+    write(kBroken);
+    profile::InForce profile(naming(file()));
+    StationElements elements(profile, log, nullptr);
+    elements.open();
+    ASSERT_TRUE(fakes::waitUntil([&] { return !lines(Severity::Warning).empty(); }));
+    write(kFirst);
+    ASSERT_TRUE(waitFor(elements, 1));
+    const auto before = profile.shared();
+    profile.apply(naming(file() + QStringLiteral(".not-there")));
+    elements.profileChanged(*before, *profile);
+    ASSERT_TRUE(waitFor(elements, 0));
+}
+
+}  // namespace
+}  // namespace boresight
