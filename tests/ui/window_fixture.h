@@ -43,7 +43,7 @@ protected:
     // By its key, Ctrl+digit.
     void openPanel(char digit) { QTest::keyClick(&window, digit, Qt::ControlModifier); }
     // The keys of all panels that are always there.
-    static constexpr std::string_view kPanels = "123456789";
+    static constexpr std::string_view kPanels = "123456789T";
 
     // With the verdicts on the directions that the window has asked about.
     void give(StationUpdate update)

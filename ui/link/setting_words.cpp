@@ -37,6 +37,7 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"park", QT_TRANSLATE_NOOP("SettingWords", "Park and presets")},
                              {"site", QT_TRANSLATE_NOOP("SettingWords", "Site")},
                              {"gpredict", QT_TRANSLATE_NOOP("SettingWords", "Gpredict")},
+                             {"orbit", QT_TRANSLATE_NOOP("SettingWords", "Satellites")},
                              {"sun", QT_TRANSLATE_NOOP("SettingWords", "Sun")},
                              {"jog", QT_TRANSLATE_NOOP("SettingWords", "Jog")},
                              {"rotctld", QT_TRANSLATE_NOOP("SettingWords", "rotctld server")},

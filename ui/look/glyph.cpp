@@ -84,6 +84,13 @@ void drawJog(Pen& pen)
     pen.line({{0.78, 0.36}, {0.92, 0.5}, {0.78, 0.64}});
 }
 
+void drawPasses(Pen& pen)
+{
+    pen.line({{0.06, 0.86}, {0.94, 0.86}});
+    pen.arc(0.5, 0.86, 0.42, 0, 180);
+    pen.dot(0.8, 0.56, 0.12);
+}
+
 void drawCharts(Pen& pen)
 {
     pen.line({{0.1, 0.08}, {0.1, 0.9}, {0.94, 0.9}});
@@ -237,6 +244,8 @@ void drawGlyph(QPainter& painter, Glyph glyph, const QRectF& box, const QColor& 
     switch (glyph) {
         case Glyph::Jog:
             return drawJog(pen);
+        case Glyph::Passes:
+            return drawPasses(pen);
         case Glyph::Charts:
             return drawCharts(pen);
         case Glyph::Limits:

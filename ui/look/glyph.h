@@ -16,6 +16,7 @@ enum class ThemeKind;
 enum class Glyph
 {
     Jog,      // four arrows
+    Passes,   // a satellite on its way over the horizon
     Charts,   // a curve over its axes
     Limits,   // a frame with a mark in it
     Clients,  // there and back

@@ -167,7 +167,7 @@ void AxisCard::build(Numerals numerals)
     auto* const below = new QHBoxLayout;
     below->setSpacing(kGrid);
     below->addWidget(m_bar, 1);
-    below->addWidget(m_detail, 1);
+    below->addWidget(m_detail, numerals == Numerals::Beside ? 2 : 1);
     if (numerals == Numerals::Beside) {
         auto* const line = new QHBoxLayout;
         for (QWidget* const part :

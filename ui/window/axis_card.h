@@ -11,6 +11,7 @@
 // and a word. Below it the error as a bar, and what else there is to say: what is trimmed, what the axis shows where
 // that is not the truth, a detail. An old number is dimmed with its age, a very old one is not shown at all. On an
 // unknown turn there is no number. Gui thread.
+// More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
 class ErrorBar;

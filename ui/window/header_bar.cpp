@@ -138,9 +138,28 @@ QString controlHelp(const StationStatus& status)
     return text;
 }
 
+QString minutesText(Seconds time)
+{
+    const auto whole = std::max(0L, std::lround(time.count()));
+    return QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
+}
+
+QString trackingText(const TrackedSatellite& tracked, UtcTime now)
+{
+    if (!tracked.next) {
+        return HeaderBar::tr("Tracking %1").arg(tracked.name);
+    }
+    const QString time = minutesText(*tracked.next - now);
+    return tracked.isUp ? HeaderBar::tr("Tracking %1, sets in %2").arg(tracked.name, time)
+                        : HeaderBar::tr("Waiting for %1, rises in %2").arg(tracked.name, time);
+}
+
 // The mount's doing in one sentence: what, how long still, by whom.
 QString doing(const StationStatus& status)
 {
+    if (status.tracked) {
+        return trackingText(*status.tracked, status.utc);
+    }
     QStringList parts{status.targetText};
     if (status.slew) {
         parts << HeaderBar::tr("there in %1 s").arg(std::ceil(status.slew->remaining.count()), 0, 'f', 0);

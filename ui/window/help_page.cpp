@@ -43,6 +43,7 @@ constexpr Line kLines[] = {
     {nullptr, QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Panels")},
     {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl+1 … Ctrl+5"),
      QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Jog, Charts, Limits, Clients, Log")},
+    {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl+T"), QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Passes")},
     {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl+6 … Ctrl+8"),
      QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Mount: Drives, Protection, Profile")},
     {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl+9"),

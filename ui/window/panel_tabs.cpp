@@ -15,11 +15,13 @@
 #include "ui/log/log_panel.h"
 #include "ui/look/glyph.h"
 #include "ui/north/calibration_panel.h"
+#include "ui/passes/passes_panel.h"
 #include "ui/profile/profile_page.h"
 #include "ui/tuning/tuning_panel.h"
 
 #include <QEvent>
 #include <QShortcut>
+#include <QStyle>
 #include <QTabBar>
 
 #include <algorithm>
@@ -30,6 +32,7 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
                      QWidget* parent)
     : QTabWidget(parent),
       m_jog(new JogPanel(clock, draft, desk, this)),
+      m_passes(new PassesPanel(desk, this)),
       m_charts(new ChartsPanel(clock, this)),
       m_limits(new LimitsPanel(draft, desk, this)),
       m_clients(new ClientsPanel(draft, desk, this)),
@@ -46,6 +49,7 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
     setAccessibleName(tr("Panels"));
     tabBar()->setAccessibleName(tr("Panels"));
     addPanel(*this, *m_jog, tr("Jog"), tr("Jog panel (Ctrl+1)"), Qt::Key_1);
+    addPanel(*this, *m_passes, tr("Passes"), tr("Coming passes of satellites (Ctrl+T)"), Qt::Key_T);
     addPanel(*this, *m_charts, tr("Charts"), tr("Position, error and drive over time (Ctrl+2)"), Qt::Key_2);
     addPanel(*this, *m_limits, tr("Limits"), tr("Limits, horizon and keep-outs (Ctrl+3)"), Qt::Key_3);
     addPanel(*this, *m_clients, tr("Clients"), tr("rotctld clients, and which of them has control (Ctrl+4)"),
@@ -57,20 +61,38 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
     addTurnPage();
     addIcons();
     keepHeightOfShownPage(*this);
-    connect(m_north, &CalibrationPanel::settingsWanted, this, [this](const QString& words) {
+    const auto openSettings = [this](const QString& words) {
         bringUp(*m_profile);
         m_profile->seek(words);
-    });
+    };
+    connect(m_north, &CalibrationPanel::settingsWanted, this, openSettings);
+    connect(m_passes, &PassesPanel::settingsWanted, this, openSettings);
 }
 
 void PanelTabs::addIcons()
 {
     const std::pair<QWidget*, Glyph> icons[] = {
-        {m_jog, Glyph::Jog}, {m_charts, Glyph::Charts},   {m_limits, Glyph::Limits}, {m_clients, Glyph::Clients},
-        {m_log, Glyph::Log}, {m_mountTabs, Glyph::Mount}, {m_north, Glyph::North}};
+        {m_jog, Glyph::Jog},         {m_passes, Glyph::Passes}, {m_charts, Glyph::Charts},   {m_limits, Glyph::Limits},
+        {m_clients, Glyph::Clients}, {m_log, Glyph::Log},       {m_mountTabs, Glyph::Mount}, {m_north, Glyph::North}};
     for (const auto& [panel, glyph] : icons) {
         setTabIcon(indexOf(panel), glyphIcon(glyph));
     }
+}
+
+// In a narrow window the words alone: all tabs stay in sight.
+void PanelTabs::fitTabs()
+{
+    const int size = style()->pixelMetric(QStyle::PM_TabBarIconSize, nullptr, this);
+    setIconSize({size, size});
+    if (tabBar()->sizeHint().width() > width()) {
+        setIconSize({0, size});
+    }
+}
+
+void PanelTabs::resizeEvent(QResizeEvent* event)
+{
+    fitTabs();
+    QTabWidget::resizeEvent(event);
 }
 
 void PanelTabs::addTurnPage()
@@ -135,6 +157,7 @@ void PanelTabs::offerCharts(bool on)
         setCurrentWidget(m_jog);
     }
     setTabVisible(indexOf(m_charts), on);
+    fitTabs();
 }
 
 void PanelTabs::open(AlarmHelp help)
@@ -210,6 +233,7 @@ void PanelTabs::changeEvent(QEvent* event)
 void PanelTabs::showStatus(const StationStatus& status)
 {
     m_jog->showStatus(status);
+    m_passes->showStatus(status);
     m_charts->charts().showStatus(status);
     m_limits->showStatus(status);
     m_clients->showStatus(status);
@@ -254,6 +278,7 @@ void PanelTabs::showQuestion(const StationStatus& status)
         setTabVisible(indexOf(m_turn), false);
         setTabVisible(indexOf(m_north), true);
     }
+    fitTabs();
 }
 
 }  // namespace boresight::ui

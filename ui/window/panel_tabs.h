@@ -14,6 +14,7 @@
 // their own; each has its key. The question about a turn is one of them, there only while it is open, in the place and
 // with the key of the North panel, which needs the answer: it comes to the front by itself once, covers nothing but the
 // other panels, and waits behind its tab when the operator leaves it.
+// More than 15 members: the panels that it composes.
 namespace boresight::ui {
 
 class CalibrationPanel;
@@ -23,6 +24,7 @@ class DrivesPanel;
 class JogPanel;
 class LimitsPanel;
 class LogPanel;
+class PassesPanel;
 class ProfileDraft;
 class ProfilePage;
 class ProtectionPanel;
@@ -58,9 +60,11 @@ Q_SIGNALS:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void addIcons();
+    void fitTabs();
     void addPanel(QTabWidget& tabs, QWidget& panel, const QString& text, const QString& help, Qt::Key key);
     void bringUpByKey(QWidget& panel);
     [[nodiscard]] QTabWidget* makeMountTabs();
@@ -72,6 +76,7 @@ private:
 
     std::map<int, QWidget*> m_keys;  // panels by the digit of their key
     JogPanel* m_jog;
+    PassesPanel* m_passes;
     ChartsPanel* m_charts;
     LimitsPanel* m_limits;
     ClientsPanel* m_clients;

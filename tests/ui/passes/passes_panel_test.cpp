@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/passes/passes_panel.h"
+
+#include "core/elements/julian_date.h"
+#include "tests/fakes/wait_until.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/kit/command_button.h"
+#include "ui/passes/pass_picture.h"
+#include "ui/passes/pass_table.h"
+
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QTableView>
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight::ui {
+namespace {
+
+// Near the Earth and over every site below 60° of latitude several times a day.
+orbit::ElementSet lowOrbit(const char* name, std::int64_t number, Angle node, UtcTime epoch)
+{
+    return {.name = name,
+            .number = number,
+            .epoch = orbit::julianDate(epoch),
+            .revolutionsPerDay = 15.5,
+            .eccentricity = 1e-4,
+            .inclination = 51.6_deg,
+            .ascendingNode = node,
+            .perigee = 150_deg,
+            .meanAnomaly = 210_deg,
+            .bstar = 1e-5};
+}
+
+class PassesPanelTest : public WindowFixture
+{
+protected:
+    PassesPanelTest() { openPanel('T'); }
+
+    StationStatus withSatellites()
+    {
+        StationStatus status = samples::idle();
+        profile::Profile profile = *status.profile;
+        profile.site = {.known = true, .latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
+        status.profile = std::make_shared<const profile::Profile>(profile);
+        status.satellites = std::make_shared<const std::vector<orbit::ElementSet>>(
+            std::vector{lowOrbit("ALPHA ONE", 25544, 10_deg, status.utc), lowOrbit("BETA", 40069, 130_deg, status.utc),
+                        lowOrbit("ALPHA TWO", 43013, 250_deg, status.utc)});
+        return status;
+    }
+    void giveFound(const StationStatus& status)
+    {
+        give(samples::update(status));
+        ASSERT_TRUE(fakes::waitUntil([this] { return rows() > 0; }));
+        give(samples::update(status));
+    }
+    [[nodiscard]] int rows() { return table().model()->rowCount(); }
+    QTableView& table() { return *named<QTableView>("Coming passes"); }
+    QString cell(int row, PassTable::Column column) { return table().model()->index(row, column).data().toString(); }
+    [[nodiscard]] std::vector<std::string> names()
+    {
+        std::vector<std::string> all;
+        for (int row = 0; row < rows(); ++row) {
+            all.push_back(cell(row, PassTable::Satellite).toStdString());
+        }
+        std::ranges::sort(all);
+        all.erase(std::ranges::unique(all).begin(), all.end());
+        return all;
+    }
+};
+
+// REQ-PASSES-950: The panel Passes lists the coming passes of all satellites within a day, in the order in which they
+// rise. Typed words and a least height select among them. Without satellites, or without a site, it says what to do.
+TEST_F(PassesPanelTest, SaysWhatToDoWithoutSatellites)
+{
+    EXPECT_TRUE(text("About the passes").startsWith(QStringLiteral("Boresight knows no satellites.")));
+    EXPECT_FALSE(named<CommandButton>("Track")->isEnabled());
+    StationStatus status = withSatellites();
+    profile::Profile nowhere = *status.profile;
+    nowhere.site.known = false;
+    status.profile = std::make_shared<const profile::Profile>(nowhere);
+    give(samples::update(status));
+    EXPECT_TRUE(text("About the passes").startsWith(QStringLiteral("The site is not set.")));
+}
+
+TEST_F(PassesPanelTest, ListsThePassesInTheOrderInWhichTheyRise)
+{
+    giveFound(withSatellites());
+    EXPECT_EQ(names(), (std::vector<std::string>{"ALPHA ONE", "ALPHA TWO", "BETA"}));
+    ASSERT_GT(rows(), 9) << "several of each within a day";
+    const auto& model = *qobject_cast<PassTable*>(table().model());
+    for (int row = 1; row < rows(); ++row) {
+        EXPECT_LE(model.pass(row - 1).pass.aos.utc, model.pass(row).pass.aos.utc);
+    }
+    EXPECT_TRUE(text("About the passes").endsWith(QStringLiteral("passes of 3 satellites within a day")));
+    EXPECT_FALSE(text("The selected pass").isEmpty()) << "the first is selected";
+    EXPECT_GT(window.findChild<PassPicture*>()->path().points.size(), 100U);
+}
+
+TEST_F(PassesPanelTest, WordsAndHeightSelect)
+{
+    giveFound(withSatellites());
+    const int all = rows();
+    QTest::keyClicks(named<QLineEdit>("Satellites to list"), QStringLiteral("alpha"));
+    EXPECT_EQ(names(), (std::vector<std::string>{"ALPHA ONE", "ALPHA TWO"}));
+    named<QLineEdit>("Satellites to list")->setText(QStringLiteral("4006"));
+    EXPECT_EQ(names(), (std::vector<std::string>{"BETA"}));
+    named<QLineEdit>("Satellites to list")->clear();
+    named<QDoubleSpinBox>("Least height of a listed pass")->setValue(30.0);
+    EXPECT_LT(rows(), all);
+    const auto& model = *qobject_cast<PassTable*>(table().model());
+    for (int row = 0; row < rows(); ++row) {
+        EXPECT_GE(model.pass(row).pass.tca.direction.elevation, 30_deg);
+    }
+    named<QLineEdit>("Satellites to list")->setText(QStringLiteral("no such thing"));
+    EXPECT_EQ(rows(), 0);
+    EXPECT_EQ(text("The selected pass"), QString());
+}
+
+// REQ-PASSES-951: The selected pass is shown with its way over the sky, its times and what the limits of the mount hide
+// of it. Track asks the station to follow that satellite. A new search keeps the selection.
+TEST_F(PassesPanelTest, TrackAsksForTheSelectedSatellite)
+{
+    giveFound(withSatellites());
+    const int row = 3;
+    table().selectRow(row);
+    const std::int64_t number = qobject_cast<PassTable*>(table().model())
+                                    ->book()
+                                    ->elementsOf(qobject_cast<PassTable*>(table().model())->pass(row))
+                                    .number;
+    EXPECT_TRUE(text("The selected pass").contains(QString::number(number)));
+    give(samples::update(withSatellites()));
+    QTest::mouseClick(named<CommandButton>("Track"), Qt::LeftButton);
+    ASSERT_EQ(asked<request::Track>().size(), 1U);
+    EXPECT_EQ(asked<request::Track>().front().elements.number, number);
+}
+
+TEST_F(PassesPanelTest, TellsWhatTheLimitsHide)
+{
+    StationStatus status = withSatellites();
+    profile::Profile profile = *status.profile;
+    profile.limits.horizon = {{0_deg, 20_deg}, {180_deg, 20_deg}};
+    status.profile = std::make_shared<const profile::Profile>(profile);
+    giveFound(status);
+    EXPECT_TRUE(text("The selected pass").contains(QStringLiteral("hidden for ")))
+        << text("The selected pass").toStdString();
+    const auto& points = window.findChild<PassPicture*>()->path().points;
+    for (const PathPoint& point : points) {
+        const double above = point.direction.elevation.degrees() - 20.0;
+        EXPECT_TRUE(std::abs(above) < 0.5 || point.isHidden == (above < 0.0)) << above;
+    }
+}
+
+TEST_F(PassesPanelTest, APassThatIsOverLeavesTheTable)
+{
+    StationStatus status = withSatellites();
+    giveFound(status);
+    const int before = rows();
+    const auto& model = *qobject_cast<PassTable*>(table().model());
+    const UtcTime sets = model.pass(0).pass.los.utc;
+    status.utc = sets - std::chrono::seconds(1);
+    give(samples::update(status));
+    EXPECT_EQ(cell(0, PassTable::Until), QStringLiteral("up"));
+    status.utc = sets + std::chrono::seconds(1);
+    give(samples::update(status));
+    EXPECT_LT(rows(), before);
+    EXPECT_GT(model.pass(0).pass.los.utc, status.utc);
+}
+
+}  // namespace
+}  // namespace boresight::ui

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/passes/clear_sky.h"
+
+#include "core/pointing/permitted_region.h"
+
+#include <cmath>
+#include <memory>
+
+namespace boresight::ui {
+
+std::function<bool(const SkyPointing&)> clearSky(const profile::Profile& profile)
+{
+    const pointing::PointingModel model(profile.pointing);
+    const auto region = std::make_shared<const pointing::PermittedRegion>(
+        profile.limits, profile.azimuth.geometry.travel, profile.elevation.geometry.travel, model);
+    return [model, region](const SkyPointing& direction) {
+        const AxisPosition axes = model.toAxes(direction).axes;
+        const TravelRange& azimuths = region->ranges().azimuth;
+        const auto firstTurn = static_cast<int>(std::ceil((azimuths.min - axes.azimuth).turns()));
+        const auto lastTurn = static_cast<int>(std::floor((azimuths.max - axes.azimuth).turns()));
+        for (int turn = firstTurn; turn <= lastTurn; ++turn) {
+            if (region->permits({.azimuth = axes.azimuth + Angle::fromTurns(turn), .elevation = axes.elevation})) {
+                return true;
+            }
+        }
+        return false;
+    };
+}
+
+}  // namespace boresight::ui

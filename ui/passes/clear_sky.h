@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/profile/profile.h"
+#include "core/units/sky.h"
+
+#include <functional>
+
+namespace boresight::ui {
+
+// Whether the antenna may look into a true direction: on any turn of its azimuth, between limits, over the horizon and
+// outside the keep-outs of this profile. Pure value, any thread.
+[[nodiscard]] std::function<bool(const SkyPointing&)> clearSky(const profile::Profile& profile);
+
+}  // namespace boresight::ui

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/elements/element_set.h"
+#include "core/passes/pass.h"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+// The coming passes of all satellites over the site. Values, shared between threads and never changed.
+namespace boresight::ui {
+
+using Satellites = std::shared_ptr<const std::vector<orbit::ElementSet>>;
+
+struct BookedPass
+{
+    std::size_t satellite = 0;  // in PassBook::satellites
+    passes::Pass pass;
+};
+
+struct PassBook
+{
+    Satellites satellites;
+    Site site{};
+    std::vector<BookedPass> passes;  // in the order in which they begin
+
+    [[nodiscard]] const orbit::ElementSet& elementsOf(const BookedPass& one) const
+    {
+        return satellites->at(one.satellite);
+    }
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/passes/pass_book.h"
+
+#include <QObject>
+#include <QThreadPool>
+
+#include <memory>
+#include <stop_token>
+
+// Finds the passes of many satellites beside the gui thread, with the lowest priority. A new search ends the one
+// before. What was found comes back on the gui thread. Gui thread.
+namespace boresight::ui {
+
+struct PassQuery
+{
+    Satellites satellites;
+    passes::PassSearch search;
+};
+
+class PassSearcher : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit PassSearcher(QObject* parent = nullptr);
+    ~PassSearcher() override;
+
+    void search(const PassQuery& query);
+    [[nodiscard]] bool isSearching() const { return m_searching; }
+
+Q_SIGNALS:
+    void progressed(int percent);
+    void found(const std::shared_ptr<const boresight::ui::PassBook>& book);
+
+private:
+    QThreadPool m_pool;
+    std::stop_source m_stop;
+    bool m_searching = false;
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/kit/table_model.h"
+#include "ui/passes/pass_book.h"
+
+#include <QString>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+// The passes that are still to come, or go on, as a table in the order in which they begin. Words that are typed select
+// satellites by name or number. Gui thread.
+namespace boresight::ui {
+
+class PassTable : public TableModel
+{
+    Q_OBJECT
+
+public:
+    enum Column
+    {
+        Satellite,
+        Rises,
+        Until,
+        Highest,
+        Lasts
+    };
+
+    explicit PassTable(QObject* parent = nullptr);
+
+    void show(const std::shared_ptr<const PassBook>& book, UtcTime now);
+    void setWords(const QString& words);  // all of them; empty: each satellite
+    void setLowest(Angle elevation);      // passes that stay below are left out
+    void tick(UtcTime now);               // passes that are over go
+
+    [[nodiscard]] const BookedPass& pass(int row) const { return m_book->passes.at(m_rows.at(std::size_t(row))); }
+    [[nodiscard]] const std::shared_ptr<const PassBook>& book() const { return m_book; }
+    // Of the same satellite, at nearly the same time: a new search finds it a little different.
+    [[nodiscard]] std::optional<int> rowOf(std::int64_t number, UtcTime highest) const;
+
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+
+protected:
+    [[nodiscard]] std::size_t rows() const override { return m_rows.size(); }
+
+private:
+    void select();
+
+    std::shared_ptr<const PassBook> m_book = std::make_shared<const PassBook>();
+    std::vector<std::size_t> m_rows;  // into the passes of the book
+    QString m_words;
+    Angle m_lowest;
+    UtcTime m_now{};
+};
+
+}  // namespace boresight::ui

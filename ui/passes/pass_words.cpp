@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/passes/pass_words.h"
+
+#include "core/elements/julian_date.h"
+#include "ui/kit/format.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace boresight::ui {
+
+namespace {
+
+constexpr Seconds kHour{3600.0};
+constexpr double kSecondsPerDay = 86'400.0;
+
+QString momentText(const QString& words, const passes::PassMoment& moment, Angle angle)
+{
+    return words.arg(clockText(moment.utc), angleText(angle, 0));
+}
+
+}  // namespace
+
+QString satelliteName(const orbit::ElementSet& elements)
+{
+    return elements.name.empty() ? QString::number(elements.number) : QString::fromStdString(elements.name);
+}
+
+QString lengthText(Seconds time)
+{
+    const auto whole = std::llround(time.count());
+    const QLatin1Char zero('0');
+    return time < kHour ? QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, zero)
+                        : QStringLiteral("%1 h %2").arg(whole / 3600).arg(whole / 60 % 60, 2, 10, zero);
+}
+
+QString riseText(const passes::Pass& pass)
+{
+    return pass.isUpAtStart ? PassWords::tr("up") : clockText(pass.aos.utc);
+}
+
+QString untilText(const passes::Pass& pass, UtcTime now)
+{
+    return pass.aos.utc <= now ? PassWords::tr("up") : waitText(pass.aos.utc - now);
+}
+
+Seconds hiddenTime(const passes::Pass& pass)
+{
+    Seconds clear{0.0};
+    for (const passes::Stretch& stretch : pass.clear) {
+        clear += stretch.to - stretch.from;
+    }
+    return std::max(Seconds(0.0), pass.duration() - clear);
+}
+
+QString factsOf(const BookedPass& one, const PassBook& book, UtcTime now)
+{
+    const orbit::ElementSet& elements = book.elementsOf(one);
+    const passes::Pass& pass = one.pass;
+    QStringList lines{PassWords::tr("%1, number %2").arg(satelliteName(elements)).arg(elements.number)};
+    if (!pass.isUpAtStart) {
+        lines << momentText(PassWords::tr("rises %1Z at %2"), pass.aos, pass.aos.direction.azimuth);
+    }
+    lines << momentText(PassWords::tr("highest %1Z, %2 up"), pass.tca, pass.tca.direction.elevation);
+    if (!pass.isUpAtEnd) {
+        lines << momentText(PassWords::tr("sets %1Z at %2"), pass.los, pass.los.direction.azimuth);
+    }
+    if (const Seconds hidden = hiddenTime(pass); hidden >= Seconds(1.0)) {
+        lines << PassWords::tr("hidden for %1 by the limits").arg(lengthText(hidden));
+    }
+    const double days = Seconds(now - orbit::utcTime(elements.epoch)).count() / kSecondsPerDay;
+    lines << PassWords::tr("elements %1 days old").arg(std::max(0.0, days), 0, 'f', 1);
+    return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/passes/pass.h"
+#include "ui/passes/pass_book.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+namespace boresight::ui {
+
+// A pass in words.
+struct PassWords
+{
+    Q_DECLARE_TR_FUNCTIONS(PassWords)
+};
+
+[[nodiscard]] QString satelliteName(const orbit::ElementSet& elements);  // its number where it has none
+[[nodiscard]] QString lengthText(Seconds time);                          // "10:12", "2 h 05"
+[[nodiscard]] QString riseText(const passes::Pass& pass);  // "17:05:59"; "up" where the span begins with it
+[[nodiscard]] QString untilText(const passes::Pass& pass, UtcTime now);  // "in 5 min"; "up" until it sets
+[[nodiscard]] Seconds hiddenTime(const passes::Pass& pass);              // by horizon, keep-outs or limits
+// A line for each fact.
+[[nodiscard]] QString factsOf(const BookedPass& one, const PassBook& book, UtcTime now);
+
+}  // namespace boresight::ui

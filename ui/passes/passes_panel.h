@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/messages/station_status.h"
+#include "ui/passes/pass_searcher.h"
+
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+class QDoubleSpinBox;
+class QLineEdit;
+class QPushButton;
+class QTableView;
+
+// The coming passes of the satellites whose elements the station knows: a table to search, and of the selected pass its
+// way over the sky, its facts and Track. They are searched for beside the gui thread, for a day ahead, and again when
+// the elements, the site or the limits change. Gui thread.
+namespace boresight::ui {
+
+class CommandButton;
+class PassPicture;
+class PassTable;
+class RequestDesk;
+class ValueLabel;
+
+class PassesPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    PassesPanel(RequestDesk& desk, QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+
+Q_SIGNALS:
+    void settingsWanted(const QString& words);  // of the page Profile
+
+private:
+    // What the passes depend on.
+    struct Basis
+    {
+        Satellites satellites;
+        profile::SiteSettings site;
+        pointing::Region limits;
+        pointing::PointingTerms pointing;
+
+        bool operator==(const Basis&) const = default;
+    };
+    struct Selected
+    {
+        std::int64_t number = 0;
+        UtcTime highest{};
+    };
+
+    void build();
+    [[nodiscard]] QWidget* makeSearchLine();
+    [[nodiscard]] QWidget* makeSelection();
+    void searchAgain(const StationStatus& status);
+    void showBook(const std::shared_ptr<const PassBook>& book);
+    void showRows();
+    void select(int row);
+    void track();
+    void showSelected();
+    void showNote(const StationStatus& status);
+
+    PassSearcher* m_searcher;
+    PassTable* m_passes;
+    QTableView* m_table;
+    QLineEdit* m_words;
+    QDoubleSpinBox* m_lowest;
+    ValueLabel* m_note;
+    QPushButton* m_openSetting;
+    PassPicture* m_picture;
+    ValueLabel* m_facts;
+    ValueLabel* m_refused;
+    CommandButton* m_track;
+    Basis m_basis;
+    UtcTime m_searched{};  // when the span of the last search began
+    UtcTime m_now{};
+    std::optional<Selected> m_selected;
+};
+
+}  // namespace boresight::ui
