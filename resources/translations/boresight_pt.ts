@@ -434,6 +434,37 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     </message>
 </context>
 <context>
+    <name>PassWords</name>
+    <message>
+        <source>up</source>
+        <translation>visível</translation>
+    </message>
+    <message>
+        <source>%1, number %2</source>
+        <translation>%1, número %2</translation>
+    </message>
+    <message>
+        <source>rises %1Z at %2</source>
+        <translation>nasce às %1Z a %2</translation>
+    </message>
+    <message>
+        <source>highest %1Z, %2 up</source>
+        <translation>mais alto às %1Z, a %2</translation>
+    </message>
+    <message>
+        <source>sets %1Z at %2</source>
+        <translation>põe-se às %1Z a %2</translation>
+    </message>
+    <message>
+        <source>hidden for %1 by the limits</source>
+        <translation>oculto durante %1 pelos limites</translation>
+    </message>
+    <message>
+        <source>elements %1 days old</source>
+        <translation>elementos com %1 dias</translation>
+    </message>
+</context>
+<context>
     <name>PlotPicture</name>
     <message>
         <source>Sky plot</source>
@@ -633,6 +664,10 @@ até %1</translation>
     <message>
         <source>park elevation</source>
         <translation>elevação de estacionamento</translation>
+    </message>
+    <message>
+        <source>Satellites</source>
+        <translation>Satélites</translation>
     </message>
 </context>
 <context>
@@ -7313,6 +7348,90 @@ até %1</translation>
         <source>Check the adapter and its cable, then press Reconnect. If this is the wrong port, choose another one in the guide</source>
         <translation>Verifique o adaptador e o seu cabo e prima Reconectar. Se esta for a porta errada, escolha outra no guia</translation>
     </message>
+    <message>
+        <source>The orbit of %1 cannot be computed any more: %2</source>
+        <translation>A órbita de %1 já não pode ser calculada: %2</translation>
+    </message>
+    <message>
+        <source>Boresight ended the tracking. The mount holds</source>
+        <translation>O Boresight terminou o seguimento. A montagem mantém a posição</translation>
+    </message>
+    <message>
+        <source>Load newer elements of the satellite, then track it again</source>
+        <translation>Carregue elementos mais recentes do satélite e siga-o de novo</translation>
+    </message>
+    <message>
+        <source>Element files</source>
+        <translation>Ficheiros de elementos</translation>
+    </message>
+    <message>
+        <source>Files and folders with the orbital elements of satellites: TLE, or OMM as JSON, CSV, XML or KVN. Empty: the satellites of Gpredict on this computer.</source>
+        <translation>Ficheiros e pastas com os elementos orbitais dos satélites: TLE, ou OMM em JSON, CSV, XML ou KVN. Vazio: os satélites do Gpredict neste computador.</translation>
+    </message>
+    <message>
+        <source>Oldest elements</source>
+        <translation>Elementos mais antigos</translation>
+    </message>
+    <message>
+        <source>Satellites with older elements are not tracked. The error of a low orbit grows by some kilometres a day.</source>
+        <translation>Os satélites com elementos mais antigos não são seguidos. O erro de uma órbita baixa cresce alguns quilómetros por dia.</translation>
+    </message>
+    <message>
+        <source>Lead of the set-points</source>
+        <translation>Avanço das referências</translation>
+    </message>
+    <message>
+        <source>A tracked satellite is aimed at where it is this much later.</source>
+        <translation>Um satélite seguido é apontado para onde estará após este tempo.</translation>
+    </message>
+    <message>
+        <source>The elements of %1 are %2 days old. The setting oldest_days permits %3. Load newer elements.</source>
+        <translation>Os elementos de %1 têm %2 dias. O ajuste oldest_days permite %3. Carregue elementos mais recentes.</translation>
+    </message>
+    <message>
+        <source>The orbit of %1 cannot be computed: %2</source>
+        <translation>A órbita de %1 não pode ser calculada: %2</translation>
+    </message>
+    <message>
+        <source>%1 does not rise within a day.</source>
+        <translation>%1 não nasce dentro de um dia.</translation>
+    </message>
+    <message>
+        <source>%1 rises at %2, in %3. Track it in the last %4 minutes before that.</source>
+        <translation>%1 nasce às %2, daqui a %3. Siga-o nos últimos %4 minutos antes disso.</translation>
+    </message>
+    <message>
+        <source>The site of the mount is not set. Enter it in the profile.</source>
+        <translation>O local da montagem não está definido. Indique-o no perfil.</translation>
+    </message>
+    <message>
+        <source>track %1</source>
+        <translation>seguir %1</translation>
+    </message>
+    <message>
+        <source>ends the tracking, because control was given away</source>
+        <translation>termina o seguimento, porque o controlo foi cedido</translation>
+    </message>
+    <message>
+        <source>the clock of this computer was set by %1 s while %2 is tracked</source>
+        <translation>o relógio deste computador foi acertado em %1 s durante o seguimento de %2</translation>
+    </message>
+    <message>
+        <source>%1 has set, and the mount holds</source>
+        <translation>%1 pôs-se, e a montagem mantém a posição</translation>
+    </message>
+    <message>
+        <source>ends the tracking: %1</source>
+        <translation>termina o seguimento: %1</translation>
+    </message>
+    <message>
+        <source>%1 further problems in the element files</source>
+        <translation>mais %1 problemas nos ficheiros de elementos</translation>
+    </message>
+    <message>
+        <source>the elements of %1 satellites are read</source>
+        <translation>lidos os elementos de %1 satélites</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -10033,6 +10152,18 @@ trocar os motores</translation>
         <source>AT LIMIT</source>
         <translation>NO LIMITE</translation>
     </message>
+    <message>
+        <source>Tracking %1</source>
+        <translation>A seguir %1</translation>
+    </message>
+    <message>
+        <source>Tracking %1, sets in %2</source>
+        <translation>A seguir %1, põe-se em %2</translation>
+    </message>
+    <message>
+        <source>Waiting for %1, rises in %2</source>
+        <translation>À espera de %1, nasce em %2</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::HelpPage</name>
@@ -10241,6 +10372,14 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <message>
         <source>go to the Az field. Enter starts the move</source>
         <translation>ir ao campo Az. Enter inicia o movimento</translation>
+    </message>
+    <message>
+        <source>Ctrl+T</source>
+        <translation>Ctrl+T</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Passagens</translation>
     </message>
 </context>
 <context>
@@ -11298,6 +11437,143 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     <message>
         <source>All settings, and the stored mounts (Ctrl+8)</source>
         <translation>Todos os parâmetros, e as montagens guardadas (Ctrl+8)</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Passagens</translation>
+    </message>
+    <message>
+        <source>Coming passes of satellites (Ctrl+T)</source>
+        <translation>Próximas passagens de satélites (Ctrl+T)</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::PassPicture</name>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>O</translation>
+    </message>
+    <message>
+        <source>Picture of the pass</source>
+        <translation>Imagem da passagem</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::PassTable</name>
+    <message>
+        <source>Satellite</source>
+        <translation>Satélite</translation>
+    </message>
+    <message>
+        <source>Rises (UTC)</source>
+        <translation>Nasce (UTC)</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>Em</translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>Lasts</source>
+        <translation>Dura</translation>
+    </message>
+    <message>
+        <source>always</source>
+        <translation>sempre</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::PassesPanel</name>
+    <message>
+        <source>Coming passes</source>
+        <translation>Próximas passagens</translation>
+    </message>
+    <message>
+        <source>About the passes</source>
+        <translation>Sobre as passagens</translation>
+    </message>
+    <message>
+        <source>Open the setting</source>
+        <translation>Abrir o ajuste</translation>
+    </message>
+    <message>
+        <source>The files with element sets</source>
+        <translation>Os ficheiros com os elementos</translation>
+    </message>
+    <message>
+        <source>The selected pass</source>
+        <translation>A passagem escolhida</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>Seguir</translation>
+    </message>
+    <message>
+        <source>Go to where the satellite rises and follow it until it sets. Then the mount holds</source>
+        <translation>Ir para onde o satélite nasce e segui-lo até se pôr. Depois a montagem mantém a posição</translation>
+    </message>
+    <message>
+        <source>Searching for passes: %1 %</source>
+        <translation>A procurar passagens: %1 %</translation>
+    </message>
+    <message>
+        <source>elements</source>
+        <translation>elementos</translation>
+    </message>
+    <message>
+        <source>Satellites to list</source>
+        <translation>Satélites a listar</translation>
+    </message>
+    <message>
+        <source>Name or number</source>
+        <translation>Nome ou número</translation>
+    </message>
+    <message>
+        <source>Least height of a listed pass</source>
+        <translation>Altura mínima de uma passagem listada</translation>
+    </message>
+    <message>
+        <source>Passes that do not come higher are not listed</source>
+        <translation>As passagens que não sobem mais não são listadas</translation>
+    </message>
+    <message>
+        <source>at least</source>
+        <translation>pelo menos</translation>
+    </message>
+    <message>
+        <source>Select a pass first.</source>
+        <translation>Escolha primeiro uma passagem.</translation>
+    </message>
+    <message>
+        <source>The site is not set. Enter it on the page Profile, or in the guide.</source>
+        <translation>O local não está definido. Indique-o na página Perfil, ou no guia.</translation>
+    </message>
+    <message>
+        <source>%1 passes of %2 satellites within a day</source>
+        <translation>%1 passagens de %2 satélites num dia</translation>
+    </message>
+    <message>
+        <source>Boresight knows no satellites. Name a file or folder with elements in the setting elements, for instance the satdata of Gpredict.</source>
+        <translation>O Boresight não conhece satélites. Indique um ficheiro ou uma pasta com elementos no ajuste elements, por exemplo o satdata do Gpredict.</translation>
     </message>
 </context>
 <context>
