@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/orientation/json_payload.h"
 #include "core/orientation/judge.h"
 #include "core/orientation/orientation.h"
 #include "core/orientation/refusal.h"
@@ -41,6 +42,8 @@ struct SensorStatus
     std::uint64_t outliers = 0;
     std::uint64_t restarts = 0;
     orientation::Counts counts;
+    std::optional<orientation::SensorState> firmware;      // what it says of itself, by MQTT alone
+    std::optional<std::chrono::milliseconds> firmwareAge;  // of that
 
     [[nodiscard]] bool configured() const { return !source.isEmpty(); }
     bool operator==(const SensorStatus&) const = default;

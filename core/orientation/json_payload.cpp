@@ -73,13 +73,16 @@ bool hasItsUnits(const QJsonObject& object)
            is(QLatin1String("orientation"), QLatin1String("decimal degrees"));
 }
 
-std::string unknownOf(QJsonObject object)
+constexpr std::size_t kMostUnknown = 400;  // bytes: it is to be read, not to fill memory
+
+std::string unknownOf(QJsonObject object, std::initializer_list<const char*> known)
 {
-    for (const char* const known : {"dateTime", "ts", "azimuth", "elevation", "revolutions", "units"}) {
-        object.remove(QLatin1String(known));
+    for (const char* const one : known) {
+        object.remove(QLatin1String(one));
     }
-    return object.isEmpty() ? std::string()
-                            : printable(QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString());
+    return object.isEmpty()
+               ? std::string()
+               : printable(QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString().substr(0, kMostUnknown));
 }
 
 }  // namespace
@@ -103,21 +106,24 @@ Parsed<Orientation> parseOrientation(const QByteArray& payload, SteadyTime arriv
                               : !elevation ? elevation.error()
                                            : revolutions.error());
     }
-    return Orientation{.heading = SensorHeading::folded(*azimuth),
-                       .extendedAzimuth = *azimuth,
-                       .revolutions = *revolutions,
-                       .elevation = *elevation,
-                       .sensorTime = *time,
-                       .arrival = arrival,
-                       .transport = Transport::Mqtt,
-                       .unknown = unknownOf(*object)};
+    return Orientation{
+        .heading = SensorHeading::folded(*azimuth),
+        .extendedAzimuth = *azimuth,
+        .revolutions = *revolutions,
+        .elevation = *elevation,
+        .sensorTime = *time,
+        .arrival = arrival,
+        .transport = Transport::Mqtt,
+        .unknown = unknownOf(*object, {"dateTime", "ts", "azimuth", "elevation", "revolutions", "units"})};
 }
 
 Parsed<SensorState> parseStatus(const QByteArray& payload)
 {
     return objectOf(payload).and_then([](const QJsonObject& object) -> Parsed<SensorState> {
         SensorState state{.temperature = std::nullopt,
-                          .version = object[QLatin1String("version")].toString().toStdString()};
+                          .version = printable(object[QLatin1String("version")].toString().toStdString()),
+                          .bssid = printable(object[QLatin1String("bssid")].toString().toStdString()),
+                          .unknown = unknownOf(object, {"dateTime", "ts", "version", "bssid", "temperatureC"})};
         if (object.contains(QLatin1String("temperatureC"))) {
             const auto temperature =
                 numberOf(object, QLatin1String("temperatureC"), "temperature").and_then(&temperatureOf);
@@ -171,8 +177,8 @@ Parsed<std::optional<Orientation>> PayloadReader::read(Topic topic, const QByteA
         case Topic::Status: {
             const auto state = parseStatus(payload);
             if (state) {
-                m_state = {*state, arrival};
-                m_firmware = printable(state->version);
+                m_state = ReportedState{.value = *state, .arrival = arrival};
+                m_firmware = state->version;
             }
             return state.map(nothing);
         }

@@ -25,6 +25,8 @@ struct SensorState
 {
     std::optional<double> temperature;  // °C, of the sensor's chip
     std::string version;                // of the firmware; older ones do not tell
+    std::string bssid;                  // of the WiFi access point that it uses
+    std::string unknown;                // what else the message held, as JSON; mostly empty
 
     bool operator==(const SensorState&) const = default;
 };
@@ -32,6 +34,14 @@ struct SensorState
 [[nodiscard]] Parsed<Orientation> parseOrientation(const QByteArray& payload, SteadyTime arrival);
 [[nodiscard]] Parsed<SensorState> parseStatus(const QByteArray& payload);
 [[nodiscard]] Parsed<Calibration> parseCalibration(const QByteArray& payload);
+
+struct ReportedState
+{
+    SensorState value;
+    SteadyTime arrival;
+
+    bool operator==(const ReportedState&) const = default;
+};
 
 class PayloadReader
 {
@@ -49,6 +59,8 @@ public:
 
     [[nodiscard]] const Counts& counts() const { return m_counts; }
     [[nodiscard]] const std::string& firmware() const { return m_firmware; }  // as its status said; may be empty
+    // The last one, whatever its age.
+    [[nodiscard]] const std::optional<ReportedState>& state() const { return m_state; }
 
 private:
     template <class Value>
@@ -61,7 +73,7 @@ private:
     [[nodiscard]] Orientation joined(Orientation orientation) const;
 
     std::optional<Kept<Calibration>> m_calibration;
-    std::optional<Kept<SensorState>> m_state;
+    std::optional<ReportedState> m_state;
     std::string m_firmware;
     Counts m_counts;
 };

@@ -56,9 +56,10 @@ enum class Transport
 struct Orientation
 {
     SensorHeading heading;
-    Angle extendedAzimuth;              // as sent: heading + 360° x revolutions
-    std::int64_t revolutions = 0;       // as sent: from 0 or -1 after each reset of the sensor, so only a hint
-    Angle elevation;                    // as sent: 0…180°, the angle between the sensor's z axis and the vertical
+    Angle extendedAzimuth;         // as sent: heading + 360° x revolutions
+    std::int64_t revolutions = 0;  // as sent: from 0 or -1 after each reset of the sensor, so only a hint
+    // As sent: 0…180°, the angle between the sensor's z axis and the vertical. Below 0 after asMounted().
+    Angle elevation;
     std::optional<double> temperature;  // °C, of the sensor's chip
     std::optional<Calibration> calibration;
     // When the sensor began to measure, by its own clock: now and then a second off, so for logs only.

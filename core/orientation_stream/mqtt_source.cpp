@@ -105,6 +105,7 @@ void MqttSource::take(const QString& name, const QByteArray& payload, mqtt::Reta
     }
     const auto parsed = m_reader.take(*topic, payload, m_clock.now());
     m_status.counts = m_reader.counts();
+    m_status.firmware = m_reader.state();
     if (!parsed) {
         m_refused = parsed.error();
         qCDebug(lcMqttSensor) << "refused:" << toText(parsed.error()).c_str()

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/orientation/json_payload.h"
 #include "core/orientation/orientation.h"
 #include "core/orientation/refusal.h"
 
 #include <QObject>
 #include <QString>
+
+#include <optional>
 
 // Where orientations come from: a serial port, an MQTT broker, the simulated sensor. Lives on the station thread;
 // nothing blocks. It is opened once and from then on comes back by itself, with growing pauses, until it is closed: the
@@ -17,6 +20,7 @@ struct SourceStatus
     bool open = false;  // the port is open, the broker has let us in
     QString problem;    // one line for the operator: what, where, what to do; empty while all is well
     Counts counts;
+    std::optional<ReportedState> firmware = {};  // what it says of itself; over a serial port nothing
 
     bool operator==(const SourceStatus&) const = default;
 };

@@ -87,6 +87,14 @@ void addMounting(std::vector<Setting>& list)
                            "The direction in which the sensor's azimuth grows, seen from above. It depends on the "
                            "mounting. Turn the mount and watch the value.")},
         [](auto& p) -> auto& { return p.sensor.mounting.sense; }));
+    list.push_back(choice(
+        "sensor.elevation_sense", {"up", "down"}, kNow,
+        {QT_TRANSLATE_NOOP("Text", "Elevation direction"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "Whether the sensor's elevation grows (\"up\") or falls (\"down\") when the beam rises. For a "
+             "sensor that reports 180° - elevation: \"down\", with an elevation offset of 180°.")},
+        [](auto& p) -> auto& { return p.sensor.mounting.elevationSense; }));
     list.push_back(number(
         "sensor.azimuth_offset_deg", "°", {-360.0, 360.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Azimuth offset"),

@@ -81,7 +81,8 @@ SensorMessage SimulatedSensor::message(const SkyPointing& beam)
     const Angle mean = dead ? m_truth.inFirmware : m_first + m_sum / m_readings + noise();
     const double heading = mean.wrapped360().degrees();
     const std::int64_t revolutions = counted(heading);
-    const Angle tilt = abs(beam.elevation - m_truth.elevationOffset + noise());
+    const Angle rise = beam.elevation - m_truth.elevationOffset + noise();
+    const Angle tilt = abs(m_truth.elevationDown ? Angle::fromDegrees(180.0) - rise : rise);
     m_last = SensorMessage{.time = m_began,
                            .azimuth = rounded(heading + 360.0 * static_cast<double>(revolutions)),
                            .elevation = dead ? 0.0 : rounded(std::min(tilt.degrees(), 180.0)),

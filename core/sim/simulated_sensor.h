@@ -24,6 +24,7 @@ struct SensorTruth
     Angle mountingOffset;           // true azimuth of the beam where the sensor looks to true north
     Angle elevationOffset;          // elevation of the beam where the sensor says 0°
     bool faceDown = false;          // then it counts against the compass
+    bool elevationDown = false;     // its elevation falls when the beam rises
     Angle declination = Angle::fromDegrees(5.07);  // of the site
     Angle inFirmware = Angle::fromDegrees(5.07);   // what the firmware adds
     // Deviation of the compass over the true heading of the beam: a1 sin + b1 cos + a2 sin 2 + b2 cos 2.

@@ -45,7 +45,8 @@ void StationSensor::open()
         return;
     }
     connect(m_source.get(), &orientation::SensorSource::received, this, [this](const orientation::Orientation& value) {
-        m_watch.take(value);
+        const profile::SensorSettings& settings = m_profile->sensor;
+        m_watch.take(orientation::asMounted(value, settings.mounting.elevationSense, settings.declinationInSensor));
         m_watch.show(m_source->status());
     });
     connect(m_source.get(), &orientation::SensorSource::statusChanged, this,
@@ -59,6 +60,23 @@ void StationSensor::open()
     m_watch.begin(m_source->name());
     m_source->open();
     m_watch.show(m_source->status());
+}
+
+// What was refused, and what the sensor says of itself, comes without a value.
+SensorStatus StationSensor::status() const
+{
+    SensorStatus status = m_watch.status();
+    if (!m_source) {
+        return status;
+    }
+    const orientation::SourceStatus& source = m_source->status();
+    status.counts = source.counts;
+    if (source.firmware) {
+        status.firmware = source.firmware->value;
+        status.firmwareAge =
+            std::chrono::duration_cast<std::chrono::milliseconds>(m_clock.now() - source.firmware->arrival);
+    }
+    return status;
 }
 
 void StationSensor::close()

@@ -33,7 +33,7 @@ public:
     // A source that did not change goes on.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
 
-    [[nodiscard]] SensorStatus status() const { return m_watch.status(); }
+    [[nodiscard]] SensorStatus status() const;
     [[nodiscard]] SensorEvidence evidence() const { return m_watch.evidence(); }
     [[nodiscard]] SensorWatch& watch() { return m_watch; }
 

@@ -44,8 +44,9 @@ calibration::SensorMounting mountingOf(const profile::SensorSettings& settings)
 
 void setMounting(profile::SensorSettings& settings, const calibration::SensorMounting& mounting)
 {
-    settings.mounting = {
-        .sense = mounting.sense, .azimuthOffset = mounting.azimuthOffset, .elevationOffset = mounting.elevationOffset};
+    settings.mounting.sense = mounting.sense;
+    settings.mounting.azimuthOffset = mounting.azimuthOffset;
+    settings.mounting.elevationOffset = mounting.elevationOffset;
     const DeviationCurve curve = mounting.curve.value_or(DeviationCurve{});
     settings.deviation = {.a1 = curve.a1,
                           .b1 = curve.b1,

@@ -7432,6 +7432,14 @@ até %1</translation>
         <source>the elements of %1 satellites are read</source>
         <translation>lidos os elementos de %1 satélites</translation>
     </message>
+    <message>
+        <source>Elevation direction</source>
+        <translation>Sentido da elevação</translation>
+    </message>
+    <message>
+        <source>Whether the sensor&apos;s elevation grows (&quot;up&quot;) or falls (&quot;down&quot;) when the beam rises. For a sensor that reports 180° - elevation: &quot;down&quot;, with an elevation offset of 180°.</source>
+        <translation>Se a elevação do sensor cresce (&quot;up&quot;) ou diminui (&quot;down&quot;) quando o feixe sobe. Para um sensor que envia 180° - elevação: &quot;down&quot;, com um desvio de elevação de 180°.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -12899,6 +12907,161 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
     </message>
 </context>
 <context>
+    <name>boresight::ui::SensorDetails</name>
+    <message>
+        <source>wrong checksum</source>
+        <translation>soma de verificação errada</translation>
+    </message>
+    <message>
+        <source>no checksum</source>
+        <translation>sem soma de verificação</translation>
+    </message>
+    <message>
+        <source>checksum that is no number</source>
+        <translation>soma de verificação que não é um número</translation>
+    </message>
+    <message>
+        <source>cut off</source>
+        <translation>cortada</translation>
+    </message>
+    <message>
+        <source>too long</source>
+        <translation>demasiado longa</translation>
+    </message>
+    <message>
+        <source>a field is missing or too many</source>
+        <translation>falta um campo ou há um a mais</translation>
+    </message>
+    <message>
+        <source>unknown unit</source>
+        <translation>unidade desconhecida</translation>
+    </message>
+    <message>
+        <source>not a number</source>
+        <translation>não é um número</translation>
+    </message>
+    <message>
+        <source>not a finite number</source>
+        <translation>não é um número finito</translation>
+    </message>
+    <message>
+        <source>number out of range</source>
+        <translation>número fora do intervalo</translation>
+    </message>
+    <message>
+        <source>stored by the broker</source>
+        <translation>guardada pelo broker</translation>
+    </message>
+    <message>
+        <source>not JSON</source>
+        <translation>não é JSON</translation>
+    </message>
+    <message>
+        <source>%1 (%2 ago)</source>
+        <translation>%1 (há %2)</translation>
+    </message>
+    <message>
+        <source>more</source>
+        <translation>mais</translation>
+    </message>
+    <message>
+        <source>Reported</source>
+        <translation>Enviado</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>last value</source>
+        <translation>último valor</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nenhum</translation>
+    </message>
+    <message>
+        <source>azimuth as sent</source>
+        <translation>azimute como enviado</translation>
+    </message>
+    <message>
+        <source>elevation</source>
+        <translation>elevação</translation>
+    </message>
+    <message>
+        <source>revolutions as sent</source>
+        <translation>voltas como enviadas</translation>
+    </message>
+    <message>
+        <source>revolutions counted here</source>
+        <translation>voltas contadas aqui</translation>
+    </message>
+    <message>
+        <source>time of the sensor</source>
+        <translation>hora do sensor</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>temperatura</translation>
+    </message>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
+    <message>
+        <source>not reported</source>
+        <translation>não enviado</translation>
+    </message>
+    <message>
+        <source>unknown part</source>
+        <translation>parte desconhecida</translation>
+    </message>
+    <message>
+        <source>status of the firmware</source>
+        <translation>estado do firmware</translation>
+    </message>
+    <message>
+        <source>firmware</source>
+        <translation>firmware</translation>
+    </message>
+    <message>
+        <source>WiFi access point</source>
+        <translation>ponto de acesso WiFi</translation>
+    </message>
+    <message>
+        <source>messages used</source>
+        <translation>mensagens usadas</translation>
+    </message>
+    <message>
+        <source>messages refused</source>
+        <translation>mensagens recusadas</translation>
+    </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>recusadas: %1</translation>
+    </message>
+    <message>
+        <source>lines of others</source>
+        <translation>linhas de outros</translation>
+    </message>
+    <message>
+        <source>jumps left out</source>
+        <translation>saltos ignorados</translation>
+    </message>
+    <message>
+        <source>restarts of the sensor</source>
+        <translation>reinícios do sensor</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>fonte</translation>
+    </message>
+    <message>
+        <source>no sensor is set</source>
+        <translation>nenhum sensor definido</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::SensorLevels</name>
     <message>
         <source>System</source>
@@ -13050,6 +13213,34 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
     <message>
         <source>End without a result. Nothing moves</source>
         <translation>Sem resultado; de todo modo nada se move</translation>
+    </message>
+    <message>
+        <source>Details of the sensor</source>
+        <translation>Detalhes do sensor</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Detalhes</translation>
+    </message>
+    <message>
+        <source>Show the details</source>
+        <translation>Mostrar os detalhes</translation>
+    </message>
+    <message>
+        <source>All that the sensor reports</source>
+        <translation>Tudo o que o sensor envia</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Copy the details</source>
+        <translation>Copiar os detalhes</translation>
+    </message>
+    <message>
+        <source>As text</source>
+        <translation>Como texto</translation>
     </message>
 </context>
 <context>

@@ -5,13 +5,20 @@
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
 #include "ui/kit/push_button.h"
+#include "ui/kit/read_table.h"
 #include "ui/kit/value_label.h"
 #include "ui/north/calibration_words.h"
 #include "ui/north/compass_dial.h"
 #include "ui/north/run_line.h"
+#include "ui/north/sensor_details.h"
 #include "ui/north/sensor_levels.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QGridLayout>
+#include <QHeaderView>
+#include <QPushButton>
+#include <QTableView>
 
 #include <tuple>
 
@@ -41,6 +48,12 @@ QString averageText(const CalibrationStatus& calibration)
 SensorPage::SensorPage(RequestDesk& desk, ProfileDraft& draft, QWidget* parent)
     : QWidget(parent),
       m_profileChange(draft, desk),
+      m_overview(new QWidget(this)),
+      m_details(new SensorDetails(this)),
+      m_table(makeReadTable(tr("Details of the sensor"), *m_details, this)),
+      m_openDetails(makePushButton(
+          {.text = tr("Details"), .name = tr("Show the details"), .help = tr("All that the sensor reports")}, this)),
+      m_copy(makePushButton({.text = tr("Copy"), .name = tr("Copy the details"), .help = tr("As text")}, this)),
       m_dial(new CompassDial(this)),
       m_levels(new SensorLevels(this)),
       m_sensor(new ValueLabel(tr("Heading of the sensor, as sent"), fonts::small(), QStringLiteral("-000.00°"), this)),
@@ -60,6 +73,9 @@ SensorPage::SensorPage(RequestDesk& desk, ProfileDraft& draft, QWidget* parent)
 {
     build();
     connect(m_measure, &QPushButton::clicked, this, &SensorPage::press);
+    connect(m_openDetails, &QPushButton::toggled, this, &SensorPage::showDetails);
+    connect(m_copy, &QPushButton::clicked, this, &SensorPage::copyDetails);
+    showDetails(false);
 }
 
 void SensorPage::build()
@@ -85,14 +101,20 @@ void SensorPage::build()
     }
     m_declination->setLines(3);
     m_notice->setCollapsing(true);  // in the place of the offset, until the next press
+    auto* const overview = new QHBoxLayout(m_overview);
+    overview->setContentsMargins(0, 0, 0, 0);
+    overview->setSpacing(4);
+    overview->addWidget(m_dial);
+    overview->addLayout(right, 1);
+    m_table->horizontalHeader()->setStretchLastSection(true);
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(6, 4, 6, 0);
     grid->setSpacing(4);
-    grid->addWidget(m_dial, 0, 0);
-    grid->addLayout(right, 0, 1);
+    grid->addWidget(m_overview, 0, 0, 1, 2);
+    grid->addWidget(m_table, 0, 0, 1, 2);
     grid->addWidget(makeDeclinationRow(), 1, 0, 1, 2);
     grid->addWidget(m_measure, 2, 0);
-    grid->addWidget(m_run, 2, 1);
+    grid->addWidget(makeRunLine(), 2, 1);
     grid->addWidget(m_offset, 3, 0, 1, 2);
     grid->addWidget(m_notice, 4, 0, 1, 2);
     grid->setRowStretch(0, 1);
@@ -126,8 +148,34 @@ void SensorPage::showDeclination(const SensorStatus& sensor)
     }
 }
 
+QWidget* SensorPage::makeRunLine()
+{
+    auto* const box = new QWidget(this);
+    auto* const row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    m_openDetails->setCheckable(true);
+    row->addWidget(m_run, 1);
+    row->addWidget(m_copy);
+    row->addWidget(m_openDetails);
+    return box;
+}
+
+void SensorPage::showDetails(bool on)
+{
+    m_overview->setVisible(!on);
+    m_table->setVisible(on);
+    m_copy->setVisible(on);
+}
+
+void SensorPage::copyDetails() const
+{
+    QApplication::clipboard()->setText(m_details->text());
+}
+
 void SensorPage::showStatus(const StationStatus& status)
 {
+    m_details->show(status.sensor);
     const CalibrationStatus& calibration = calibrationOf(status);
     m_running = calibration.progress.run == CalibrationRun::SensorOffset;
     showNeedles(status);

@@ -7,15 +7,18 @@
 #include <QWidget>
 
 class QPushButton;
+class QTableView;
 
 // Step 1 of finding north: the sensor's own opinion, from an average while the mount stands still. Good to some
-// degrees; what the needle's own deviation does is only seen by a swing.
+// degrees; what the needle's own deviation does is only seen by a swing. Details takes the place of the dial: all that
+// the sensor reports. More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
 class CommandButton;
 class CompassDial;
 class RequestDesk;
 class RunLine;
+class SensorDetails;
 class SensorLevels;
 class ValueLabel;
 
@@ -38,11 +41,19 @@ private:
     void showNeedles(const StationStatus& status);
     void showAverage(const StationStatus& status);
     void showOffer(const StationStatus& status);
+    [[nodiscard]] QWidget* makeRunLine();
+    void showDetails(bool on);
+    void copyDetails() const;
     void press();
 
     ProfileChange m_profileChange;
     bool m_running = false;
     bool m_offers = false;  // the simulated sensor: the mount has it, and the profile does not name it
+    QWidget* m_overview;
+    SensorDetails* m_details;
+    QTableView* m_table;
+    QPushButton* m_openDetails;
+    QPushButton* m_copy;
     CompassDial* m_dial;
     SensorLevels* m_levels;
     ValueLabel* m_sensor;

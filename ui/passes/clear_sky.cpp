@@ -19,7 +19,8 @@ std::function<bool(const SkyPointing&)> clearSky(const profile::Profile& profile
         const auto firstTurn = static_cast<int>(std::ceil((azimuths.min - axes.azimuth).turns()));
         const auto lastTurn = static_cast<int>(std::floor((azimuths.max - axes.azimuth).turns()));
         for (int turn = firstTurn; turn <= lastTurn; ++turn) {
-            if (region->permits({.azimuth = axes.azimuth + Angle::fromTurns(turn), .elevation = axes.elevation})) {
+            const AxisPosition place{.azimuth = axes.azimuth + Angle::fromTurns(turn), .elevation = axes.elevation};
+            if (region->permits(place)) {
                 return true;
             }
         }

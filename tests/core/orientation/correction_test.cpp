@@ -41,6 +41,35 @@ TEST(Correction, NoDeclinationIsAppliedTwice)
         << "one that is not known is not 0";
 }
 
+Orientation saying(Angle elevation)
+{
+    Orientation value;
+    value.heading = SensorHeading::folded(40_deg);
+    value.extendedAzimuth = 40_deg;
+    value.elevation = elevation;
+    return value;
+}
+
+// REQ-ORIENTATION-971: A sensor whose elevation falls when the beam rises is turned the right way round, one behind the
+// boom by an offset of 180° besides. The zeros of a dead sensor stay what they are.
+TEST(Mounting, AnElevationThatCountsDownIsTurnedRound)
+{
+    const auto beam = [](Angle sent, ElevationSense sense, Angle offset) {
+        return Correction({.elevationSense = sense, .elevationOffset = offset}, {})
+            .elevation(asMounted(saying(sent), sense, 5.07_deg).elevation)
+            .degrees();
+    };
+    EXPECT_NEAR(beam(30_deg, ElevationSense::Up, 2_deg), 32.0, 1e-9);
+    EXPECT_NEAR(beam(60_deg, ElevationSense::Down, 90_deg), 30.0, 1e-9);
+    EXPECT_NEAR(beam(150_deg, ElevationSense::Down, 180_deg), 30.0, 1e-9) << "180° - elevation";
+    Orientation dead;
+    dead.heading = SensorHeading::folded(5.07_deg);
+    dead.extendedAzimuth = 5.07_deg;
+    dead.temperature = 0.0;
+    dead.calibration = Calibration{};
+    EXPECT_EQ(asMounted(dead, ElevationSense::Down, 5.07_deg), dead);
+}
+
 // Face down the sensor turns against the compass, but a declination is east all the same.
 TEST(Correction, ASensorFaceDownCountsBackwards)
 {

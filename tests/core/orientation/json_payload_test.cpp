@@ -102,10 +102,23 @@ TEST(JsonPayload, CalibrationDigitsAreZeroToThree)
 
 TEST(JsonPayload, TheStatusMayLackItsVersion)
 {
-    EXPECT_EQ(parseStatus(kStatus), (SensorState{.temperature = 27.0, .version = "2.0.6b"}));
+    EXPECT_EQ(parseStatus(kStatus),
+              (SensorState{.temperature = 27.0, .version = "2.0.6b", .bssid = "B8:69:F4:81:8D:E6"}));
     EXPECT_EQ(parseStatus(with(kStatus, "\"version\": \"2.0.6b\",", "")),
-              (SensorState{.temperature = 27.0, .version = ""}));
+              (SensorState{.temperature = 27.0, .version = "", .bssid = "B8:69:F4:81:8D:E6"}));
     EXPECT_FALSE(parseStatus(with(kStatus, "27", "\"warm\"")));
+}
+
+// REQ-ORIENTATION-970: What nobody knows in a status message is kept to be shown, to a bounded length, and the message
+// is used.
+TEST(JsonPayload, TheStatusKeepsWhatNobodyKnows)
+{
+    const auto state = parseStatus(with(kStatus, "{", "{ \"rssi\": -71, \"uptime\": \"3 d\","));
+    ASSERT_TRUE(state);
+    EXPECT_EQ(state->unknown, "{\"rssi\":-71,\"uptime\":\"3 d\"}");
+    EXPECT_EQ(state->version, "2.0.6b");
+    const QByteArray much = "{\"x\": \"" + QByteArray(5000, 'y') + "\",";
+    EXPECT_LE(parseStatus(with(kStatus, "{", much))->unknown.size(), 400U);
 }
 
 bool bringsNothing(const Parsed<std::optional<Orientation>>& taken)

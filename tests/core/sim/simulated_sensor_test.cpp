@@ -138,6 +138,15 @@ TEST(SimulatedSensor, WhatItHidesIsFoundByTheRightCorrection)
     }
 }
 
+TEST(SimulatedSensor, OneBehindTheBoomCountsDown)
+{
+    SensorTruth truth{.noise = Angle{}};
+    truth.elevationDown = true;
+    SensorRig rig(truth);
+    EXPECT_NEAR(rig.run(2.0, standing(10_deg, 20_deg)).back().elevation, 160.0, 0.01);
+    EXPECT_NEAR(rig.run(2.0, standing(10_deg, 50_deg)).back().elevation, 130.0, 0.01);
+}
+
 TEST(SimulatedSensor, IronAndALeaningMastShow)
 {
     SensorTruth truth{.noise = Angle{}};

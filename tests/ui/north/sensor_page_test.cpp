@@ -4,6 +4,8 @@
 #include "ui/north/deviation_plot.h"
 #include "ui/north/sensor_levels.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QDoubleSpinBox>
 #include <QPlainTextEdit>
 #include <QSpinBox>
@@ -51,6 +53,47 @@ TEST_F(NorthTest, TheSimulatedMountWithoutASensorOffersItsOwn)
     status.simulated = false;
     give(samples::update(status));
     expectBlocked("Average", "The profile has no orientation sensor.");
+}
+
+// REQ-UI-978: Details shows all that the sensor reports, in the place of the dial: revolutions, its time and
+// temperature, the firmware with what nobody knows of its status, and what was refused, by reason. What is old has its
+// age. Copy takes it as text.
+TEST_F(NorthTest, DetailsShowAllThatTheSensorReports)
+{
+    StationStatus status = samples::swung();
+    orientation::Orientation heard;
+    heard.extendedAzimuth = 417.4_deg;
+    heard.elevation = 33.2_deg;
+    heard.revolutions = 1;
+    heard.temperature = 27.0;
+    status.sensor = {.source = QStringLiteral("mqtt broker:1883"), .open = true, .last = heard};
+    status.sensor.age = std::chrono::milliseconds(400);
+    status.sensor.firmware =
+        orientation::SensorState{.version = "2.0.6b", .bssid = "B8:69:F4:81:8D:E6", .unknown = "{\"rssi\":-71}"};
+    status.sensor.firmwareAge = std::chrono::minutes(5);
+    status.sensor.counts.accepted = 812;
+    status.sensor.counts.count(orientation::Refusal::NotFinite);
+    status.sensor.counts.count(orientation::Refusal::NotFinite);
+    show(CalibrationStep::Sensor, status);
+    const auto press = [this](const char* name) { QTest::mouseClick(named<QPushButton>(name), Qt::LeftButton); };
+    EXPECT_TRUE(window.findChild<CompassDial*>()->isVisible());
+    press("Show the details");
+    EXPECT_FALSE(window.findChild<CompassDial*>()->isVisible());
+    const auto lines = [&] {
+        press("Copy the details");
+        return QApplication::clipboard()->text().split(QLatin1Char('\n'));
+    };
+    for (const char* const line :
+         {"azimuth as sent\t417.40°", "revolutions as sent\t1", "temperature\t27 °C", "firmware\t2.0.6b (5 min ago)",
+          "WiFi access point\tB8:69:F4:81:8D:E6 (5 min ago)", "rssi\t-71 (5 min ago)", "messages used\t812",
+          "messages refused\t2", "refused: not a finite number\t2"}) {
+        EXPECT_TRUE(lines().contains(QString::fromUtf8(line))) << line << lines().join(QLatin1Char('\n')).toStdString();
+    }
+    status.sensor.age = std::chrono::seconds(12);
+    give(samples::update(status));
+    EXPECT_TRUE(lines().contains(QStringLiteral("temperature\t27 °C (12 s ago)"))) << "old, and says so";
+    press("Show the details");
+    EXPECT_TRUE(window.findChild<CompassDial*>()->isVisible());
 }
 
 TEST_F(NorthTest, TheNeedlesAreWhatIsReadAndTheBarsSayWhatRaisesThem)
