@@ -81,7 +81,8 @@ QStringList namedByWhat(const AlarmEntry& entry, const QStringList& arguments)
     const QString sentence = QString::fromUtf8(entry.what);
     QStringList named;
     for (qsizetype i = 0; i < sentence.size(); ++i) {
-        if (const qsizetype argument = argumentAt(sentence, i); argument >= 0) {
+        const qsizetype argument = argumentAt(sentence, i);
+        if (argument >= 0 && static_cast<std::size_t>(argument) < entry.identifying) {
             named << arguments.value(argument);
         }
     }

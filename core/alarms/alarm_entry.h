@@ -44,6 +44,9 @@ struct AlarmEntry
     AlarmHelp help = AlarmHelp::None;       // the button that does what the remedy says
     AlarmKin kin = AlarmKin::Alone;
     std::array<const char*, kMostArguments> examples{};  // one for each argument, for the manual
+    // Of the arguments. The others follow what is, a number or a time: the sentence changes, and the alarm stays the
+    // same.
+    std::size_t identifying = kMostArguments;
     // The id of another entry. Of alarms with one place only the newest stands.
     const char* placeOf = nullptr;
 
@@ -100,7 +103,7 @@ struct AlarmText
 [[nodiscard]] AlarmText textOf(const AlarmEntry& entry, const QStringList& arguments);
 // What happened, as a part of another sentence.
 [[nodiscard]] QString whatOf(const AlarmCase& alarm);
-// Those of the arguments that what happened names.
+// Those of the arguments that what happened names and that make it another alarm.
 [[nodiscard]] QStringList namedByWhat(const AlarmEntry& entry, const QStringList& arguments);
 [[nodiscard]] QString logSource(const AlarmKey& alarm);
 // The first of two alarms that both stand is a cause of the second.

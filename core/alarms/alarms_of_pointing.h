@@ -26,16 +26,19 @@ inline constexpr std::array kPointingAlarms{
                .remedy = QT_TRANSLATE_NOOP(
                    "Text", "Check the wires between its BNO055 and its board. Then switch the sensor off and on"),
                .placeOf = "sensor.silent"},
-    AlarmEntry{.id = "sensor.disagrees-azimuth",
-               .source = "sensor",
-               .severity = Severity::Warning,
-               .what = QT_TRANSLATE_NOOP("Text", "The orientation sensor and the axes differ by %1 in azimuth"),
-               .action = QT_TRANSLATE_NOOP("Text", "Pointing is unchanged, because the sensor is only a cross-check"),
-               .remedy = "%2",
-               .help = AlarmHelp::OpenNorth,
-               .examples =
-                   {"12.3°",
-                    "Check the azimuth offset and mounting of the sensor, iron near the compass and the azimuth zero"}},
+    AlarmEntry{
+        .id = "sensor.disagrees-azimuth",
+        .source = "sensor",
+        .severity = Severity::Warning,
+        .what = QT_TRANSLATE_NOOP("Text", "The orientation sensor and the axes differ by %1 in azimuth"),
+        .action = QT_TRANSLATE_NOOP("Text", "Pointing is unchanged, because the sensor is only a cross-check"),
+        .remedy = "%2",
+        .help = AlarmHelp::OpenNorth,
+        .examples =
+            {"12.3°",
+             "Check the azimuth offset and mounting of the sensor, iron or a motor current near the compass, and the "
+             "azimuth zero"},
+        .identifying = 0},
     AlarmEntry{
         .id = "sensor.disagrees-elevation",
         .source = "sensor",
@@ -46,6 +49,7 @@ inline constexpr std::array kPointingAlarms{
         .help = AlarmHelp::OpenNorth,
         .examples = {"4.5°",
                      "Check the elevation offset and mounting of the sensor, the elevation zero and the coupling"},
+        .identifying = 0,
         .placeOf = "sensor.disagrees-azimuth"},
     AlarmEntry{
         .id = "north.not-set",
@@ -58,7 +62,8 @@ inline constexpr std::array kPointingAlarms{
                                     "Find north on the page North. If the axis zero is north, check the mounting of "
                                     "the sensor and the coupling"),
         .help = AlarmHelp::OpenNorth,
-        .examples = {"40.3°"}},
+        .examples = {"40.3°"},
+        .identifying = 0},
     AlarmEntry{
         .id = "limits.outside",
         .source = "station",

@@ -146,7 +146,8 @@ inline constexpr std::array kStationAlarms{
             QT_TRANSLATE_NOOP("Text", "Press Unwrap now to choose the moment. Then hand control back to the clients"),
         .brief = QT_TRANSLATE_NOOP("Text", "reaches its cable end (%1) at %2"),
         .help = AlarmHelp::Unwind,
-        .examples = {"450.0°", "17:06:10Z", "37 s"}},
+        .examples = {"450.0°", "17:06:10Z", "37 s"},
+        .identifying = 1},
     AlarmEntry{
         .id = "cable.ends",
         .source = "azimuth",
@@ -158,6 +159,7 @@ inline constexpr std::array kStationAlarms{
         .brief = QT_TRANSLATE_NOOP("Text", "reaches its cable end (%1) at %2"),
         .help = AlarmHelp::OpenLimits,
         .examples = {"450.0°", "17:06:10Z"},
+        .identifying = 1,
         .placeOf = "cable.turns-back"},
 };
 

@@ -18,11 +18,8 @@ constexpr Seconds kWarnTime{60.0};
 constexpr Angle kWarnAngle = Angle::fromDegrees(30.0);
 constexpr double kKeep = 1.3;
 constexpr std::uint64_t kTicksBetween = 10;
-// The path bends, and with it the reported time. It is reported again when it is off by this, or by a fifth of what is
-// left.
-constexpr Seconds kTimeOff{10.0};
-constexpr double kPartOff = 0.2;
-constexpr Seconds kToldAnewAfter{10.0};
+// The path bends, and with it the time in the sentence. It trembles by less than this.
+constexpr Seconds kTimeOff{2.0};
 // A stream's next target is no farther away than this; what is farther is another target.
 constexpr Angle kNextOfStream = Angle::fromDegrees(10.0);
 constexpr Angle kTurnedBack = Angle::fromDegrees(1.0);
@@ -112,24 +109,18 @@ void CableGuard::watchEnd(const std::optional<tracking::MovingTarget>& path, con
     tell(*m_end);
 }
 
-bool CableGuard::isTold(const Told& end, Seconds in) const
+bool CableGuard::isTold(const Told& end) const
 {
-    if (!m_told || end.severity > m_told->severity) {
-        return false;
-    }
-    const Seconds off = std::chrono::abs(Seconds(end.ends - m_told->ends));
-    return off < std::max(kTimeOff, kPartOff * in) || end.when - m_told->when < kToldAnewAfter;
+    return m_told && end.severity <= m_told->severity && std::chrono::abs(Seconds(end.ends - m_told->ends)) < kTimeOff;
 }
 
-// When it comes in sight, when it is near, and when it turns out to end at another time. The time of day stays true
-// while it is read; the bar counts.
+// An alarm when it comes in sight, and another when it is near. The time in its sentence follows the path.
 void CableGuard::tell(const CableEnd& end)
 {
     const Severity severity = end.in > kWarnTime ? Severity::Advisory : Severity::Warning;
     const Told now{.severity = m_told ? std::max(severity, m_told->severity) : severity,
-                   .ends = m_clock.utc() + std::chrono::round<UtcTime::duration>(end.in),
-                   .when = m_clock.now()};
-    if (isTold(now, end.in)) {
+                   .ends = m_clock.utc() + std::chrono::round<UtcTime::duration>(end.in)};
+    if (isTold(now)) {
         return;
     }
     m_told = now;

@@ -60,14 +60,13 @@ private:
     {
         Severity severity;
         UtcTime ends;
-        SteadyTime when;
     };
 
     void watchEnd(const std::optional<tracking::MovingTarget>& path, const TravelRange& range,
                   const tracking::MotionLimits& limits);
     void watchTurnBack(const std::optional<Angle>& left);
     void tell(const CableEnd& end);
-    [[nodiscard]] bool isTold(const Told& end, Seconds in) const;
+    [[nodiscard]] bool isTold(const Told& end) const;
 
     AlarmBoard& m_alarms;
     const Clock& m_clock;

@@ -7,7 +7,7 @@
 
 #include <QFileInfo>
 
-#include <algorithm>
+#include <utility>
 
 namespace boresight {
 namespace {
@@ -60,11 +60,11 @@ void StationElements::read()
 {
     watch();
     m_reader.start([this, paths = paths()] {
-        const orbit::ElementFiles files = orbit::readElementFiles(paths);
-        const Reading reading{.satellites = std::make_shared<const std::vector<orbit::ElementSet>>(files.sets),
-                              .problems = files.problems};
+        orbit::ElementFiles files = orbit::readElementFiles(paths);
+        Reading reading{.satellites = std::make_shared<const std::vector<orbit::ElementSet>>(std::move(files.sets)),
+                        .problems = std::move(files.problems)};
         QMetaObject::invokeMethod(
-            this, [this, reading] { take(reading); }, Qt::QueuedConnection);
+            this, [this, reading = std::move(reading)] { take(reading); }, Qt::QueuedConnection);
     });
 }
 

@@ -13,6 +13,7 @@ const QString kWatchSource = QStringLiteral("sensor");  // of its lines in the l
 // The sensor waits for its WiFi and the time before it says anything.
 constexpr Seconds kFirstPatience{10.0};
 constexpr Seconds kFrozen{5.0};
+constexpr Angle kToldAnew = Angle::fromDegrees(1.0);
 
 // Nearer to the zenith a heading jumps to the other side of the circle.
 constexpr Angle kHighestCourse = Angle::fromDegrees(75.0);
@@ -238,8 +239,10 @@ void SensorWatch::tellNorth()
     const SensorCheck::Difference& azimuth = m_inForce.difference(Axis::Azimuth);
     if (!azimuth.lasts || !isNorthUnknown()) {
         m_alarms.clear(alarmEntry("north.not-set"));
-    } else if (!m_alarms.active(alarmEntry("north.not-set"))) {
-        m_alarms.raise(alarmEntry("north.not-set"), {degreesText(abs(azimuth.now.value_or(Angle{})))});
+    } else if (const Angle apart = abs(azimuth.now.value_or(m_northTold.value_or(Angle{})));
+               !m_alarms.active(alarmEntry("north.not-set")) || abs(apart - m_northTold.value_or(apart)) > kToldAnew) {
+        m_northTold = apart;
+        m_alarms.raise(alarmEntry("north.not-set"), {degreesText(apart)});
     }
 }
 
@@ -249,7 +252,7 @@ void SensorWatch::tellDisagreement()
     const bool disagrees = this->disagrees();
     // That it goes with the current shows after some motions only: then it is told again, with its cause.
     const bool byCurrent = this->disagrees(Axis::Azimuth) && m_currentLink.correlation();
-    if (disagrees && (!m_disagreed || (byCurrent && !m_currentTold))) {
+    if (disagrees && (!m_disagreed || (byCurrent && !m_currentTold) || hasChanged())) {
         raiseDisagreement();
     } else if (!disagrees && m_disagreed) {
         m_alarms.clear(alarmEntry("sensor.disagrees-azimuth"));
@@ -258,10 +261,24 @@ void SensorWatch::tellDisagreement()
     m_currentTold = disagrees && (m_currentTold || byCurrent);
 }
 
+Axis SensorWatch::axisInDoubt() const
+{
+    return disagrees(Axis::Azimuth) ? Axis::Azimuth : Axis::Elevation;
+}
+
+// The sentence follows the present difference, though not each tremble of it.
+bool SensorWatch::hasChanged() const
+{
+    const Axis axis = axisInDoubt();
+    const std::optional<Angle>& now = m_inForce.difference(axis).now;
+    return m_told.first != axis || (now && abs(abs(*now) - m_told.second) > kToldAnew);
+}
+
 void SensorWatch::raiseDisagreement()
 {
-    const Axis axis = disagrees(Axis::Azimuth) ? Axis::Azimuth : Axis::Elevation;
+    const Axis axis = axisInDoubt();
     const Angle apart = abs(m_inForce.difference(axis).now.value_or(Angle{}));
+    m_told = {axis, apart};
     m_alarms.raise(
         axis == Axis::Azimuth ? alarmEntry("sensor.disagrees-azimuth") : alarmEntry("sensor.disagrees-elevation"),
         {degreesText(apart), causes(axis)});
@@ -288,7 +305,8 @@ QString SensorWatch::causes(Axis axis) const
                      "It began while the mount moved. Check the motor current, iron near the compass, the azimuth "
                      "sense of the sensor and the coupling")
                : Text::tr(
-                     "Check the azimuth offset and mounting of the sensor, iron near the compass and the azimuth zero");
+                     "Check the azimuth offset and mounting of the sensor, iron or a motor current near the compass, "
+                     "and the azimuth zero");
 }
 
 bool SensorWatch::isYoung() const

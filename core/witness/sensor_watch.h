@@ -91,6 +91,8 @@ private:
     void tellNorth();
     void raiseAbsence();
     void raiseDisagreement();
+    [[nodiscard]] Axis axisInDoubt() const;
+    [[nodiscard]] bool hasChanged() const;
     [[nodiscard]] QString causes(Axis axis) const;
 
     const profile::InForce& m_profile;
@@ -107,6 +109,8 @@ private:
     std::uint64_t m_breaks = 0;  // of the course, besides those that the judge sees
     bool m_disagreed = false;
     bool m_currentTold = false;
+    std::pair<Axis, Angle> m_told;     // the difference in the alarm
+    std::optional<Angle> m_northTold;  // in the advice that north is not set
 };
 
 }  // namespace boresight

@@ -3553,10 +3553,6 @@ até %1</translation>
         <translation>Começou enquanto a montagem se movia. Verifique a corrente dos motores, ferro junto da bússola, o sentido de azimute do sensor e o acoplamento</translation>
     </message>
     <message>
-        <source>Check the azimuth offset and mounting of the sensor, iron near the compass and the azimuth zero</source>
-        <translation>Verifique o desvio de azimute e a fixação do sensor, ferro junto da bússola e o zero do azimute</translation>
-    </message>
-    <message>
         <source>Boresight starts no motion and allows only motions away from the Sun</source>
         <translation>O Boresight não inicia movimentos e só permite os que se afastem do Sol</translation>
     </message>
@@ -7439,6 +7435,10 @@ até %1</translation>
     <message>
         <source>Whether the sensor&apos;s elevation grows (&quot;up&quot;) or falls (&quot;down&quot;) when the beam rises. For a sensor that reports 180° - elevation: &quot;down&quot;, with an elevation offset of 180°.</source>
         <translation>Se a elevação do sensor cresce (&quot;up&quot;) ou diminui (&quot;down&quot;) quando o feixe sobe. Para um sensor que envia 180° - elevação: &quot;down&quot;, com um desvio de elevação de 180°.</translation>
+    </message>
+    <message>
+        <source>Check the azimuth offset and mounting of the sensor, iron or a motor current near the compass, and the azimuth zero</source>
+        <translation>Verifique o desvio de azimute e a montagem do sensor, ferro ou uma corrente de motor perto da bússola, e o zero do azimute</translation>
     </message>
 </context>
 <context>

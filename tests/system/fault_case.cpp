@@ -86,7 +86,7 @@ std::vector<Group> lostLines()
                    .injections = {{.kind = FaultKind::AdapterError}},
                    .alarm = noReply},
          .moments = kEverywhere},
-        {.fault = {.name = "bus off", .injections = {{.kind = FaultKind::BusOff}}, .alarm = noReply},
+        {.fault = {.name = "bus off", .injections = {{.kind = FaultKind::BusOff}}, .alarm = "bus-off"},
          .moments = kEverywhere},
         {.fault = {.name = "every reply garbled",
                    .injections = {{.kind = FaultKind::CorruptLine, .value = 1.0}},
