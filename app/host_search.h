@@ -4,8 +4,8 @@
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/can/can_link.h"
+#include "core/gpredict/gpredict_qth.h"
 #include "core/messages/scan_result.h"
-#include "core/profile/gpredict_qth.h"
 #include "core/station/adapters.h"
 
 #include <QObject>

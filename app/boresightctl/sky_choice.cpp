@@ -4,7 +4,7 @@
 #include "app/log_output.h"
 #include "core/base/text.h"
 #include "core/element_files/element_files.h"
-#include "core/profile/gpredict_qth.h"
+#include "core/gpredict/gpredict_qth.h"
 #include "core/profile/small_file.h"
 
 namespace boresight::ctl {

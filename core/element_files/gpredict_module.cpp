@@ -4,7 +4,7 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/elements/element_check.h"
-#include "core/profile/key_file.h"
+#include "core/gpredict/key_file.h"
 #include "core/profile/small_file.h"
 
 #include <QDir>

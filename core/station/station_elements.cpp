@@ -3,7 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/element_files/element_files.h"
-#include "core/profile/gpredict_qth.h"
+#include "core/gpredict/gpredict_qth.h"
 
 #include <QFileInfo>
 

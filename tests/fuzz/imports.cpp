@@ -2,8 +2,8 @@
 // What is brought in from other programs: any bytes to parseHorizon(), parseQth() and fromLocator(); what they accept
 // is fit for a profile.
 #include "core/base/control_characters.h"
+#include "core/gpredict/gpredict_qth.h"
 #include "core/pointing/skyline.h"
-#include "core/profile/gpredict_qth.h"
 #include "core/profile/horizon_text.h"
 #include "core/profile/locator.h"
 #include "core/profile/setting.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/gpredict/gpredict_qth.h"
 #include "core/messages/station_status.h"
-#include "core/profile/gpredict_qth.h"
 #include "ui/link/profile_change.h"
 
 #include <QWidget>

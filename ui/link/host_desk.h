@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/gpredict/gpredict_qth.h"
 #include "core/messages/adapter.h"
 #include "core/messages/scan_result.h"
-#include "core/profile/gpredict_qth.h"
 
 #include <QObject>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/profile/gpredict_qth.h"
+#include "core/gpredict/gpredict_qth.h"
 
 #include "core/profile/small_file.h"
 #include "tests/fakes/text_of.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/profile/gpredict_satellites.h"
+#include "core/gpredict/gpredict_satellites.h"
 
 #include "core/base/numbers.h"
-#include "core/profile/key_file.h"
+#include "core/gpredict/key_file.h"
 #include "core/profile/small_file.h"
 
 #include <QDir>

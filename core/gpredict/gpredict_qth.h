@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/profile/gpredict_satellites.h"
+#include "core/gpredict/gpredict_satellites.h"
 #include "core/profile/profile.h"
 
 #include <QByteArray>

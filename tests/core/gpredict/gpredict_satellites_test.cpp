@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/profile/gpredict_satellites.h"
+#include "core/gpredict/gpredict_satellites.h"
 
-#include "core/profile/gpredict_qth.h"
+#include "core/gpredict/gpredict_qth.h"
 #include "core/profile/setting.h"
 #include "core/profile/small_file.h"
 

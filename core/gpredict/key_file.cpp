@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/profile/key_file.h"
+#include "core/gpredict/key_file.h"
 
 #include <QStringList>
 

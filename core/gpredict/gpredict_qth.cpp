@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/profile/gpredict_qth.h"
+#include "core/gpredict/gpredict_qth.h"
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
-#include "core/profile/key_file.h"
+#include "core/gpredict/key_file.h"
 #include "core/profile/setting.h"
 #include "core/profile/small_file.h"
 
