@@ -35,8 +35,9 @@ struct Options
 };
 
 // Why a program does not start.
-struct NoStart : Error
+struct NoStart
 {
+    Error error;
     bool byItsProfile = false;  // and not by what was typed: another profile helps
 };
 

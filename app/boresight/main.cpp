@@ -249,9 +249,9 @@ int main(int argc, char** argv)
     while (!options) {
         const bool typed = argc > 1 && !options.error().byItsProfile;
         if (typed || !hasDisplay()) {
-            return complain(options.error().text);
+            return complain(options.error().error.text);
         }
-        const QString profile = complainInWindow(argc, argv, options.error().text);
+        const QString profile = complainInWindow(argc, argv, options.error().error.text);
         if (profile.isEmpty()) {
             return kFailed;
         }

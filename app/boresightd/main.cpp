@@ -32,12 +32,11 @@ void announce(const QString& listening)
     app::notifyService("READY=1");
 }
 
-// Without map_error() the conversion of tl::expected leaks what options hold by default.
 Result<app::Options> readOptions()
 {
     return app::readOptions(QCoreApplication::arguments(),
                             QStringLiteral("Boresight without a screen: rotctld server for a moteus antenna mount."))
-        .map_error([](const app::NoStart& problem) -> Error { return problem; });
+        .map_error([](const app::NoStart& problem) { return problem.error; });
 }
 
 // Without --profile the window may have made another mount the current one meanwhile.

@@ -229,7 +229,7 @@ bool SensorWatch::disagrees(Axis axis) const
     // An alarm that stands goes only when a value has agreed with what is proposed.
     const SensorCheck::Difference& proposed = m_afterApply.difference(axis);
     const bool agrees = proposed.now && !proposed.beyond;
-    const bool explained = m_proposed && !proposed.lasts && (agrees || !m_disagreed);
+    const bool explained = m_proposed && !proposed.lasts && (agrees || !m_told.stands);
     return m_inForce.difference(axis).lasts && !expected && !explained;
 }
 
@@ -252,13 +252,13 @@ void SensorWatch::tellDisagreement()
     const bool disagrees = this->disagrees();
     // That it goes with the current shows after some motions only: then it is told again, with its cause.
     const bool byCurrent = this->disagrees(Axis::Azimuth) && m_currentLink.correlation();
-    if (disagrees && (!m_disagreed || (byCurrent && !m_currentTold) || hasChanged())) {
+    if (disagrees && (!m_told.stands || (byCurrent && !m_told.currentNamed) || hasChanged())) {
         raiseDisagreement();
-    } else if (!disagrees && m_disagreed) {
+    } else if (!disagrees && m_told.stands) {
         m_alarms.clear(alarmEntry("sensor.disagrees-azimuth"));
     }
-    m_disagreed = disagrees;
-    m_currentTold = disagrees && (m_currentTold || byCurrent);
+    m_told.stands = disagrees;
+    m_told.currentNamed = disagrees && (m_told.currentNamed || byCurrent);
 }
 
 Axis SensorWatch::axisInDoubt() const
@@ -271,14 +271,15 @@ bool SensorWatch::hasChanged() const
 {
     const Axis axis = axisInDoubt();
     const std::optional<Angle>& now = m_inForce.difference(axis).now;
-    return m_told.first != axis || (now && abs(abs(*now) - m_told.second) > kToldAnew);
+    return m_told.axis != axis || (now && abs(abs(*now) - m_told.apart) > kToldAnew);
 }
 
 void SensorWatch::raiseDisagreement()
 {
     const Axis axis = axisInDoubt();
     const Angle apart = abs(m_inForce.difference(axis).now.value_or(Angle{}));
-    m_told = {axis, apart};
+    m_told.axis = axis;
+    m_told.apart = apart;
     m_alarms.raise(
         axis == Axis::Azimuth ? alarmEntry("sensor.disagrees-azimuth") : alarmEntry("sensor.disagrees-elevation"),
         {degreesText(apart), causes(axis)});

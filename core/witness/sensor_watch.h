@@ -71,6 +71,15 @@ private:
         std::uint64_t restartsTold = 0;
     };
 
+    // What the alarm of a difference says now.
+    struct Told
+    {
+        bool stands = false;
+        bool currentNamed = false;  // as its cause
+        Axis axis = Axis::Azimuth;
+        Angle apart;
+    };
+
     [[nodiscard]] const profile::SensorSettings& settings() const { return m_profile->sensor; }
     // Why its azimuth is no evidence; empty: it is.
     [[nodiscard]] QString doubtOf(const orientation::Orientation& value) const;
@@ -107,9 +116,7 @@ private:
     SourceInUse m_source;
     AmpereLink m_currentLink;
     std::uint64_t m_breaks = 0;  // of the course, besides those that the judge sees
-    bool m_disagreed = false;
-    bool m_currentTold = false;
-    std::pair<Axis, Angle> m_told;     // the difference in the alarm
+    Told m_told;
     std::optional<Angle> m_northTold;  // in the advice that north is not set
 };
 

@@ -42,6 +42,7 @@ if(BORESIGHT_SANITIZE)
     target_link_libraries(boresight_options INTERFACE $<TARGET_OBJECTS:boresight_qt_event_order>)
     target_link_options(boresight_options INTERFACE
       -Wl,--wrap=_ZN7QThread4waitE14QDeadlineTimer -Wl,--wrap=_ZN11QThreadPool5startESt8functionIFvvEEi
+      -Wl,--wrap=_ZN11QThreadPoolD1Ev
       -Wl,--wrap=_ZN11QMetaObject16invokeMethodImplEP7QObjectPN9QtPrivate15QSlotObjectBaseEN2Qt14ConnectionTypeEPv)
   endif()
 endif()

@@ -33,7 +33,8 @@ protected:
         return readOptions(QStringList{QStringLiteral("boresightd"), QStringLiteral("--state-dir"),
                                        m_home.filePath(QStringLiteral("state"))} +
                                words,
-                           QStringLiteral("test"));
+                           QStringLiteral("test"))
+            .map_error([](const NoStart& problem) { return problem.error; });
     }
 
     static profile::Profile named(const char* name)

@@ -7,9 +7,10 @@
 // queued signals. Here each event is ordered on its own address: Qt releases it when it is allocated by the sender and
 // acquires it when it is delivered by, or freed in, the receiver; and what a thread did before it ended is ordered
 // before the return of QThread::wait(); and what a thread did before it gave work to a QThreadPool is ordered before
-// that work. Nothing else is, so a value shared outside of events is still reported. Arguments of queued signals are
-// copied after the allocation: tsan.supp names those. Painting is kept on the thread that asks for it: what Qt Gui's
-// pool of threads does is ordered by semaphores that nobody sees either.
+// that work; and what a thread of a pool did before it ended is ordered before the end of the pool. Nothing else is, so
+// a value shared outside of events is still reported. Arguments of queued signals are copied after the allocation:
+// tsan.supp names those. Painting is kept on the thread that asks for it: what Qt Gui's pool of threads does is ordered
+// by semaphores that nobody sees either.
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QDeadlineTimer>
@@ -82,8 +83,8 @@ int findSenders(dl_phdr_info* library, std::size_t /*size*/, void* /*unused*/)
     return 0;
 }
 
-// Lives in each thread that has received an event. Qt destroys it when the thread ends, after the deferred deletions
-// and before it wakes whoever waits for the thread.
+// Lives in each thread that has received an event or work of a pool. Qt destroys it when the thread ends, after the
+// deferred deletions and before it wakes whoever waits for the thread.
 struct ThreadEnd
 {
     static inline char s_order = 0;
@@ -96,13 +97,18 @@ struct ThreadEnd
 
 QThreadStorage<ThreadEnd*> g_threadEnds;
 
+void orderItsEnd()
+{
+    if (!g_threadEnds.hasLocalData()) {
+        g_threadEnds.setLocalData(new ThreadEnd);
+    }
+}
+
 // Qt calls this in the receiver's thread before it delivers an event. data: receiver, event, result.
 bool eventDelivered(void** data)
 {
     __tsan_acquire(data[1]);
-    if (!g_threadEnds.hasLocalData()) {
-        g_threadEnds.setLocalData(new ThreadEnd);
-    }
+    orderItsEnd();
     return false;
 }
 
@@ -144,6 +150,7 @@ public:
     void run() override
     {
         __tsan_acquire(&s_order);
+        orderItsEnd();
         m_work();
     }
 
@@ -159,6 +166,15 @@ extern "C" void __wrap__ZN11QThreadPool5startESt8functionIFvvEEi(QThreadPool* po
                                                                  int priority)
 {
     pool->start(new PoolWork(std::move(work)), priority);
+}
+
+// A pool frees what its threads have allocated in it: the list of those that wait for work.
+extern "C" void __real__ZN11QThreadPoolD1Ev(QThreadPool* pool);
+extern "C" void __wrap__ZN11QThreadPoolD1Ev(QThreadPool* pool)
+{
+    pool->waitForDone();
+    __tsan_acquire(&ThreadEnd::s_order);
+    __real__ZN11QThreadPoolD1Ev(pool);
 }
 
 // A call that is posted is freed by whoever is last, the thread that posts it or the one that carries it out; Qt counts

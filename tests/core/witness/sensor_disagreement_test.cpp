@@ -18,7 +18,7 @@ TEST(SensorWatch, APersistentDifferenceIsAmberWithItsLikelyCauses)
     rig.run(3.0);
     EXPECT_THAT(rig.alarmText(), HasSubstr("differ by 30.0° in azimuth"));
     EXPECT_THAT(rig.alarmText(), HasSubstr("Pointing is unchanged"));
-    EXPECT_THAT(rig.alarmText(), HasSubstr("iron near the compass"));
+    EXPECT_THAT(rig.alarmText(), HasSubstr("iron or a motor current near the compass"));
     EXPECT_TRUE(rig.watch.status().disagrees);
     rig.heading = 100_deg;
     rig.run(6.0);

@@ -91,7 +91,7 @@ protected:
     {
         RecordProperty("answer_p50_ms", QString::number(answers.percentile(0.5), 'f', 2).toStdString());
         RecordProperty("answer_p99_ms", QString::number(answers.percentile(0.99), 'f', 2).toStdString());
-        EXPECT_EQ(boresightd.terminate(), 0);
+        EXPECT_EQ(boresightd.terminate(), 0) << boresightd.complaints();
         static const QRegularExpression ticks(QStringLiteral("ticks .*max [0-9.]+ ms"));
         RecordProperty("ticks", ticks.match(QString::fromStdString(boresightd.complaints())).captured().toStdString());
     }
