@@ -76,6 +76,14 @@ struct BoardWork
     QString text;  // what it does, or how it ended; empty: nothing was asked for
 };
 
+// A board on the bus that turns no axis.
+struct WatchedDrive
+{
+    int id = 0;
+    QString name;
+    DriveReadings readings;
+};
+
 struct DrivesStatus
 {
     SurveyState survey = SurveyState::NotDone;
@@ -92,6 +100,7 @@ struct DrivesStatus
     BoardWork gearWork;
     DriveStatus azimuth;
     DriveStatus elevation;
+    std::vector<WatchedDrive> watched;
 };
 
 }  // namespace boresight

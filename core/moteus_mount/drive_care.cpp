@@ -6,6 +6,7 @@
 #include "core/base/text.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace boresight {
 namespace {
@@ -73,6 +74,7 @@ DriveCare::DriveCare(const profile::InForce& profile, MoteusMount& mount, AlarmB
       m_log(log),
       m_survey(profile, knownBoards(mount.memory()), mount.axes()),
       m_boards(profile, m_survey, mount.axes(), log),
+      m_watched(profile, alarms),
       m_gains{survey::AxisGains(Axis::Azimuth, profile->azimuth.id),
               survey::AxisGains(Axis::Elevation, profile->elevation.id)}
 {}
@@ -81,6 +83,7 @@ void DriveCare::take(const CanFrame& frame)
 {
     m_survey.take(frame);
     m_boards.take(frame);
+    m_watched.take(frame);
     const Result<moteus::Reply> reply = moteus::decodeReply(frame);
     if (!reply || reply->destination != moteus::kDiagnosticHostId) {
         return;
@@ -94,9 +97,11 @@ std::vector<CanFrame> DriveCare::tick(SteadyTime now)
 {
     watchConnection(now);
     if (m_mount.busLeft()) {
+        m_watched.rest();
         return {};
     }
     auto frames = m_boards.isRunning() ? changeBoard(now) : m_survey.frames(now);
+    std::ranges::copy(m_watched.frames(now), std::back_inserter(frames));
     tendGains(now, frames);
     tellMount();
     tellFindings();
@@ -415,6 +420,7 @@ void DriveCare::fill(DrivesStatus& drives) const
     drives.fixable = m_survey.isFixable();
     drives.strangers = m_survey.strangers();
     m_boards.fill(drives);
+    drives.watched = m_watched.status();
     for (const Axis axis : m_mount.axes()) {
         fill(axis, axis == Axis::Azimuth ? drives.azimuth : drives.elevation);
     }

@@ -8,6 +8,7 @@
 #include "core/messages/request.h"
 #include "core/moteus_mount/board_desk.h"
 #include "core/moteus_mount/moteus_mount.h"
+#include "core/moteus_mount/watched_boards.h"
 #include "core/profile/in_force.h"
 #include "core/survey/axis_gains.h"
 #include "core/survey/drive_survey.h"
@@ -67,6 +68,7 @@ private:
     EventLog& m_log;
     survey::DriveSurvey m_survey;
     BoardDesk m_boards;
+    WatchedBoards m_watched;
     std::array<survey::AxisGains, 2> m_gains;
     std::array<int, 2> m_rebootsTold{};
     std::array<bool, 2> m_answering{};

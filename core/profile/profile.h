@@ -306,7 +306,8 @@ struct BrokerSettings
 struct Profile
 {
     MountSettings mount;
-    std::string bus = "simulated";  // "fdcanusb:PATH", "socketcan:IFACE" or "simulated"
+    std::string bus = "simulated";           // "fdcanusb:PATH", "socketcan:IFACE" or "simulated"
+    std::vector<std::string> watchedBoards;  // on it, that turn no axis: "3 polarisation", see WatchedBoard
     AxisSettings azimuth = referenceAzimuth();
     AxisSettings elevation = referenceElevation();
     ControlSettings control;

@@ -6,6 +6,7 @@
 #include "core/profile/commissioning.h"
 #include "core/profile/setting_groups.h"
 #include "core/profile/setting_makers.h"
+#include "core/profile/watched_board.h"
 
 #include <algorithm>
 #include <utility>
@@ -49,6 +50,14 @@ void addMount(std::vector<Setting>& list)
         [](Profile& p, const std::string& text) {
             return parseBusName(text).map([&](const BusName&) { p.bus = text; });
         }));
+    list.push_back(textList(
+        "bus.watched", Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Watched boards"),
+         QT_TRANSLATE_NOOP("Text",
+                           "Further moteus boards on the bus, each with its id and a name: \"3 polarisation\". "
+                           "Boresight shows what they report. It never commands them.")},
+        [](auto& p) -> auto& { return p.watchedBoards; },
+        [](const std::string& text) { return parseWatchedBoard(text).map([](const WatchedBoard&) {}); }));
 }
 
 std::vector<std::string> driverNames()

@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/moteus/describe.h"
+#include "core/profile/watched_board.h"
 
 #include <QStringList>
 
@@ -230,7 +231,8 @@ void DriveSurvey::collectStrangers()
 {
     m_strangers.clear();
     for (const FoundController& board : m_scan.controllers()) {
-        if (std::ranges::find(m_sides, board.id, &Side::id) == m_sides.end()) {
+        if (std::ranges::find(m_sides, board.id, &Side::id) == m_sides.end() &&
+            !profile::watches(*m_profile, board.id)) {
             m_strangers.push_back({.id = board.id, .identity = identityOf(board)});
         }
     }

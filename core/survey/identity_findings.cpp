@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/moteus/describe.h"
+#include "core/profile/watched_board.h"
 #include "core/survey/protections.h"
 
 #include <algorithm>
@@ -27,6 +28,7 @@ struct IdentityJudge
     {
         return std::ranges::any_of(axes, [&](Axis axis) { return id == idOf(axis); });
     }
+    [[nodiscard]] bool isWatched(int id) const { return profile::watches(profile, id); }
     [[nodiscard]] std::ptrdiff_t countOf(int id) const { return std::ranges::count(found, id, &FoundController::id); }
 
     void judgeShared();
@@ -71,7 +73,7 @@ void IdentityJudge::judgeStrangers()
 {
     std::set<int> ids;
     for (const FoundController& board : found) {
-        if (!isOurs(board.id) && ids.insert(board.id).second) {
+        if (!isOurs(board.id) && !isWatched(board.id) && ids.insert(board.id).second) {
             findings.push_back(
                 {.kind = FindingKind::Stranger,
                  .about = QString::number(board.id),
@@ -79,7 +81,8 @@ void IdentityJudge::judgeStrangers()
                  .what = Text::tr("a board with the id %1 (%2) is not in the profile")
                              .arg(board.id)
                              .arg(uuidOf(board).isEmpty() ? Text::tr("UUID unread") : uuidOf(board)),
-                 .remedy = Text::tr("Take it off the bus, or enter its id in the profile if it drives an axis.")});
+                 .remedy = Text::tr("Take it off the bus. If it drives an axis, enter its id in the profile. If it "
+                                    "does something else, name it in bus.watched.")});
         }
     }
 }

@@ -2316,10 +2316,6 @@ até %1</translation>
         <translation>UUID não lido</translation>
     </message>
     <message>
-        <source>Take it off the bus, or enter its id in the profile if it drives an axis.</source>
-        <translation>Retire-a do barramento, ou ponha o seu id no perfil se ela move um eixo.</translation>
-    </message>
-    <message>
         <source>Install firmware with the register map %1 in the board (moteus_tool --flash), or a newer Boresight.</source>
         <translation>Instale na placa firmware com o mapa de registros %1 (moteus_tool --flash), ou um Boresight mais novo.</translation>
     </message>
@@ -7439,6 +7435,50 @@ até %1</translation>
     <message>
         <source>Check the azimuth offset and mounting of the sensor, iron or a motor current near the compass, and the azimuth zero</source>
         <translation>Verifique o desvio de azimute e a montagem do sensor, ferro ou uma corrente de motor perto da bússola, e o zero do azimute</translation>
+    </message>
+    <message>
+        <source>The board %1 (id %2) reports fault %3</source>
+        <translation>A placa %1 (id %2) comunica a falha %3</translation>
+    </message>
+    <message>
+        <source>Boresight only watches this board</source>
+        <translation>O Boresight só observa esta placa</translation>
+    </message>
+    <message>
+        <source>Look at what this board drives.</source>
+        <translation>Veja o que esta placa comanda.</translation>
+    </message>
+    <message>
+        <source>The board %1 (id %2) does not reply</source>
+        <translation>A placa %1 (id %2) não responde</translation>
+    </message>
+    <message>
+        <source>Check its power and its plugs. If it was taken away, remove it from bus.watched.</source>
+        <translation>Verifique a sua alimentação e as fichas. Se foi retirada, apague-a de bus.watched.</translation>
+    </message>
+    <message>
+        <source>The board with the id %1 turns an axis</source>
+        <translation>A placa com o id %1 move um eixo</translation>
+    </message>
+    <message>
+        <source>names the id %1 twice</source>
+        <translation>indica o id %1 duas vezes</translation>
+    </message>
+    <message>
+        <source>Watched boards</source>
+        <translation>Placas observadas</translation>
+    </message>
+    <message>
+        <source>Further moteus boards on the bus, each with its id and a name: &quot;3 polarisation&quot;. Boresight shows what they report. It never commands them.</source>
+        <translation>Outras placas moteus no barramento, cada uma com o seu id e um nome: &quot;3 polarização&quot;. O Boresight mostra o que elas comunicam. Nunca as comanda.</translation>
+    </message>
+    <message>
+        <source>the id of a board and its name are expected, like &quot;3 polarisation&quot;</source>
+        <translation>esperam-se o id de uma placa e o seu nome, como &quot;3 polarização&quot;</translation>
+    </message>
+    <message>
+        <source>Take it off the bus. If it drives an axis, enter its id in the profile. If it does something else, name it in bus.watched.</source>
+        <translation>Retire-a do barramento. Se mover um eixo, indique o seu id no perfil. Se fizer outra coisa, dê-lhe um nome em bus.watched.</translation>
     </message>
 </context>
 <context>

@@ -49,10 +49,9 @@ QString figures(const std::optional<double>& value, int decimals)
     return value ? toQString(formatFixed(*value, decimals)) : QString();
 }
 
-QStringList readingsOf(const StationStatus& status, Axis which)
+// `axis` is that of the drive. A board that is only watched has none.
+QStringList textsOf(const DriveReadings& drive, const AxisStatus& axis)
 {
-    const DriveReadings& drive = driveOf(status, which).readings;
-    const AxisStatus& axis = axisOf(status, which);
     const auto degrees = [](const auto& angle) { return angle ? std::optional(angle->degrees()) : std::nullopt; };
     QStringList values{figures(degrees(axis.actual), 2),
                        figures(drive.motorTurns, 5),
@@ -105,8 +104,7 @@ QString csvLine(const QStringList& fields)
 
 }  // namespace
 
-ReadingsModel::ReadingsModel(QObject* parent)
-    : TableModel({QString(), name(Axis::Azimuth), name(Axis::Elevation)}, parent)
+ReadingsModel::ReadingsModel(QObject* parent) : TableModel({}, parent)
 {
     show(m_status);
 }
@@ -119,10 +117,24 @@ std::size_t ReadingsModel::rows() const
 void ReadingsModel::show(const StationStatus& status)
 {
     m_status = status;
+    m_names.clear();
+    m_values.clear();
     for (const Axis axis : kAxes) {
-        m_values[axisIndex(axis)] = readingsOf(status, axis);
+        m_names << name(axis);
+        m_values.push_back(textsOf(driveOf(status, axis).readings, axisOf(status, axis)));
     }
+    for (const WatchedDrive& board : drivesOf(m_status).watched) {
+        m_names << board.name;
+        m_values.push_back(textsOf(board.readings, {}));
+    }
+    setHeadings(QStringList{QString()} + m_names);
     changeCells();
+}
+
+const DriveReadings& ReadingsModel::reported(int column) const
+{
+    return column < FirstWatched ? driveOf(m_status, kAxes[static_cast<std::size_t>(column - Azimuth)]).readings
+                                 : drivesOf(m_status).watched[static_cast<std::size_t>(column - FirstWatched)].readings;
 }
 
 QString ReadingsModel::shown(int row, int column) const
@@ -141,7 +153,7 @@ QColor ReadingsModel::colour(const QModelIndex& index) const
     if (index.column() == Quantity) {
         return theme.secondary;
     }
-    const auto& age = driveOf(m_status, kAxes[static_cast<std::size_t>(index.column() - Azimuth)]).readings.age;
+    const auto& age = reported(index.column()).age;
     switch (freshness(age)) {
         case Freshness::Live:
             return theme.text;
@@ -175,9 +187,13 @@ QVariant ReadingsModel::data(const QModelIndex& index, int role) const
 
 QString ReadingsModel::tabbed() const
 {
-    QString text = QStringList{dateText(m_status.utc), name(Axis::Azimuth), name(Axis::Elevation)}.join(u'\t') + u'\n';
+    QString text = (QStringList{dateText(m_status.utc)} + m_names).join(u'\t') + u'\n';
     for (int row = 0; row < rowCount(); ++row) {
-        text += QStringList{shown(row, Quantity), shown(row, Azimuth), shown(row, Elevation)}.join(u'\t') + u'\n';
+        QStringList line;
+        for (int column = 0; column < columnCount(); ++column) {
+            line << shown(row, column);
+        }
+        text += line.join(u'\t') + u'\n';
     }
     return text;
 }
@@ -186,12 +202,21 @@ QString ReadingsModel::csv() const
 {
     const DrivesStatus& drives = drivesOf(m_status);
     const auto id = [](const DriveStatus& drive) { return drive.id > 0 ? QString::number(drive.id) : QString(); };
-    QString text = csvLine({tr("UTC"), tr("Quantity"), tr("Unit"), name(Axis::Azimuth), name(Axis::Elevation)});
+    QString text = csvLine(QStringList{tr("UTC"), tr("Quantity"), tr("Unit")} + m_names);
     const QString time = dateText(m_status.utc);
-    text += csvLine({time, tr("Id"), QString(), id(drives.azimuth), id(drives.elevation)});
-    text += csvLine({time, tr("UUID"), QString(), drives.azimuth.identity.uuid, drives.elevation.identity.uuid});
+    QStringList ids{time, tr("Id"), QString(), id(drives.azimuth), id(drives.elevation)};
+    QStringList uuids{time, tr("UUID"), QString(), drives.azimuth.identity.uuid, drives.elevation.identity.uuid};
+    for (const WatchedDrive& board : drives.watched) {
+        ids << QString::number(board.id);
+        uuids << QString();
+    }
+    text += csvLine(ids) + csvLine(uuids);
     for (int row = 0; row < rowCount(); ++row) {
-        text += csvLine({time, nameOf(row), unitOf(row), m_values[0][row], m_values[1][row]});
+        QStringList line{time, nameOf(row), unitOf(row)};
+        for (const QStringList& values : m_values) {
+            line << values[row];
+        }
+        text += csvLine(line);
     }
     return text;
 }

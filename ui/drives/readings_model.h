@@ -4,10 +4,11 @@
 #include "core/messages/station_status.h"
 #include "ui/kit/table_model.h"
 
-#include <array>
+#include <vector>
 
-// What both drives report: a row for each quantity with its unit, a column for each axis. Numbers that are old are
-// dimmed, and not shown any more when there is no data. The age of the reply and the lost replies always stand.
+// What both drives report: a row for each quantity with its unit, a column for each axis, and for each board that is
+// only watched. Numbers that are old are dimmed, and not shown any more when there is no data. The age of the reply and
+// the lost replies always stand.
 namespace boresight::ui {
 
 class ReadingsModel : public TableModel
@@ -19,7 +20,8 @@ public:
     {
         Quantity,
         Azimuth,
-        Elevation
+        Elevation,
+        FirstWatched
     };
 
     explicit ReadingsModel(QObject* parent = nullptr);
@@ -39,10 +41,12 @@ protected:
 
 private:
     [[nodiscard]] QString shown(int row, int column) const;
+    [[nodiscard]] const DriveReadings& reported(int column) const;
     [[nodiscard]] QColor colour(const QModelIndex& index) const;
 
     StationStatus m_status;
-    std::array<QStringList, 2> m_values;  // by axis, in the order of the rows; empty: not reported
+    QStringList m_names;                // of the columns with values
+    std::vector<QStringList> m_values;  // of these, in the order of the rows; empty: not reported
 };
 
 }  // namespace boresight::ui

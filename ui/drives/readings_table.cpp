@@ -70,9 +70,13 @@ QTableView* ReadingsTable::makeTable()
     table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().lineSpacing());  // all rows at 1280 × 800
     QHeaderView* const header = table->horizontalHeader();
     header->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    for (const int column : {ReadingsModel::Azimuth, ReadingsModel::Elevation}) {
-        header->setSectionResizeMode(column, QHeaderView::Stretch);
-    }
+    const auto stretch = [this, header] {
+        for (int column = ReadingsModel::Azimuth; column < m_model->columnCount(); ++column) {
+            header->setSectionResizeMode(column, QHeaderView::Stretch);
+        }
+    };
+    stretch();
+    connect(m_model, &QAbstractItemModel::modelReset, header, stretch);
     return table;
 }
 

@@ -21,6 +21,16 @@ QVariant TableModel::headerData(int section, Qt::Orientation orientation, int ro
     return orientation == Qt::Horizontal && role == Qt::DisplayRole ? QVariant(m_headings.value(section)) : QVariant();
 }
 
+void TableModel::setHeadings(const QStringList& headings)
+{
+    if (headings == m_headings) {
+        return;
+    }
+    beginResetModel();
+    m_headings = headings;
+    endResetModel();
+}
+
 void TableModel::changeCells()
 {
     if (rowCount() > 0) {

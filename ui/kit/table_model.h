@@ -22,6 +22,7 @@ public:
 protected:
     [[nodiscard]] virtual std::size_t rows() const = 0;  // that the views have been told of
     void changeCells();                                  // any may have changed
+    void setHeadings(const QStringList& headings);       // the columns are others if there are more or fewer
 
 private:
     QStringList m_headings;

@@ -72,6 +72,23 @@ TEST(CrossCheck, TheDriversOfTheAxesMakeSense)
     EXPECT_EQ(keysOf(problemsOfReal(simple)), only("elevation.driver")) << "not even beside a real drive";
 }
 
+// REQ-PROFILE-960: A board that is only watched has an id from 1 to 126 and a name. No axis and no other watched board
+// has its id.
+TEST(CrossCheck, AWatchedBoardHasAnIdOfItsOwn)
+{
+    Profile profile;
+    const Setting& setting = *findSetting("bus.watched");
+    for (const char* const bad : {"", "3", "3 ", "0 polarisation", "127 polarisation", "polarisation", "3.5 tilt"}) {
+        EXPECT_FALSE(setting.set(profile, TextList{bad})) << bad;
+    }
+    ASSERT_TRUE(setting.set(profile, TextList{"3 polarisation", "4 second dish"}));
+    EXPECT_TRUE(crossCheck(profile).empty());
+    ASSERT_TRUE(setting.set(profile, TextList{"3 polarisation", "3 second dish", "2 tilt"}));
+    EXPECT_EQ(keysOf(crossCheck(profile)), (std::vector<std::string>{"bus.watched", "bus.watched"}));
+    profile.elevation.driver = AxisDriver::None;
+    EXPECT_EQ(crossCheck(profile).size(), 1u) << "nothing turns the elevation";
+}
+
 // REQ-PROFILE-04
 TEST(CrossCheck, AnIdThatNoControllerHasClashesWithNone)
 {

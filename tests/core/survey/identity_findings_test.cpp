@@ -58,6 +58,15 @@ TEST(Identity, AThirdBoardIsAWarning)
     EXPECT_TRUE(findings[0].what.contains(uuid(13)));
 }
 
+// REQ-SURVEY-04
+TEST(Identity, AThirdBoardThatIsWatchedIsNoFinding)
+{
+    profile::Profile profile;
+    profile.watchedBoards = {"9 polarisation"};
+    EXPECT_THAT(identityFindings(profile, {}, std::vector{board(1, 11), board(2, 12), board(9, 13)}), IsEmpty());
+    EXPECT_EQ(identityFindings(profile, {}, std::vector{board(1, 11), board(2, 12), board(8, 13)}).size(), 1u);
+}
+
 // Its id in the profile means nothing then.
 TEST(Identity, ABoardOfAnAxisWithoutDriveIsAsStrangeAsAny)
 {

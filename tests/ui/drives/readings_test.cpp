@@ -140,6 +140,24 @@ TEST_F(ReadingsTest, TheReadingsAreCopiedAndSaved)
     EXPECT_EQ(text("Outcome"), QStringLiteral("Readings saved"));
 }
 
+// REQ-UI-913: A board that is only watched has a column of its own under its name, also in what is copied and saved.
+TEST_F(ReadingsTest, AWatchedBoardHasAColumn)
+{
+    StationStatus status = samples::idle();
+    status.drives->watched = {{.id = 3, .name = QStringLiteral("polarisation"), .readings = {}}};
+    status.drives->watched[0].readings.torque = 0.75;
+    status.drives->watched[0].readings.age = 100ms;
+    give(samples::update(status));
+    ASSERT_EQ(readings().columnCount(), 4);
+    EXPECT_EQ(readings().headerData(3, Qt::Horizontal, Qt::DisplayRole).toString(), QStringLiteral("polarisation"));
+    EXPECT_EQ(at("Torque (Nm)", ReadingsModel::FirstWatched).data().toString(), QStringLiteral("0.75"));
+    EXPECT_EQ(at("Position of the axis (°)", ReadingsModel::FirstWatched).data().toString(), QStringLiteral("—"));
+    click("Copy");
+    EXPECT_TRUE(QApplication::clipboard()->text().contains(QStringLiteral("Torque (Nm)\t1.25\t-2.40\t0.75\n")));
+    give(samples::update(samples::idle()));
+    EXPECT_EQ(readings().columnCount(), 3) << "the profile does not name it any more";
+}
+
 TEST_F(ReadingsTest, AllRowsAreSeenAtTheUsualSize)
 {
     window.resize(1280, 800);

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/alarm_board.h"
+#include "core/messages/drives_status.h"
+#include "core/moteus_mount/drive.h"
+#include "core/profile/in_force.h"
+#include "core/profile/watched_board.h"
+
+#include <string>
+#include <vector>
+
+// The boards on the bus that turn no axis and that the profile names: they are asked what they report, and never
+// commanded. A fault and a silence of one is an alarm. Pure: time is passed in.
+namespace boresight {
+
+class WatchedBoards
+{
+public:
+    // Profile and alarms outlive this.
+    WatchedBoards(const profile::InForce& profile, AlarmBoard& alarms) : m_profile(profile), m_alarms(alarms) {}
+
+    void take(const CanFrame& frame);
+    // The questions of this tick.
+    [[nodiscard]] std::vector<CanFrame> frames(SteadyTime now);
+    // The bus is left to others: they may do to the boards what they want.
+    void rest();
+    [[nodiscard]] std::vector<WatchedDrive> status() const;  // as of the last tick
+
+private:
+    struct Board
+    {
+        profile::WatchedBoard named;
+        Drive drive;  // only listening
+    };
+
+    void followProfile(SteadyTime now);
+    void judge(const Board& board, SteadyTime now);
+
+    const profile::InForce& m_profile;
+    AlarmBoard& m_alarms;
+    std::vector<std::string> m_named;  // in the profile, when the boards were made
+    std::vector<Board> m_boards;
+    SteadyTime m_now{};
+    SteadyTime m_since{};  // when they were asked first
+    SteadyTime m_nextQuestion{};
+};
+
+}  // namespace boresight
