@@ -5,13 +5,13 @@
 
 namespace boresight {
 
-bool StreamLog::begins(const QString& source, const QString& command)
+bool StreamLog::begins(const QString& source, const QString& command, const QString& reason)
 {
     const SteadyTime now = m_clock.now();
     const auto found = m_streams.find(source);
-    if (found == m_streams.end() || now - found->last >= kPeriod) {
+    if (found == m_streams.end() || now - found->last >= kPeriod || found->reason != reason) {
         gone(source);
-        m_streams.insert(source, {.since = now, .last = now});
+        m_streams.insert(source, {.since = now, .last = now, .command = {}, .reason = reason});
         return true;
     }
     ++found->count;
@@ -35,9 +35,10 @@ void StreamLog::write(const QString& source, Stream& stream)
 {
     if (stream.count > 0) {
         const auto seconds = std::chrono::round<std::chrono::seconds>(stream.last - stream.since).count();
-        m_log.add(
-            Severity::Advisory, source,
-            Text::tr("%1 more accepted in %2 s. The last: %3").arg(stream.count).arg(seconds).arg(stream.command));
+        const QString text = m_answer == Answer::Accepted ? Text::tr("%1 more accepted in %2 s. The last: %3")
+                                                          : Text::tr("%1 more refused in %2 s. The last: %3");
+        m_log.add(m_answer == Answer::Accepted ? Severity::Advisory : Severity::Warning, source,
+                  text.arg(stream.count).arg(seconds).arg(stream.command));
     }
     stream.since = stream.last;
     stream.count = 0;

@@ -16,10 +16,17 @@ class StreamLog
 public:
     static constexpr std::chrono::seconds kPeriod{60};
 
-    StreamLog(EventLog& log, const Clock& clock) : m_log(log), m_clock(clock) {}
+    enum class Answer
+    {
+        Accepted,
+        Refused
+    };
 
-    // True: it begins a stream, and its own line is to be written. Counted else.
-    [[nodiscard]] bool begins(const QString& source, const QString& command);
+    StreamLog(EventLog& log, const Clock& clock, Answer answer) : m_log(log), m_clock(clock), m_answer(answer) {}
+
+    // True: it begins a stream, and its own line is to be written. Counted else. Another reason of a refusal begins a
+    // stream, too.
+    [[nodiscard]] bool begins(const QString& source, const QString& command, const QString& reason = {});
     void gone(const QString& source);
 
 private:
@@ -29,12 +36,14 @@ private:
         SteadyTime last{};
         int count = 0;
         QString command;  // the last
+        QString reason;   // of the refusal
     };
 
     void write(const QString& source, Stream& stream);
 
     EventLog& m_log;
     const Clock& m_clock;
+    Answer m_answer;
     QHash<QString, Stream> m_streams;  // by source
 };
 

@@ -32,16 +32,16 @@ std::optional<int> worst(std::span<const SensorReading> readings, Calibration wh
     return least;
 }
 
-Result<> checkCalibration(std::span<const SensorReading> readings, int needed)
+}  // namespace
+
+Result<> isCalibrated(std::optional<int> magnetometer, std::optional<int> system, int needed)
 {
-    const auto magnetometer = worst(readings, &SensorReading::magnetometerCalibration);
     if (magnetometer.value_or(needed) < needed) {
         return failure(ErrorCode::Refused, Text::tr("Magnetometer calibration is %1 of 3, but %2 is needed. Move the "
                                                     "sensor in figures of eight, away from iron.")
                                                .arg(*magnetometer)
                                                .arg(needed));
     }
-    const auto system = worst(readings, &SensorReading::systemCalibration);
     if (system.value_or(needed) < needed) {
         return failure(ErrorCode::Refused, Text::tr("System calibration of the sensor is %1 of 3, but %2 is needed. "
                                                     "Its heading is not tied to magnetic north yet.")
@@ -50,6 +50,8 @@ Result<> checkCalibration(std::span<const SensorReading> readings, int needed)
     }
     return {};
 }
+
+namespace {
 
 // A chip that hangs sends one value for ever. Where it tells its calibration, that is 0 then.
 Result<> checkAlive(std::span<const SensorReading> readings)
@@ -95,9 +97,10 @@ Result<> check(std::span<const SensorReading> readings, const SensorOffsetLimits
         return failure(ErrorCode::Refused,
                        Text::tr("There are %1 readings, but %2 are needed.").arg(readings.size()).arg(limits.fewest));
     }
-    return checkCalibration(readings, limits.calibration).and_then([&] { return checkAlive(readings); }).and_then([&] {
-        return checkMount(readings, limits);
-    });
+    return isCalibrated(worst(readings, &SensorReading::magnetometerCalibration),
+                        worst(readings, &SensorReading::systemCalibration), limits.calibration)
+        .and_then([&] { return checkAlive(readings); })
+        .and_then([&] { return checkMount(readings, limits); });
 }
 
 std::vector<Angle> offsetsOf(std::span<const SensorReading> readings, const DeviationCurve& curve)

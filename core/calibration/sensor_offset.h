@@ -51,6 +51,9 @@ struct SensorOffset
     bool isReliableHere = true;  // false: the curve says that steel steers the needle at this heading
 };
 
+// Whether the levels that a sensor reports reach `needed`. A level that it does not report is no obstacle.
+[[nodiscard]] Result<> isCalibrated(std::optional<int> magnetometer, std::optional<int> system, int needed);
+
 // `curve`: from an earlier swing, if there was one; it tells the sense. Without one it has to be known: nothing in the
 // readings of a still mount shows it. Refused with the reason, for the operator.
 [[nodiscard]] Result<SensorOffset> sensorOffset(std::span<const SensorReading> readings,

@@ -30,6 +30,8 @@ public:
     void begin(const request::SetGear& wanted, SteadyTime now);
 
     [[nodiscard]] bool isRunning() const { return m_change.isRunning(); }
+    // The axis whose gear is being written: its drive changes its count in the middle of that.
+    [[nodiscard]] const std::optional<Axis>& geared() const { return m_geared; }
     // The axis, once, after a gear was written: the drive counts from a new zero, with other gains.
     [[nodiscard]] std::optional<Axis> takeGeared() { return std::exchange(m_ended, std::nullopt); }
     // The operator goes on: what came of the last work is no longer told.

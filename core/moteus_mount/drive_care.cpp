@@ -146,6 +146,9 @@ std::vector<CanFrame> DriveCare::changeBoard(SteadyTime now)
 {
     bool ended = false;
     auto frames = m_boards.frames(now, ended);
+    if (const auto& axis = m_boards.geared()) {
+        m_mount.expectAnotherCount(*axis);
+    }
     if (const auto axis = m_boards.takeGeared()) {
         m_mount.countsAnew(*axis);
         m_gains[index(*axis)].startOver();

@@ -55,6 +55,8 @@ public:
     [[nodiscard]] bool needsOrigin(Axis axis) const { return m_turnWatch.needsOrigin(axis); }
     void driveRestarted(Axis axis);  // it was power-cycled under our eyes
     void countsAnew(Axis axis);      // its encoder, after a change of its settings
+    // Its settings are being changed: where it stands next is no jump.
+    void expectAnotherCount(Axis axis) { m_drives.drive(axis).forgetPlace(); }
 
     // The journal.
     [[nodiscard]] const memory::MountMemory& memory() const { return m_turns.memory(); }

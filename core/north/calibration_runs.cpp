@@ -67,7 +67,7 @@ Result<> CalibrationRuns::followsNothing() const
 Result<> CalibrationRuns::mayAverage() const
 {
     return isIdle()
-        .and_then([this] { return m_sensor.isUsable(); })
+        .and_then([this] { return m_sensor.isTiedToNorth(); })
         .and_then([this] { return m_axes.standStill(); })
         .and_then([this] { return followsNothing(); })
         .and_then([this]() -> Result<> {

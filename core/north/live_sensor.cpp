@@ -2,6 +2,7 @@
 #include "core/north/live_sensor.h"
 
 #include "core/base/text.h"
+#include "core/calibration/sensor_offset.h"
 
 namespace boresight {
 namespace {
@@ -51,6 +52,15 @@ Result<> LiveSensor::isUsable() const
                     .arg(kCalibratedMagnetometer));
         }
         return {};
+    });
+}
+
+Result<> LiveSensor::isTiedToNorth() const
+{
+    return isUsable().and_then([this]() -> Result<> {
+        return m_last->calibration ? calibration::isCalibrated(std::nullopt, m_last->calibration->system,
+                                                               calibration::SensorOffsetLimits{}.calibration)
+                                   : Result<>{};
     });
 }
 

@@ -25,6 +25,8 @@ public:
     [[nodiscard]] Result<> isHeard() const;
     // There is a sensor, it is heard, and its compass is calibrated as far as it reports that.
     [[nodiscard]] Result<> isUsable() const;
+    // Usable, and its heading is tied to magnetic north as far as it reports that: an average would be taken.
+    [[nodiscard]] Result<> isTiedToNorth() const;
     [[nodiscard]] Angle declination() const { return m_declination; }
     [[nodiscard]] std::uint64_t restarts() const { return m_restarts; }
 

@@ -76,7 +76,8 @@ StationRotator::StationRotator(StationControl& control, const profile::InForce& 
       m_remarks(log, clock, kRemarksPerSecond),
       m_refusals(log, clock, kRefusalsPerSecond),
       m_commands(log, clock, kCommandsPerSecond),
-      m_points(log, clock),
+      m_points(log, clock, StreamLog::Answer::Accepted),
+      m_refusedPoints(log, clock, StreamLog::Answer::Refused),
       m_connections(log, clock, kConnectionsPerSecond)
 {}
 
@@ -249,13 +250,16 @@ Result<> StationRotator::setSpeedLevel(const rotctld::Client& client, int level)
 Result<> StationRotator::ask(const rotctld::Client& client, const Request& request, const QString& command)
 {
     Result<> answer = m_control.request(request, clientSource(client));
-    if (!answer) {
-        logRefusal(client, command, answer.error());
-        return answer;
-    }
     const QString name = clientSource(client).name;
     const bool point =
         std::holds_alternative<request::PointSky>(request) || std::holds_alternative<request::PointAxes>(request);
+    if (!answer) {
+        if (!point || m_refusedPoints.begins(name, command, answer.error().text)) {
+            logRefusal(client, command, answer.error());
+        }
+        return answer;
+    }
+    m_refusedPoints.gone(name);
     if (!point || m_points.begins(name, command)) {
         m_commands.add(Severity::Advisory, name, Text::tr("%1 accepted").arg(command));
     }
@@ -276,6 +280,7 @@ void StationRotator::clientConnected(const rotctld::Client& client)
 void StationRotator::clientGone(const rotctld::Client& client, const QString& reason)
 {
     m_points.gone(clientSource(client).name);
+    m_refusedPoints.gone(clientSource(client).name);
     m_connections.add(Severity::Advisory, clientSource(client).name, Text::tr("disconnected: %1").arg(reason));
     m_control.sourceGone(clientSource(client));
 }

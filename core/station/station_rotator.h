@@ -51,6 +51,7 @@ private:
     LogThrottle m_refusals;     // refused commands
     LogThrottle m_commands;     // accepted commands
     StreamLog m_points;         // accepted positions of a stream
+    StreamLog m_refusedPoints;  // the same, refused
     LogThrottle m_connections;  // who comes and goes
 };
 

@@ -7480,6 +7480,10 @@ até %1</translation>
         <source>Take it off the bus. If it drives an axis, enter its id in the profile. If it does something else, name it in bus.watched.</source>
         <translation>Retire-a do barramento. Se mover um eixo, indique o seu id no perfil. Se fizer outra coisa, dê-lhe um nome em bus.watched.</translation>
     </message>
+    <message>
+        <source>%1 more refused in %2 s. The last: %3</source>
+        <translation>%1 outras recusadas em %2 s. A última: %3</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

@@ -16,7 +16,7 @@ TEST(StreamLog, PositionsOfAClientAreSummedUp)
     const QString client = QStringLiteral("rotctld 1");
     fakes::ManualClock clock;
     EventLog log(clock);
-    StreamLog stream(log, clock);
+    StreamLog stream(log, clock, StreamLog::Answer::Accepted);
     EXPECT_TRUE(stream.begins(client, QStringLiteral("P 0.00 10.00")));
     for (int second = 1; second <= 90; ++second) {
         clock.advance(Seconds(1.0));
@@ -37,10 +37,30 @@ TEST(StreamLog, AfterAMinuteOfSilenceAStreamBeginsAnew)
     const QString client = QStringLiteral("rotctld 1");
     fakes::ManualClock clock;
     EventLog log(clock);
-    StreamLog stream(log, clock);
+    StreamLog stream(log, clock, StreamLog::Answer::Accepted);
     EXPECT_TRUE(stream.begins(client, QStringLiteral("P 0.00 10.00")));
     clock.advance(Seconds(60.0));
     EXPECT_TRUE(stream.begins(client, QStringLiteral("P 1.00 10.00")));
+}
+
+// Story: a client that went on sending behind a STOP wrote a line each second, since its numbers changed.
+// REQ-MEMORY-953: Refused positions of a client are summed up in the same way, for as long as the reason is the same.
+TEST(StreamLog, RefusedPositionsAreSummedUpByTheirReason)
+{
+    const QString client = QStringLiteral("rotctld 1");
+    const QString stopped = QStringLiteral("STOP is latched");
+    fakes::ManualClock clock;
+    EventLog log(clock);
+    StreamLog stream(log, clock, StreamLog::Answer::Refused);
+    EXPECT_TRUE(stream.begins(client, QStringLiteral("P 0.00 10.00"), stopped));
+    for (int second = 1; second <= 5; ++second) {
+        clock.advance(Seconds(1.0));
+        EXPECT_FALSE(stream.begins(client, QStringLiteral("P %1.00 10.00").arg(second), stopped));
+    }
+    EXPECT_TRUE(stream.begins(client, QStringLiteral("P 6.00 10.00"), QStringLiteral("no reply")));
+    ASSERT_EQ(log.since(0, 10).size(), 1u);
+    EXPECT_EQ(log.since(0, 10).back().text, QStringLiteral("5 more refused in 5 s. The last: P 5.00 10.00"));
+    EXPECT_EQ(log.since(0, 10).back().severity, Severity::Warning);
 }
 
 }  // namespace

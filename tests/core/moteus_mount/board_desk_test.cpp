@@ -93,6 +93,7 @@ TEST(BoardDesk, TheGearOfAFactoryBoardIsWrittenAndRead)
     ASSERT_TRUE(rig.reaches(SurveyState::Done));
     EXPECT_FALSE(rig.drives().elevation.gear) << "it is right now";
     EXPECT_TRUE(rig.logSays("counts from a new zero"));
+    EXPECT_FALSE(rig.logSays("jump")) << "another gear, and no fault of the encoder";
     EXPECT_NE(rig.obstacle(Action::SetElevationGear), "");
     EXPECT_EQ(rig.pair.drive(Axis::Azimuth).driveConfig().motorPosition.rotorToOutputRatio, 1.0);
 }

@@ -21,12 +21,12 @@ struct LiveSensorRig
     }
 
     // What the sensor reports now. True: as a new value.
-    bool report(std::optional<int> magnetometer = 3)
+    bool report(std::optional<int> magnetometer = 3, int system = 3)
     {
         status.last = orientation::Orientation{};
         status.last->arrival = clock.now();
         if (magnetometer) {
-            status.last->calibration = orientation::Calibration{.system = 3, .magnetometer = *magnetometer};
+            status.last->calibration = orientation::Calibration{.system = system, .magnetometer = *magnetometer};
         }
         return sensor.take(status) != nullptr;
     }
@@ -73,6 +73,26 @@ TEST(LiveSensor, ASilentSensorIsNoEvidence)
     rig.clock.advance(Seconds(0.1));
     EXPECT_FALSE(rig.sensor.isHeard());
     EXPECT_FALSE(rig.sensor.isUsable());
+}
+
+// Story: an average of 20 s was refused at its end, for a level that was there before it.
+// REQ-NORTH-960: No average is begun that its readings would end with a refusal: the system level of the sensor is
+// asked first, too. A sensor that reports no level is averaged.
+TEST(LiveSensor, AHeadingThatIsNotTiedToNorthIsNotAveraged)
+{
+    LiveSensorRig rig;
+    EXPECT_TRUE(rig.report(3, 1));
+    EXPECT_TRUE(rig.sensor.isUsable());
+    EXPECT_EQ(
+        "System calibration of the sensor is 1 of 3, but 2 is needed. Its heading is not tied to magnetic north "
+        "yet.",
+        refusalOf(rig.sensor.isTiedToNorth()));
+    rig.clock.advance(Seconds(0.1));
+    EXPECT_TRUE(rig.report(3, 2));
+    EXPECT_TRUE(rig.sensor.isTiedToNorth());
+    rig.clock.advance(Seconds(0.1));
+    EXPECT_TRUE(rig.report(std::nullopt));
+    EXPECT_TRUE(rig.sensor.isTiedToNorth());
 }
 
 TEST(LiveSensor, ACompassThatIsNotCalibratedIsHeardButNotUsable)
