@@ -6,6 +6,7 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/elements/element_set.h"
+#include "core/targets/target_text.h"
 
 #include <algorithm>
 #include <array>
@@ -70,38 +71,14 @@ Result<> takeBody(const std::string& text, SkyOptions& options)
                : expected("body", text, QStringLiteral("one of %1").arg(toQString(ephemeris::skyObjectKeys())));
 }
 
-// "5.5", or "5:30:00", or "-5:30"
-std::optional<double> sexagesimal(std::string_view text)
-{
-    const bool isNegative = text.starts_with('-');
-    double value = 0.0;
-    double unit = 1.0;
-    for (std::string_view rest = isNegative ? text.substr(1) : text;; unit /= 60.0) {
-        const std::size_t colon = rest.find(':');
-        const std::optional<double> part = parseFinite(rest.substr(0, colon));
-        if (!part || *part < 0.0 || (unit < 1.0 && *part >= 60.0) || unit < 1.0 / 3600.0) {
-            return {};
-        }
-        value += unit * *part;
-        if (colon == std::string_view::npos) {
-            return isNegative ? -value : value;
-        }
-        rest.remove_prefix(colon + 1);
-    }
-}
-
 Result<> takeRaDec(const std::string& text, SkyOptions& options)
 {
-    const std::string_view both = text;
-    const std::size_t comma = std::min(both.find(','), both.size());
-    const double hours = sexagesimal(both.substr(0, comma)).value_or(std::nan(""));
-    const double degrees = sexagesimal(both.substr(std::min(comma + 1, both.size()))).value_or(std::nan(""));
-    if (!(hours >= 0.0 && hours < 24.0 && std::abs(degrees) <= 90.0)) {
+    const auto star = targets::parseStarPlace(text);
+    if (!star) {
         return expected("radec", text,
                         QStringLiteral("HOURS,DEGREES of J2000 like 12:30:49.4,12:23:28 or 12.514,12.391"));
     }
-    options.object = ephemeris::StarPlace{.rightAscension = Angle::fromDegrees(15.0 * hours),
-                                          .declination = Angle::fromDegrees(degrees)};
+    options.object = *star;
     return {};
 }
 

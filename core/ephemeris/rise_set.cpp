@@ -38,14 +38,14 @@ std::optional<UtcTime> firstTime(UtcTime from, Height height)
 
 }  // namespace
 
-std::optional<UtcTime> nextRise(Almanac& almanac, Body body, UtcTime from, Angle elevation)
+std::optional<UtcTime> nextRise(Almanac& almanac, const SkyObject& object, UtcTime from, Angle elevation)
 {
-    return firstTime(from, [&](UtcTime utc) { return almanac.place(body, utc).direction.elevation - elevation; });
+    return firstTime(from, [&](UtcTime utc) { return see(almanac, object, utc).direction.elevation - elevation; });
 }
 
-std::optional<UtcTime> nextSet(Almanac& almanac, Body body, UtcTime from, Angle elevation)
+std::optional<UtcTime> nextSet(Almanac& almanac, const SkyObject& object, UtcTime from, Angle elevation)
 {
-    return firstTime(from, [&](UtcTime utc) { return elevation - almanac.place(body, utc).direction.elevation; });
+    return firstTime(from, [&](UtcTime utc) { return elevation - see(almanac, object, utc).direction.elevation; });
 }
 
 }  // namespace boresight::ephemeris

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/ephemeris/almanac.h"
+#include "core/ephemeris/sky_object.h"
 
 #include <chrono>
 #include <optional>
 
-// When the Sun or the Moon comes up next and goes down next, for the operator who waits for one of them. Pure.
+// When the Sun, the Moon, a planet or a star comes up next and goes down next, for the operator who waits for it. Pure.
 namespace boresight::ephemeris {
 
 // Longer than from one rise of the Moon to the next wherever it rises each day.
@@ -16,7 +16,7 @@ inline constexpr std::chrono::minutes kShortestUp{10};
 
 // The next time, to the second, that the centre of the disc passes a true elevation upwards, or downwards. Empty if it
 // does not within kRiseSearch.
-[[nodiscard]] std::optional<UtcTime> nextRise(Almanac& almanac, Body body, UtcTime from, Angle elevation);
-[[nodiscard]] std::optional<UtcTime> nextSet(Almanac& almanac, Body body, UtcTime from, Angle elevation);
+[[nodiscard]] std::optional<UtcTime> nextRise(Almanac& almanac, const SkyObject& object, UtcTime from, Angle elevation);
+[[nodiscard]] std::optional<UtcTime> nextSet(Almanac& almanac, const SkyObject& object, UtcTime from, Angle elevation);
 
 }  // namespace boresight::ephemeris

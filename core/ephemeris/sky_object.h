@@ -4,6 +4,7 @@
 #include "core/ephemeris/almanac.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -13,6 +14,16 @@
 namespace boresight::ephemeris {
 
 using SkyObject = std::variant<Body, Planet, StarPlace>;
+
+struct NamedObject
+{
+    std::string_view key;   // "cas-a"
+    std::string_view name;  // "Cas A", for Text::of()
+    SkyObject object;
+};
+
+// Those that have a name: Sun and Moon, the planets, the radio sources.
+[[nodiscard]] std::span<const NamedObject> namedObjects();
 
 // By its key in small letters: sun, moon, mercury … neptune, cas-a, cyg-a, tau-a, vir-a, sgr-a. Empty for all else.
 [[nodiscard]] std::optional<SkyObject> skyObject(std::string_view key);

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/targets/target.h"
+
+#include "core/base/text.h"
+
+namespace boresight::targets {
+
+Target satelliteTarget(const orbit::ElementSet& elements)
+{
+    return {.name = elements.name.empty() ? QString::number(elements.number) : toQString(elements.name),
+            .kind = elements};
+}
+
+Target objectTarget(const ephemeris::NamedObject& object)
+{
+    return {.name = Text::of(object.name), .kind = object.object};
+}
+
+bool isSun(const Target& target)
+{
+    const auto* const object = std::get_if<ephemeris::SkyObject>(&target.kind);
+    return object != nullptr && *object == ephemeris::SkyObject(ephemeris::Body::Sun);
+}
+
+}  // namespace boresight::targets

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/elements/element_set.h"
+#include "core/ephemeris/sky_object.h"
+#include "core/units/site.h"
+#include "core/units/sky.h"
+
+#include <QString>
+
+#include <variant>
+
+// What a mount can be sent to and kept on: a satellite by its elements, what stands in the sky by itself, a direction
+// that stays, or a position on or above the Earth. Pure value, any thread. Where it stands: target_path.h.
+namespace boresight::targets {
+
+// The way around the Earth to a position: the shorter one, or the one over its other side.
+enum class GreatCircle
+{
+    Short,
+    Long
+};
+
+struct EarthPosition
+{
+    Site site;
+    GreatCircle path = GreatCircle::Short;
+
+    bool operator==(const EarthPosition&) const = default;
+};
+
+// A SkyPointing is a direction that stays.
+using TargetKind = std::variant<orbit::ElementSet, ephemeris::SkyObject, SkyPointing, EarthPosition>;
+
+struct Target
+{
+    QString name;  // as people read it: "ISS (ZARYA)", "Moon", "IM58kr"
+    TargetKind kind;
+
+    bool operator==(const Target&) const = default;
+};
+
+// The satellite of these elements: its number where it has no name.
+[[nodiscard]] Target satelliteTarget(const orbit::ElementSet& elements);
+// Sun, Moon, a planet or a radio source, by its name in the language of the program.
+[[nodiscard]] Target objectTarget(const ephemeris::NamedObject& object);
+
+// The Sun, which a profile may forbid.
+[[nodiscard]] bool isSun(const Target& target);
+
+}  // namespace boresight::targets

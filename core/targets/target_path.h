@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/base/result.h"
+#include "core/ephemeris/almanac.h"
+#include "core/orbit/sgp4.h"
+#include "core/orbit/topocentric.h"
+#include "core/targets/target.h"
+
+#include <chrono>
+#include <optional>
+#include <variant>
+
+// Where a target stands over one site at any time, and when it is up. It remembers what the almanac needs for a minute,
+// so it belongs to one thread.
+//
+// Directions are those that the beam is pointed to. Satellites are airless, as in the list of passes. Sun, Moon and
+// planets appear where the air bends their light to, radio sources where it bends radio waves to. A position below the
+// horizon is pointed to along it: its bearing, elevation 0°. The long path is the opposite bearing, elevation 0°.
+namespace boresight::targets {
+
+// From a rise, or from the time that was asked about, to the set.
+struct UpTime
+{
+    UtcTime rises;
+    std::optional<UtcTime> sets = {};  // empty: not within a day
+
+    bool operator==(const UpTime&) const = default;
+};
+
+class TargetPath
+{
+public:
+    // How far a rise and a set are looked for.
+    static constexpr std::chrono::hours kSearched{24};
+
+    TargetPath(const Target& target, const Site& site);
+
+    // NotAvailable with the reason: the orbit has ended, or the position is that of the site.
+    [[nodiscard]] Result<SkyPointing> at(UtcTime utc);
+    // The present stay above the horizon, or the next one. What stays in its place is always up. Refused with the
+    // reason: it does not rise within kSearched, or its orbit has ended.
+    [[nodiscard]] Result<UpTime> nextUp(UtcTime from);
+
+private:
+    using Fixed = Result<SkyPointing>;
+    using Way = std::variant<orbit::Sgp4, ephemeris::SkyObject, Fixed>;
+
+    [[nodiscard]] static Way wayOf(const Target& target, const orbit::Observer& observer);
+    [[nodiscard]] Result<SkyPointing> satelliteAt(const orbit::Sgp4& orbit, UtcTime utc) const;
+    [[nodiscard]] Result<UpTime> nextPass(const orbit::Sgp4& orbit, UtcTime from) const;
+    [[nodiscard]] Result<UpTime> nextStay(const ephemeris::SkyObject& object, UtcTime from);
+    [[nodiscard]] tl::unexpected<Error> neverUp() const;
+
+    QString m_name;
+    Site m_site;
+    orbit::Observer m_observer;
+    ephemeris::Almanac m_almanac;
+    Way m_way;
+};
+
+}  // namespace boresight::targets

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/targets/target_text.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/elements/text_lines.h"
+#include "core/profile/locator.h"
+#include "core/units/direction_text.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace boresight::targets {
+namespace {
+
+constexpr std::size_t kMostNamed = 3;  // of satellites that fit
+constexpr double kLowest = -1000.0;    // m
+constexpr double kHighest = 100'000.0;
+
+std::string lowered(std::string_view text)
+{
+    std::string lower(text);
+    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return lower;
+}
+
+// "5.5", or "5:30:00", or "-5:30"
+std::optional<double> sexagesimal(std::string_view text)
+{
+    const bool isNegative = text.starts_with('-');
+    double value = 0.0;
+    double unit = 1.0;
+    for (std::string_view rest = isNegative ? text.substr(1) : text;; unit /= 60.0) {
+        const std::size_t colon = rest.find(':');
+        const std::optional<double> part = parseFinite(rest.substr(0, colon));
+        if (!part || *part < 0.0 || (unit < 1.0 && *part >= 60.0) || unit < 1.0 / 3600.0) {
+            return {};
+        }
+        value += unit * *part;
+        if (colon == std::string_view::npos) {
+            return isNegative ? -value : value;
+        }
+        rest.remove_prefix(colon + 1);
+    }
+}
+
+// Of "38.757,-9.117"; one that is no number is NaN.
+std::vector<double> numbersOf(std::string_view text)
+{
+    std::vector<double> numbers;
+    for (;;) {
+        const std::size_t comma = text.find(',');
+        numbers.push_back(parseFinite(orbit::trimmed(text.substr(0, comma))).value_or(std::nan("")));
+        if (comma == std::string_view::npos) {
+            return numbers;
+        }
+        text.remove_prefix(comma + 1);
+    }
+}
+
+bool isWithin(double value, double min, double max)
+{
+    return value >= min && value <= max;
+}
+
+Result<Target> directionTarget(std::string_view text)
+{
+    const std::vector<double> numbers = numbersOf(text);
+    if (numbers.size() != 2 || !isWithin(numbers[0], -360.0, 360.0) || !isWithin(numbers[1], -90.0, 90.0)) {
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("A direction is \"azel AZIMUTH,ELEVATION\" in degrees, like \"azel 120.5,30\"."));
+    }
+    const SkyPointing direction{.azimuth = Angle::fromDegrees(numbers[0]).wrapped360(),
+                                .elevation = Angle::fromDegrees(numbers[1])};
+    return Target{.name = directionText(direction), .kind = direction};
+}
+
+Result<Target> starTarget(std::string_view text)
+{
+    const auto star = parseStarPlace(text);
+    if (!star) {
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("A place among the stars is \"radec HOURS,DEGREES\" of J2000, like \"radec "
+                                "12:30:49.4,12:23:28\" or \"radec 12.514,12.391\"."));
+    }
+    return Target{.name = Text::tr("RA %1 h, declination %2")
+                              .arg(toQString(formatFixed(star->rightAscension.degrees() / 15.0, 4)),
+                                   degreesText(star->declination, 3)),
+                  .kind = ephemeris::SkyObject(*star)};
+}
+
+Result<Target> placeTarget(std::string_view text)
+{
+    std::vector<double> numbers = numbersOf(text);
+    if (numbers.size() == 2) {
+        numbers.push_back(0.0);
+    }
+    if (numbers.size() != 3 || !isWithin(numbers[0], -90.0, 90.0) || !isWithin(numbers[1], -180.0, 360.0) ||
+        !isWithin(numbers[2], kLowest, kHighest)) {
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("A position is \"place NORTH,EAST,HEIGHT\" in degrees and metres, like \"place "
+                                "38.757,-9.117,1200\". The height may be left out."));
+    }
+    const Site site{Angle::fromDegrees(numbers[0]), Angle::fromDegrees(numbers[1]), numbers[2]};
+    return Target{
+        .name = Text::tr("%1 north, %2 east").arg(degreesText(site.latitude, 3), degreesText(site.longitude, 3)),
+        .kind = EarthPosition{.site = site}};
+}
+
+struct Form
+{
+    std::string_view word;
+    Result<Target> (*read)(std::string_view rest);
+};
+constexpr std::array kForms{Form{"azel ", directionTarget}, Form{"radec ", starTarget}, Form{"place ", placeTarget}};
+
+// "Cas A", "cas-a" and "CAS_A" are "cas-a"; "sgr a*" is "sgr-a".
+std::optional<Target> objectOf(std::string_view lower)
+{
+    std::string key(lower);
+    std::ranges::replace_if(
+        key, [](char c) { return c == ' ' || c == '_'; }, '-');
+    std::erase(key, '*');
+    const auto objects = ephemeris::namedObjects();
+    const auto found = std::ranges::find(objects, key, &ephemeris::NamedObject::key);
+    return found == objects.end() ? std::nullopt : std::optional(objectTarget(*found));
+}
+
+bool isPartOfWord(std::string_view text, std::size_t at)
+{
+    return at < text.size() && std::isalnum(static_cast<unsigned char>(text[at])) != 0;
+}
+
+// As whole words: "iss" is in "iss (zarya)", and not in "swisscube".
+bool hasWords(std::string_view text, std::string_view words)
+{
+    for (std::size_t at = text.find(words); at != std::string_view::npos; at = text.find(words, at + 1)) {
+        if ((at == 0 || !isPartOfWord(text, at - 1)) && !isPartOfWord(text, at + words.size())) {
+            return true;
+        }
+    }
+    return false;
+}
+
+using Satellites = std::vector<const orbit::ElementSet*>;
+
+// Those of this number or name; else those whose name has these words.
+Satellites satellitesOf(std::string_view lower, std::span<const orbit::ElementSet> known)
+{
+    const auto number = parseInteger(lower);
+    Satellites exact;
+    Satellites partly;
+    for (const orbit::ElementSet& one : known) {
+        const std::string name = lowered(one.name);
+        if (number == one.number || name == lower) {
+            exact.push_back(&one);
+        } else if (!number && hasWords(name, lower)) {
+            partly.push_back(&one);
+        }
+    }
+    return exact.empty() ? partly : exact;
+}
+
+QString listed(const Satellites& satellites)
+{
+    QStringList names;
+    for (const orbit::ElementSet* const one : satellites) {
+        names << QStringLiteral("%1 (%2)").arg(satelliteTarget(*one).name).arg(one->number);
+    }
+    return names.mid(0, kMostNamed).join(QStringLiteral(", "));
+}
+
+std::optional<Target> locatorTarget(std::string_view text)
+{
+    constexpr std::string_view kLong = " long";
+    const bool isLong = lowered(text).ends_with(kLong);
+    const std::string_view locator = orbit::trimmed(isLong ? text.substr(0, text.size() - kLong.size()) : text);
+    const auto place = profile::fromLocator(locator);
+    if (!place) {
+        return std::nullopt;
+    }
+    const QString name = toQString(locator);
+    return Target{.name = isLong ? Text::tr("%1, long path").arg(name) : name,
+                  .kind = EarthPosition{.site = {.latitude = place->latitude, .longitude = place->longitude},
+                                        .path = isLong ? GreatCircle::Long : GreatCircle::Short}};
+}
+
+}  // namespace
+
+std::optional<ephemeris::StarPlace> parseStarPlace(std::string_view text)
+{
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const auto hours = sexagesimal(orbit::trimmed(text.substr(0, comma)));
+    const auto degrees = sexagesimal(orbit::trimmed(text.substr(std::min(comma + 1, text.size()))));
+    if (!hours || !degrees || !isWithin(*degrees, -90.0, 90.0) || *hours < 0.0 || *hours >= 24.0) {
+        return std::nullopt;
+    }
+    return ephemeris::StarPlace{.rightAscension = Angle::fromDegrees(15.0 * *hours),
+                                .declination = Angle::fromDegrees(*degrees)};
+}
+
+Result<Target> parseTarget(std::string_view text, std::span<const orbit::ElementSet> satellites)
+{
+    const std::string_view typed = orbit::trimmed(text);
+    const std::string lower = lowered(typed);
+    for (const Form& form : kForms) {
+        if (lower.starts_with(form.word)) {
+            return form.read(typed.substr(form.word.size()));
+        }
+    }
+    if (const auto object = objectOf(lower)) {
+        return *object;
+    }
+    const Satellites found = typed.empty() ? Satellites() : satellitesOf(lower, satellites);
+    if (found.size() == 1) {
+        return satelliteTarget(*found.front());
+    }
+    if (found.size() > 1) {
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("%1 satellites have that name, among them %2. Give the number.")
+                           .arg(found.size())
+                           .arg(listed(found)));
+    }
+    if (const auto place = locatorTarget(typed)) {
+        return *place;
+    }
+    return failure(ErrorCode::InvalidInput,
+                   Text::tr("\"%1\" is no known satellite, no body and no locator. The bodies are: %2.")
+                       .arg(toQString(typed), toQString(ephemeris::skyObjectKeys())));
+}
+
+}  // namespace boresight::targets

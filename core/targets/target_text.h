@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/targets/target.h"
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+// A target as a person types it:
+//
+//   moon, jupiter, "cas a"            what stands in the sky by itself
+//   25544, "iss (zarya)", iss         a satellite that is known: its number, its name, or words of one name only
+//   azel 120.5,30                     a direction that stays: azimuth and elevation in degrees
+//   radec 12:30:49.4,12:23:28         right ascension in hours and declination in degrees, J2000
+//   place 38.757,-9.117,1200          degrees north, degrees east, metres above the ellipsoid, which may be left out
+//   IM58kr, IM58kr long               a locator; by the long path
+//
+// Capital and small letters are the same. Pure.
+namespace boresight::targets {
+
+// The error names what is missing, or the satellites that are meant.
+[[nodiscard]] Result<Target> parseTarget(std::string_view text, std::span<const orbit::ElementSet> satellites);
+
+// "12:30:49.4,12:23:28" or "12.514,12.391". Empty for all else.
+[[nodiscard]] std::optional<ephemeris::StarPlace> parseStarPlace(std::string_view text);
+
+}  // namespace boresight::targets
