@@ -8,8 +8,8 @@
 #include "core/sources/jog.h"
 #include "core/sources/known_places.h"
 #include "core/sources/park.h"
-#include "core/sources/satellite_track.h"
 #include "core/sources/step.h"
+#include "core/sources/target_track.h"
 #include "core/sources/trial_run.h"
 
 namespace boresight {
@@ -39,16 +39,16 @@ MotionSources listed(Helm& helm)
 // The list: a new source is its file and a line here.
 MotionSources motionSources(Helm& helm)
 {
-    return listed<sources::GoTo,            //
-                  sources::KnownPlaces,     //
-                  sources::Park,            //
-                  sources::Step,            //
-                  sources::Jog,             //
-                  sources::ClientMove,      //
-                  sources::ClientStream,    //
-                  sources::BodyStream,      //
-                  sources::SatelliteTrack,  //
-                  sources::TrialRun         //
+    return listed<sources::GoTo,          //
+                  sources::KnownPlaces,   //
+                  sources::Park,          //
+                  sources::Step,          //
+                  sources::Jog,           //
+                  sources::ClientMove,    //
+                  sources::ClientStream,  //
+                  sources::BodyStream,    //
+                  sources::TargetTrack,   //
+                  sources::TrialRun       //
                   >(helm);
 }
 

@@ -3,8 +3,8 @@
 #include "core/alarms/catalogue.h"
 #include "core/orbit/topocentric.h"
 #include "core/passes/pass_finder.h"
-#include "core/sources/satellite_track.h"
 #include "core/sources/steered_utc.h"
+#include "core/sources/target_track.h"
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/text_of.h"
 

@@ -13,7 +13,7 @@
 // for all of it, if there is one. Station thread only.
 namespace boresight::sources {
 
-class SatelliteTrack : public SourceOf<SatelliteTrack, request::Track>
+class TargetTrack : public SourceOf<TargetTrack, request::Track>
 {
 public:
     // It waits no longer than this for a satellite to rise.

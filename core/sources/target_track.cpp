@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sources/satellite_track.h"
+#include "core/sources/target_track.h"
 
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
@@ -51,18 +51,18 @@ Result<passes::Pass> nextPass(const orbit::Sgp4& orbit, const QString& name, con
                      : Text::tr("%1 does not rise within a day.").arg(name));
     }
     const passes::Pass& pass = list.passes.front();
-    if (pass.aos.utc - now > SatelliteTrack::kLongestWait) {
+    if (pass.aos.utc - now > TargetTrack::kLongestWait) {
         return failure(ErrorCode::Refused,
                        Text::tr("%1 rises at %2, in %3. Track it in the last %4 minutes before that.")
                            .arg(name, timeOfDayText(pass.aos.utc), durationText(pass.aos.utc - now))
-                           .arg(SatelliteTrack::kLongestWait.count()));
+                           .arg(TargetTrack::kLongestWait.count()));
     }
     return pass;
 }
 
 }  // namespace
 
-Result<SkyPointing> SatelliteTrack::Tracked::at(UtcTime utc) const
+Result<SkyPointing> TargetTrack::Tracked::at(UtcTime utc) const
 {
     const orbit::JulianDate date = orbit::julianDate(utc);
     const orbit::OrbitResult state = orbit.propagate(date);
@@ -75,12 +75,12 @@ Result<SkyPointing> SatelliteTrack::Tracked::at(UtcTime utc) const
 }
 
 // Seen a little ahead, so that the drives are there in time.
-UtcTime SatelliteTrack::aimed(UtcTime utc) const
+UtcTime TargetTrack::aimed(UtcTime utc) const
 {
     return utc + std::chrono::round<UtcTime::duration>(helm().view().profile.orbit.lead);
 }
 
-Result<SatelliteTrack::Tracked> SatelliteTrack::plan(const request::Track& wanted, const Source& by) const
+Result<TargetTrack::Tracked> TargetTrack::plan(const request::Track& wanted, const Source& by) const
 {
     const ControlParts view = helm().view();
     const profile::SiteSettings& site = view.profile.site;
@@ -105,7 +105,7 @@ Result<SatelliteTrack::Tracked> SatelliteTrack::plan(const request::Track& wante
         });
 }
 
-Result<> SatelliteTrack::ask(const request::Track& wanted, const Source& by)
+Result<> TargetTrack::ask(const request::Track& wanted, const Source& by)
 {
     return operatorOnly(by)
         .and_then([&] { return helm().mayPoint(by); })
@@ -125,7 +125,7 @@ Result<> SatelliteTrack::ask(const request::Track& wanted, const Source& by)
 }
 
 // On the wrap nearest to where the axes are going that has room for the rest of the pass.
-std::optional<AxisPosition> SatelliteTrack::roomyStart(const Tracked& tracked, UtcTime from) const
+std::optional<AxisPosition> TargetTrack::roomyStart(const Tracked& tracked, UtcTime from) const
 {
     const ControlParts view = helm().view();
     std::optional<AxisPosition> first;
@@ -158,7 +158,7 @@ std::optional<AxisPosition> SatelliteTrack::roomyStart(const Tracked& tracked, U
     return best;
 }
 
-Result<AxisPosition> SatelliteTrack::follow(const Tracked& tracked, UtcTime utc)
+Result<AxisPosition> TargetTrack::follow(const Tracked& tracked, UtcTime utc)
 {
     const bool waits = utc <= tracked.rises;  // where it rises, standing
     const UtcTime from = waits ? tracked.rises : aimed(utc);
@@ -170,7 +170,7 @@ Result<AxisPosition> SatelliteTrack::follow(const Tracked& tracked, UtcTime utc)
     });
 }
 
-void SatelliteTrack::step(SteadyTime)
+void TargetTrack::step(SteadyTime)
 {
     if (!m_tracked) {
         return;
@@ -206,13 +206,13 @@ void SatelliteTrack::step(SteadyTime)
     end(Severity::Warning, Text::tr("ends the tracking: %1").arg(place.error().text));
 }
 
-void SatelliteTrack::end(Severity severity, const QString& why)
+void TargetTrack::end(Severity severity, const QString& why)
 {
     m_tracked.reset();
     helm().end(severity, why);
 }
 
-void SatelliteTrack::describe(StationStatus& status) const
+void TargetTrack::describe(StationStatus& status) const
 {
     if (m_tracked) {
         status.tracked = TrackedSatellite{.name = m_tracked->name,
