@@ -100,7 +100,8 @@ Rooms joined(Rooms one, const Rooms& other)
 }
 
 const Rooms kSeenByTheWindow{"core/base",     "core/units",    "core/pointing", "core/profile", "core/alarms",
-                             "core/messages", "core/elements", "core/orbit",    "core/passes",  "core/gpredict"};
+                             "core/messages", "core/elements", "core/orbit",    "core/passes",  "core/gpredict",
+                             "core/targets"};
 const Rooms kAboveTheDriver{"core/control", "core/sources", "core/motion", "core/mount",
                             "core/north",   "core/tuning",  "core/witness"};
 const Rooms kBelowPanels{"ui/kit", "ui/look", "ui/link", "ui/hold", "ui/sky"};
@@ -180,8 +181,9 @@ TEST(Rooms, OnlyTheirDriverKnowsTheCheckAndTheJournal)
 
 TEST(Rooms, MessagesAreMadeOfValues)
 {
-    EXPECT_THAT(wrong({"core/messages"}, {"core/base", "core/units", "core/pointing", "core/profile", "core/elements",
-                                          "core/calibration", "core/ephemeris", "core/orientation", "core/response"}),
+    EXPECT_THAT(wrong({"core/messages"},
+                      {"core/base", "core/units", "core/pointing", "core/profile", "core/elements", "core/calibration",
+                       "core/ephemeris", "core/orientation", "core/response", "core/targets"}),
                 IsEmpty());
 }
 

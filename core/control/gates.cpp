@@ -384,6 +384,15 @@ Result<> Gates::mayLeaveSunBand(const AxisRates& rates, const Source& source) co
                        .arg(toQString(formatFixed(fastest.degrees(), 1))));
 }
 
+Result<> Gates::mayFaceSun() const
+{
+    if (m_of.profile.sun.keepAway == profile::KeepAway::On) {
+        return failure(ErrorCode::Refused, Text::tr("the profile keeps the beam away from the Sun: if feed and "
+                                                    "receiver bear it, switch sun.keep_away off first"));
+    }
+    return {};
+}
+
 Result<> Gates::mayGiveControl() const
 {
     if (m_of.arming.stopLatched()) {

@@ -31,6 +31,8 @@ public:
     // While the clock is doubted: from where the Sun can be only the operator's slow jog leads out.
     [[nodiscard]] Result<> mayLeaveSunBand(const AxisRates& rates, const Source& source) const;
     [[nodiscard]] bool isInSunBand(const AxisPosition& place) const;
+    // The profile lets the beam at the Sun itself.
+    [[nodiscard]] Result<> mayFaceSun() const;
     // At most this fast by hand, whatever the direction.
     [[nodiscard]] AngularRate fastestJog() const;
     // The axis is not at the end of its travel, as measured. On an unknown wrap the angles do not show that.

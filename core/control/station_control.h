@@ -93,6 +93,8 @@ public:
     [[nodiscard]] bool waitsSinceRearm(const Source& client) const { return m_lead.waits(client.clientId); }
     // Whether the beam can be pointed there from where it is, by all that is permitted.
     [[nodiscard]] Result<> reaches(const SkyPointing& direction) const { return m_helm.reaches(direction); }
+    // The profile lets the beam at the Sun itself.
+    [[nodiscard]] Result<> mayFaceSun() const { return gates().mayFaceSun(); }
     // Whether the operator may send the mount there, by the gates that a go-to passes.
     [[nodiscard]] DirectionVerdict judge(const SkyPointing& direction) const { return m_helm.judge(direction); }
     [[nodiscard]] const pointing::PermittedRegion& region() const { return m_motion.region(); }

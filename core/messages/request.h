@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/elements/element_set.h"
 #include "core/ephemeris/almanac.h"
 #include "core/ephemeris/refraction.h"
 #include "core/messages/drive_gains.h"
 #include "core/messages/tuning_status.h"
 #include "core/profile/profile.h"
+#include "core/targets/target.h"
 #include "core/units/sky.h"
 
 #include <QMetaType>
@@ -59,9 +59,9 @@ struct Follow  // one point of the operator's own stream: what is followed is th
     QString what;       // "Sun"
     bool anew = false;  // the points before say nothing about this one
 };
-struct Track  // go to where this satellite rises, follow it until it sets, then hold
+struct Track  // go to where it rises, follow it until it sets, then hold; stay where it does neither
 {
-    orbit::ElementSet elements;
+    targets::Target target;
 };
 struct Nudge  // while a stream is followed: shifts it, see StationStatus::trim; else as Step
 {

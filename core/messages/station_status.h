@@ -195,11 +195,11 @@ struct SlewProgress
     double done = 0.0;  // 0 to 1 of the time that the whole way takes
 };
 
-// The satellite that is followed by its elements, or waited for.
-struct TrackedSatellite
+// The target that the station follows by itself, or waits for: a satellite, a body, a direction, a position.
+struct TrackedTarget
 {
     QString name;
-    std::int64_t number = 0;
+    std::optional<std::int64_t> number = {};  // of a satellite
     bool isUp = false;
     std::optional<UtcTime> next = {};  // it sets, or rises; empty: it never sets
 };
@@ -241,7 +241,7 @@ struct StationStatus
     Authority authority = Authority::Clients;
     // An act of the operator other than "Take control" took the control from clients, and they have not got it back.
     bool tookControl = false;
-    std::optional<TrackedSatellite> tracked;
+    std::optional<TrackedTarget> tracked;
     // Whose elements are known, in the order of their numbers. Never null.
     std::shared_ptr<const std::vector<orbit::ElementSet>> satellites =
         std::make_shared<const std::vector<orbit::ElementSet>>();

@@ -38,7 +38,7 @@ SkyPointing beside(SkyPointing place, const calibration::SkyOffset& offset)
 }  // namespace
 
 BodyFollower::BodyFollower(StationControl& control, const profile::InForce& profile, const Clock& clock, EventLog& log)
-    : m_control(control), m_profile(profile), m_clock(clock), m_log(log), m_bodies(profile->site)
+    : m_control(control), m_clock(clock), m_log(log), m_bodies(profile->site)
 {}
 
 void BodyFollower::profileChanged(const profile::Profile& before, const profile::Profile& after)
@@ -70,11 +70,8 @@ Result<> BodyFollower::permits(Body body, bool overTheTop)
         if (direction.elevation < Angle{}) {
             return failure(ErrorCode::Refused, Text::tr("The %1 is below the horizon.").arg(bodyName(body)));
         }
-        if (body == Body::Sun && m_profile->sun.keepAway == profile::KeepAway::On) {
-            return failure(ErrorCode::Refused, Text::tr("the profile keeps the beam away from the Sun: if feed and "
-                                                        "receiver bear it, switch sun.keep_away off first"));
-        }
-        return m_control.reaches(fromSide(direction, overTheTop));
+        const Result<> mayFace = body == Body::Sun ? m_control.mayFaceSun() : Result<>{};
+        return mayFace.and_then([&] { return m_control.reaches(fromSide(direction, overTheTop)); });
     });
 }
 

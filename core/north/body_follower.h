@@ -63,7 +63,6 @@ private:
     void ended(const QString& how);
 
     StationControl& m_control;
-    const profile::InForce& m_profile;
     const Clock& m_clock;
     EventLog& m_log;
     SkyBodies m_bodies;

@@ -5,7 +5,6 @@
 #include "core/base/text.h"
 #include "core/base/time_of_day.h"
 #include "core/elements/julian_date.h"
-#include "core/passes/pass_finder.h"
 #include "core/units/duration_text.h"
 
 #include <algorithm>
@@ -17,61 +16,67 @@ namespace {
 
 using Days = std::chrono::duration<double, std::chrono::days::period>;
 
-constexpr std::chrono::hours kSearched{24};
-// The rate of a set-point is taken from where the satellite is this much later.
+// The rate of a set-point is taken from where the target is this much later.
 constexpr std::chrono::milliseconds kApart{20};
-// Of the points by which the wrap for a pass is chosen.
-constexpr std::chrono::seconds kPlanStep{5};
+// Of the points by which the wrap for a path is chosen: of a satellite, and of all else, which goes slower.
+constexpr std::chrono::seconds kPassStep{5};
+constexpr std::chrono::minutes kPlanStep{5};
 
-QString nameOf(const orbit::ElementSet& elements)
+const orbit::ElementSet* elementsOf(const targets::Target& target)
 {
-    return elements.name.empty() ? QString::number(elements.number) : toQString(elements.name);
+    return std::get_if<orbit::ElementSet>(&target.kind);
 }
 
-Result<> isFresh(const orbit::ElementSet& elements, UtcTime now, double oldestDays)
+// A direction of its own, which may be below the horizon.
+bool isDirection(const targets::Target& target)
 {
-    const double age = std::abs(Days(now - orbit::utcTime(elements.epoch)).count());
+    return std::holds_alternative<SkyPointing>(target.kind);
+}
+
+bool stays(const targets::Target& target)
+{
+    return isDirection(target) || std::holds_alternative<targets::EarthPosition>(target.kind);
+}
+
+Site siteOf(const profile::SiteSettings& site)
+{
+    return {.latitude = site.latitude, .longitude = site.longitude, .heightMetres = site.heightMetres};
+}
+
+Result<> isFresh(const targets::Target& target, UtcTime now, double oldestDays)
+{
+    const orbit::ElementSet* const elements = elementsOf(target);
+    const double age = elements ? std::abs(Days(now - orbit::utcTime(elements->epoch)).count()) : 0.0;
     return age <= oldestDays ? Result<>{}
                              : failure(ErrorCode::Refused,
                                        Text::tr("The elements of %1 are %2 days old. The setting oldest_days permits "
                                                 "%3. Load newer elements.")
-                                           .arg(nameOf(elements))
+                                           .arg(target.name)
                                            .arg(age, 0, 'f', 1)
                                            .arg(oldestDays, 0, 'f', 0));
 }
 
-Result<passes::Pass> nextPass(const orbit::Sgp4& orbit, const QString& name, const Site& site, UtcTime now)
+Result<targets::UpTime> isSoon(const targets::UpTime& up, const QString& name, UtcTime now)
 {
-    const passes::PassList list =
-        passes::findPasses(orbit, {.site = site, .from = now, .to = now + kSearched, .isClear = {}});
-    if (list.passes.empty()) {
-        return failure(
-            ErrorCode::Refused,
-            list.end ? Text::tr("The orbit of %1 cannot be computed: %2").arg(name, orbit::describe(list.end->fault))
-                     : Text::tr("%1 does not rise within a day.").arg(name));
-    }
-    const passes::Pass& pass = list.passes.front();
-    if (pass.aos.utc - now > TargetTrack::kLongestWait) {
+    if (up.rises - now > TargetTrack::kLongestWait) {
         return failure(ErrorCode::Refused,
                        Text::tr("%1 rises at %2, in %3. Track it in the last %4 minutes before that.")
-                           .arg(name, timeOfDayText(pass.aos.utc), durationText(pass.aos.utc - now))
+                           .arg(name, timeOfDayText(up.rises), durationText(up.rises - now))
                            .arg(TargetTrack::kLongestWait.count()));
     }
-    return pass;
+    return up;
 }
 
 }  // namespace
 
-Result<SkyPointing> TargetTrack::Tracked::at(UtcTime utc) const
+Result<SkyPointing> TargetTrack::Tracked::at(UtcTime utc)
 {
-    const orbit::JulianDate date = orbit::julianDate(utc);
-    const orbit::OrbitResult state = orbit.propagate(date);
-    if (!state) {
-        return failure(ErrorCode::NotAvailable, orbit::describe(state.error()));
-    }
-    SkyPointing direction = observer.look(orbit::groundState(*state, date)).direction;
-    direction.elevation = std::max(direction.elevation, Angle{});  // at its rise, by a hair
-    return direction;
+    return path.at(utc).map([&](SkyPointing direction) {
+        if (!isDirection(target)) {
+            direction.elevation = std::max(direction.elevation, Angle{});  // at its rise, by a hair
+        }
+        return direction;
+    });
 }
 
 // Seen a little ahead, so that the drives are there in time.
@@ -80,42 +85,58 @@ UtcTime TargetTrack::aimed(UtcTime utc) const
     return utc + std::chrono::round<UtcTime::duration>(helm().view().profile.orbit.lead);
 }
 
-Result<TargetTrack::Tracked> TargetTrack::plan(const request::Track& wanted, const Source& by) const
+Result<> TargetTrack::permits(const targets::Target& target, UtcTime now) const
 {
     const ControlParts view = helm().view();
-    const profile::SiteSettings& site = view.profile.site;
-    const UtcTime now = view.clock.utc();
-    if (!site.known) {
+    if (!view.profile.site.known && !isDirection(target)) {
         return failure(ErrorCode::Refused, Text::tr("The site of the mount is not set. Enter it in the profile."));
     }
-    const Site here{.latitude = site.latitude, .longitude = site.longitude, .heightMetres = site.heightMetres};
-    const orbit::Sgp4 orbit(wanted.elements);
-    const QString name = nameOf(wanted.elements);
-    return isFresh(wanted.elements, now, view.profile.orbit.oldestDays)
-        .and_then([&] { return nextPass(orbit, name, here, now); })
-        .map([&](const passes::Pass& pass) {
-            return Tracked{.name = name,
-                           .number = wanted.elements.number,
-                           .orbit = orbit,
-                           .observer = orbit::Observer(here),
-                           .by = by,
-                           .rises = pass.aos.utc,
-                           .sets = pass.isUpAtEnd ? std::nullopt : std::optional(pass.los.utc),
-                           .isUp = pass.aos.utc <= now};
-        });
+    const Result<> mayFace = targets::isSun(target) ? Gates(view).mayFaceSun() : Result<>{};
+    return mayFace.and_then([&] { return isFresh(target, now, view.profile.orbit.oldestDays); });
+}
+
+// What stays is reached now or never. What moves is led along the edge of what is permitted.
+Result<> TargetTrack::reaches(Tracked& tracked, UtcTime now) const
+{
+    return stays(tracked.target)
+               ? tracked.at(now).and_then([&](const SkyPointing& there) { return helm().reaches(there); })
+               : Result<>{};
+}
+
+Result<TargetTrack::Tracked> TargetTrack::plan(const targets::Target& target, const Source& by) const
+{
+    const ControlParts view = helm().view();
+    const UtcTime now = view.clock.utc();
+    if (const Result<> may = permits(target, now); !may) {
+        return tl::unexpected(may.error());
+    }
+    const Site site = siteOf(view.profile.site);
+    Tracked tracked{.target = target, .path = targets::TargetPath(target, site), .site = site, .by = by};
+    return tracked.path.nextUp(now)
+        .and_then([&](const targets::UpTime& up) { return isSoon(up, target.name, now); })
+        .and_then([&](const targets::UpTime& up) {
+            tracked.up = up;
+            tracked.isUp = up.rises <= now;
+            return reaches(tracked, now);
+        })
+        .map([&] { return std::move(tracked); });
 }
 
 Result<> TargetTrack::ask(const request::Track& wanted, const Source& by)
 {
     return operatorOnly(by)
         .and_then([&] { return helm().mayPoint(by); })
-        .and_then([&] { return plan(wanted, by); })
+        .and_then([&] { return plan(wanted.target, by); })
         .and_then([&](Tracked tracked) {
             m_utc = {};
             const UtcTime now = m_utc.now(helm().view().clock);
-            const UtcTime from = std::max(now, tracked.rises);
+            const UtcTime from = std::max(now, tracked.up.rises);
             tracked.place = roomyStart(tracked, from);
+            const bool goesOn = helm().current().continues(Activity::Streaming, by);
             return follow(tracked, from).map([&](const AxisPosition& place) {
+                if (goesOn) {  // no motion begins that the log would name
+                    helm().note(Severity::Advisory, Text::tr("tracks %1 from now on").arg(wanted.target.name));
+                }
                 tracked.place = place;
                 tracked.errand = helm().current().errand();
                 m_tracked = std::move(tracked);
@@ -124,14 +145,15 @@ Result<> TargetTrack::ask(const request::Track& wanted, const Source& by)
         });
 }
 
-// On the wrap nearest to where the axes are going that has room for the rest of the pass.
-std::optional<AxisPosition> TargetTrack::roomyStart(const Tracked& tracked, UtcTime from) const
+// On the wrap nearest to where the axes are going that has room for the rest of the path.
+std::optional<AxisPosition> TargetTrack::roomyStart(Tracked& tracked, UtcTime from) const
 {
     const ControlParts view = helm().view();
+    const UtcTime::duration step = elementsOf(tracked.target) ? UtcTime::duration(kPassStep) : kPlanStep;
     std::optional<AxisPosition> first;
     TravelRange swept;
     Angle last;
-    for (UtcTime utc = from; utc <= tracked.sets.value_or(from + kSearched); utc += kPlanStep) {
+    for (UtcTime utc = from; utc <= tracked.up.sets.value_or(from + targets::TargetPath::kSearched); utc += step) {
         const Result<SkyPointing> direction = tracked.at(utc);
         if (!direction) {
             break;
@@ -158,16 +180,25 @@ std::optional<AxisPosition> TargetTrack::roomyStart(const Tracked& tracked, UtcT
     return best;
 }
 
-Result<AxisPosition> TargetTrack::follow(const Tracked& tracked, UtcTime utc)
+Result<AxisPosition> TargetTrack::follow(Tracked& tracked, UtcTime utc)
 {
-    const bool waits = utc <= tracked.rises;  // where it rises, standing
-    const UtcTime from = waits ? tracked.rises : aimed(utc);
+    const bool waits = utc <= tracked.up.rises;  // where it rises, standing
+    const UtcTime from = waits ? tracked.up.rises : aimed(utc);
     return tracked.at(from).and_then([&](const SkyPointing& now) {
         return tracked.at(from + kApart).and_then([&](const SkyPointing& soon) {
             return helm().lead({.now = now, .soon = waits ? now : soon, .apart = kApart, .near = tracked.place},
-                               tracked.by, Text::tr("track %1").arg(tracked.name));
+                               tracked.by, Text::tr("track %1").arg(tracked.target.name));
         });
     });
+}
+
+// The profile may have changed.
+Result<> TargetTrack::mayGoOn() const
+{
+    if (siteOf(helm().view().profile.site) != m_tracked->site) {
+        return failure(ErrorCode::Refused, Text::tr("The site of the mount was changed. Track the target again."));
+    }
+    return targets::isSun(m_tracked->target) ? Gates(helm().view()).mayFaceSun() : Result<>{};
 }
 
 void TargetTrack::step(SteadyTime)
@@ -188,20 +219,25 @@ void TargetTrack::step(SteadyTime)
     if (m_utc.jump() != Seconds(0.0)) {
         helm().note(Severity::Warning, Text::tr("the clock of this computer was set by %1 s while %2 is tracked")
                                            .arg(m_utc.jump().count(), 0, 'f', 1)
-                                           .arg(m_tracked->name));
+                                           .arg(m_tracked->target.name));
     }
-    m_tracked->isUp = utc > m_tracked->rises;
-    if (m_tracked->sets && utc > *m_tracked->sets) {
-        end(Severity::Advisory, Text::tr("%1 has set, and the mount holds").arg(m_tracked->name));
+    m_tracked->isUp = utc > m_tracked->up.rises;
+    if (m_tracked->up.sets && utc > *m_tracked->up.sets) {
+        end(Severity::Advisory, Text::tr("%1 has set, and the mount holds").arg(m_tracked->target.name));
         return;
     }
-    const Result<AxisPosition> place = follow(*m_tracked, std::max(utc, m_tracked->rises));
+    followOn(std::max(utc, m_tracked->up.rises));
+}
+
+void TargetTrack::followOn(UtcTime utc)
+{
+    const Result<AxisPosition> place = mayGoOn().and_then([&] { return follow(*m_tracked, utc); });
     if (place) {
         m_tracked->place = *place;
         return;
     }
     if (place.error().code == ErrorCode::NotAvailable) {  // no gate refuses it so
-        helm().raiseAlarm(alarmEntry("track.no-orbit"), {m_tracked->name, place.error().text});
+        helm().raiseAlarm(alarmEntry("track.no-orbit"), {m_tracked->target.name, place.error().text});
     }
     end(Severity::Warning, Text::tr("ends the tracking: %1").arg(place.error().text));
 }
@@ -214,11 +250,14 @@ void TargetTrack::end(Severity severity, const QString& why)
 
 void TargetTrack::describe(StationStatus& status) const
 {
-    if (m_tracked) {
-        status.tracked = TrackedSatellite{.name = m_tracked->name,
-                                          .number = m_tracked->number,
-                                          .isUp = m_tracked->isUp,
-                                          .next = m_tracked->isUp ? m_tracked->sets : std::optional(m_tracked->rises)};
+    if (!m_tracked) {
+        return;
+    }
+    status.tracked = TrackedTarget{.name = m_tracked->target.name,
+                                   .isUp = m_tracked->isUp,
+                                   .next = m_tracked->isUp ? m_tracked->up.sets : std::optional(m_tracked->up.rises)};
+    if (const orbit::ElementSet* const elements = elementsOf(m_tracked->target)) {
+        status.tracked->number = elements->number;
     }
 }
 

@@ -2,21 +2,21 @@
 #pragma once
 
 #include "core/control/motion_source.h"
-#include "core/orbit/sgp4.h"
-#include "core/orbit/topocentric.h"
 #include "core/sources/steered_utc.h"
+#include "core/targets/target_path.h"
 
 #include <optional>
 
-// A satellite by its elements: waits where it rises, follows it until it sets, and holds there. The set-points come
-// from the orbit in each tick, position and rate. Its cable is chosen before the pass begins: on a wrap that has room
-// for all of it, if there is one. Station thread only.
+// A target of core/targets. One that rises and sets: waits where it rises, follows it until it sets, and holds there.
+// One that stays in its place: goes there and stays. The set-points come from its path in each tick, position and rate.
+// The wrap of the cable is chosen before it rises: one that has room for the whole path, if there is one. Station
+// thread only.
 namespace boresight::sources {
 
 class TargetTrack : public SourceOf<TargetTrack, request::Track>
 {
 public:
-    // It waits no longer than this for a satellite to rise.
+    // It waits no longer than this for a target to rise.
     static constexpr std::chrono::minutes kLongestWait{30};
 
     using SourceOf::SourceOf;
@@ -28,24 +28,26 @@ public:
 private:
     struct Tracked
     {
-        QString name;
-        std::int64_t number = 0;
-        orbit::Sgp4 orbit;
-        orbit::Observer observer;
+        targets::Target target;
+        targets::TargetPath path;
+        Site site;
         Source by;
-        UtcTime rises;
-        std::optional<UtcTime> sets;             // empty: it does not
+        targets::UpTime up = {};
         std::optional<AxisPosition> place = {};  // of the axes, the last one: chooses the turn of the next
         std::uint64_t errand = 0;
         bool isUp = false;
 
-        [[nodiscard]] Result<SkyPointing> at(UtcTime utc) const;
+        [[nodiscard]] Result<SkyPointing> at(UtcTime utc);
     };
 
-    [[nodiscard]] Result<Tracked> plan(const request::Track& wanted, const Source& by) const;
-    [[nodiscard]] std::optional<AxisPosition> roomyStart(const Tracked& tracked, UtcTime from) const;
+    [[nodiscard]] Result<> permits(const targets::Target& target, UtcTime now) const;
+    [[nodiscard]] Result<> reaches(Tracked& tracked, UtcTime now) const;
+    [[nodiscard]] Result<Tracked> plan(const targets::Target& target, const Source& by) const;
+    [[nodiscard]] std::optional<AxisPosition> roomyStart(Tracked& tracked, UtcTime from) const;
     [[nodiscard]] UtcTime aimed(UtcTime utc) const;
-    Result<AxisPosition> follow(const Tracked& tracked, UtcTime utc);
+    [[nodiscard]] Result<> mayGoOn() const;
+    Result<AxisPosition> follow(Tracked& tracked, UtcTime utc);
+    void followOn(UtcTime utc);
     void end(Severity severity, const QString& why);
 
     SteeredUtc m_utc;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/passes/passes_panel.h"
 
+#include "core/targets/target.h"
 #include "ui/kit/caption.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/decimal_box.h"
@@ -216,7 +217,7 @@ void PassesPanel::track()
 {
     for (const orbit::ElementSet& elements : *m_basis.satellites) {
         if (elements.number == m_selected->number) {
-            m_track->ask(request::Track{.elements = elements});
+            m_track->ask(request::Track{targets::satelliteTarget(elements)});
         }
     }
 }

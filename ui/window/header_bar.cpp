@@ -144,7 +144,7 @@ QString minutesText(Seconds time)
     return QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
 }
 
-QString trackingText(const TrackedSatellite& tracked, UtcTime now)
+QString trackingText(const TrackedTarget& tracked, UtcTime now)
 {
     if (!tracked.next) {
         return HeaderBar::tr("Tracking %1").arg(tracked.name);

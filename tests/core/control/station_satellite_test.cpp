@@ -86,7 +86,7 @@ protected:
     }
     std::string ask(const FoundOrbit& found, const Source& by = kOperator)
     {
-        const Result<> answer = rig.ask(request::Track{.elements = found.elements}, by);
+        const Result<> answer = rig.ask(request::Track{targets::satelliteTarget(found.elements)}, by);
         return answer ? std::string() : textOf(answer.error());
     }
     void runUntil(UtcTime utc)

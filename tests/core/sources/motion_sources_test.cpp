@@ -50,13 +50,13 @@ Request sampleOf<request::Follow>()
 template <>
 Request sampleOf<request::Track>()
 {
-    return request::Track{.elements = {.name = "FIXED",
-                                       .number = 1,
-                                       .epoch = {.day = 2461365.5, .fraction = 0.0},  // 2026-11-21
-                                       .revolutionsPerDay = 1.00273791,
-                                       .eccentricity = 1e-5,
-                                       .inclination = 0.01_deg,
-                                       .meanAnomaly = 60_deg}};
+    return request::Track{targets::satelliteTarget({.name = "FIXED",
+                                                    .number = 1,
+                                                    .epoch = {.day = 2461365.5, .fraction = 0.0},  // 2026-11-21
+                                                    .revolutionsPerDay = 1.00273791,
+                                                    .eccentricity = 1e-5,
+                                                    .inclination = 0.01_deg,
+                                                    .meanAnomaly = 60_deg})};
 }
 template <>
 Request sampleOf<request::Jog>()

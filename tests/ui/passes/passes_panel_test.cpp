@@ -133,7 +133,7 @@ TEST_F(PassesPanelTest, TrackAsksForTheSelectedSatellite)
     give(samples::update(withSatellites()));
     QTest::mouseClick(named<CommandButton>("Track"), Qt::LeftButton);
     ASSERT_EQ(asked<request::Track>().size(), 1U);
-    EXPECT_EQ(asked<request::Track>().front().elements.number, number);
+    EXPECT_EQ(std::get<orbit::ElementSet>(asked<request::Track>().front().target.kind).number, number);
 }
 
 TEST_F(PassesPanelTest, TellsWhatTheLimitsHide)

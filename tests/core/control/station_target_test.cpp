@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What else than satellites the station follows by itself: Sun, Moon, planets and radio sources, and what stays in its
+// place.
+#include "core/sources/target_track.h"
+#include "core/targets/target_path.h"
+#include "core/targets/target_text.h"
+#include "core/units/angle_between.h"
+#include "tests/core/control/station_rig.h"
+#include "tests/fakes/text_of.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <string>
+
+namespace boresight {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr Site kSite{.latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
+
+profile::Profile atSite()
+{
+    profile::Profile profile;
+    profile.site = {
+        .known = true, .latitude = kSite.latitude, .longitude = kSite.longitude, .heightMetres = kSite.heightMetres};
+    return profile;
+}
+
+targets::Target targetOf(std::string_view text)
+{
+    return targets::parseTarget(text, {}).value();
+}
+
+class StationTarget : public ::testing::Test
+{
+protected:
+    StationTarget() { rig.run(Seconds(0.1)); }
+
+    [[nodiscard]] UtcTime now() const { return rig.clock.utc(); }
+    static targets::TargetPath pathOf(std::string_view text) { return {targetOf(text), kSite}; }
+    // Empty: accepted.
+    std::string ask(std::string_view text, const Source& by = kOperator)
+    {
+        const Result<> answer = rig.ask(request::Track{targetOf(text)}, by);
+        return answer ? std::string() : textOf(answer.error());
+    }
+    void goTo(UtcTime utc)
+    {
+        rig.clock.setUtc(utc);
+        rig.run(Seconds(0.1));
+    }
+    void runUntil(UtcTime utc)
+    {
+        while (now() < utc) {
+            rig.tick();
+        }
+    }
+    [[nodiscard]] Angle distance(targets::TargetPath path) const
+    {
+        return angleBetween(*rig.control.status().commanded, path.at(now()).value());
+    }
+    [[nodiscard]] std::optional<TrackedTarget> tracked() const { return rig.control.status().tracked; }
+    [[nodiscard]] bool logged(const QString& words) const
+    {
+        return std::ranges::any_of(rig.log.since(0, EventLog::kCapacity),
+                                   [&](const LogEntry& line) { return line.text.contains(words); });
+    }
+
+    StationRig rig{atSite()};
+};
+
+// REQ-TRACK-920: Sun, Moon, planets and radio sources are followed until they set, within 0.01°. Then the mount holds.
+TEST_F(StationTarget, FollowsABodyUntilItSets)
+{
+    for (const char* const text : {"moon", "sun", "jupiter", "tau a"}) {
+        const auto up = pathOf(text).nextUp(now()).value();
+        goTo(*up.sets - std::chrono::seconds(180));
+        ASSERT_EQ(ask(text), "") << text;
+        runUntil(*up.sets - std::chrono::seconds(90));
+        const StationStatus status = rig.control.status();
+        ASSERT_TRUE(status.tracked) << text;
+        EXPECT_EQ(status.tracked->name, targetOf(text).name);
+        EXPECT_TRUE(status.tracked->isUp);
+        EXPECT_LT(std::chrono::abs(*status.tracked->next - *up.sets), std::chrono::seconds(2));
+        EXPECT_EQ(status.state, StationState::Track) << text;
+        EXPECT_LT(distance(pathOf(text)), 0.01_deg) << text;
+        runUntil(*up.sets + std::chrono::seconds(10));
+        EXPECT_FALSE(tracked());
+        EXPECT_TRUE(logged(targetOf(text).name + QStringLiteral(" has set, and the mount holds")));
+        rig.settle();
+        EXPECT_EQ(rig.state(), StationState::Hold);
+    }
+}
+
+// REQ-TRACK-921: A body that is below the horizon is refused with the time of its next rise, or because it does not
+// rise within a day. In the last half hour before its rise the mount waits where it rises, and follows it from there.
+TEST_F(StationTarget, WaitsForABodyToRise)
+{
+    const auto set = pathOf("sun").nextUp(now() + std::chrono::hours(12)).value().sets.value();
+    const auto up = pathOf("sun").nextUp(set + std::chrono::minutes(1)).value();
+    goTo(up.rises - std::chrono::minutes(40));
+    EXPECT_THAT(ask("sun"), HasSubstr("Sun rises at 07:2"));
+    EXPECT_THAT(ask("sun"), HasSubstr("Track it in the last 30 minutes before that."));
+    EXPECT_EQ(ask("radec 3,-80"), "RA 3.0000 h, declination -80.000° does not rise within a day.");
+    EXPECT_FALSE(tracked());
+
+    goTo(up.rises - std::chrono::minutes(3));
+    ASSERT_EQ(ask("sun"), "");
+    runUntil(up.rises - std::chrono::seconds(1));
+    ASSERT_TRUE(tracked());
+    EXPECT_FALSE(tracked()->isUp);
+    EXPECT_LT(std::chrono::abs(*tracked()->next - up.rises), std::chrono::seconds(2));
+    EXPECT_FALSE(rig.moving());
+    EXPECT_LT(distance(pathOf("sun")), 0.02_deg);
+    runUntil(up.rises + std::chrono::minutes(2));
+    EXPECT_TRUE(tracked()->isUp);
+    EXPECT_LT(distance(pathOf("sun")), 0.01_deg);
+}
+
+// REQ-TRACK-922: To a direction and to a position the mount goes and stays there, without an end. One that is out of
+// reach is refused with the reason. A direction needs no site. Each new target is a line of the log.
+TEST_F(StationTarget, StaysWhereATargetStays)
+{
+    for (const char* const text : {"azel 100,30", "IM67", "IM67 long", "place 39.3,-8.5,11000"}) {
+        ASSERT_EQ(ask(text), "") << text;
+        rig.settle();
+        rig.run(Seconds(60.0));
+        ASSERT_TRUE(tracked()) << text;
+        EXPECT_TRUE(tracked()->isUp);
+        EXPECT_FALSE(tracked()->next);
+        EXPECT_FALSE(rig.moving());
+        EXPECT_LT(distance(pathOf(text)), 0.001_deg) << text;
+    }
+    EXPECT_TRUE(logged(QStringLiteral("track 100.00° 30.00°")));
+    EXPECT_TRUE(logged(QStringLiteral("tracks IM67, long path from now on")));
+    EXPECT_THAT(ask("azel 100,-20"), HasSubstr("-20"));
+    EXPECT_EQ(ask("place 38.757,-9.117,80"), "38.757° north, -9.117° east is where the mount stands.");
+    ASSERT_TRUE(tracked()) << "a refusal changes nothing";
+
+    profile::Profile nowhere = rig.profile;
+    nowhere.site.known = false;
+    rig.setProfile(nowhere);
+    EXPECT_EQ(ask("moon"), "The site of the mount is not set. Enter it in the profile.");
+    EXPECT_EQ(ask("azel 100,30"), "");
+}
+
+// REQ-TRACK-923: The Sun is refused while the profile keeps the beam away from it. Where keep-away is switched on while
+// it is tracked, the tracking ends and the mount holds.
+TEST_F(StationTarget, TheProfileMayForbidTheSun)
+{
+    goTo(now() + std::chrono::hours(12));
+    profile::Profile away = rig.profile;
+    away.sun = {.keepAway = profile::KeepAway::On, .radius = 10_deg};
+    const profile::Profile free = rig.profile;
+    rig.setProfile(away);
+    rig.run(Seconds(0.1));
+    EXPECT_THAT(ask("sun"), HasSubstr("the profile keeps the beam away from the Sun"));
+    rig.setProfile(free);
+    rig.run(Seconds(0.1));
+    ASSERT_EQ(ask("sun"), "");
+    rig.settle();
+    rig.setProfile(away);
+    rig.run(Seconds(0.1));
+    EXPECT_FALSE(tracked());
+    EXPECT_TRUE(logged(QStringLiteral("ends the tracking: the profile keeps the beam away from the Sun")));
+    rig.settle();
+    EXPECT_EQ(rig.state(), StationState::Hold);
+}
+
+// REQ-TRACK-924: A site that is changed while a target is tracked ends the tracking, and the mount holds.
+TEST_F(StationTarget, AnotherSiteEndsIt)
+{
+    goTo(now() + std::chrono::hours(12));
+    ASSERT_EQ(ask("sun"), "");
+    rig.settle();
+    profile::Profile moved = rig.profile;
+    moved.site.latitude = 39_deg;
+    rig.setProfile(moved);
+    rig.run(Seconds(0.1));
+    EXPECT_FALSE(tracked());
+    EXPECT_TRUE(
+        logged(QStringLiteral("ends the tracking: The site of the mount was changed. Track the target again.")));
+    rig.settle();
+    EXPECT_EQ(rig.state(), StationState::Hold);
+}
+
+// REQ-TRACK-925: A client cannot ask for a target, and STOP ends its tracking.
+TEST_F(StationTarget, BelongsToTheOperatorAndEndsWithStop)
+{
+    EXPECT_NE(ask("azel 100,30", kClient), "");
+    EXPECT_FALSE(tracked());
+    ASSERT_EQ(ask("azel 100,30"), "");
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    rig.run(Seconds(1.0));
+    EXPECT_FALSE(tracked());
+    EXPECT_NE(ask("azel 100,30"), "") << "STOP is latched";
+}
+
+}  // namespace
+}  // namespace boresight
