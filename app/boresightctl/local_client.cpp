@@ -34,7 +34,7 @@ bool connectBy(const QDeadlineTimer& deadline, const std::function<QString()>& p
     }
 }
 
-Result<> askLocally(const profile::ListenAddress& station, local::LocalCommand command)
+local::LocalAnswer askLocally(const profile::ListenAddress& station, const local::LocalRequest& request)
 {
     if (!isThisComputer(station.host)) {
         return failure(ErrorCode::InvalidInput,
@@ -56,15 +56,15 @@ Result<> askLocally(const profile::ListenAddress& station, local::LocalCommand c
                            ? QStringLiteral("This user may not use %1. Try sudo.").arg(path())
                            : QStringLiteral("No station listens on %1: %2.").arg(path(), socket.errorString()));
     }
-    socket.write(local::wordOf(command) + '\n');
+    socket.write(local::requestLine(request));
     const QDeadlineTimer deadline(kPatience);  // not what is left of the first: the station may have obeyed
-    while (!socket.canReadLine()) {
-        if (!socket.waitForReadyRead(static_cast<int>(deadline.remainingTime()))) {
+    while (socket.state() == QLocalSocket::ConnectedState) {  // until the station has sent all
+        if (!socket.waitForReadyRead(static_cast<int>(deadline.remainingTime())) && deadline.hasExpired()) {
             return failure(ErrorCode::NoAnswer,
                            QStringLiteral("The station on %1 does not answer: %2.").arg(path(), socket.errorString()));
         }
     }
-    return local::parseAnswer(socket.readLine());
+    return local::parseAnswer(socket.readAll());
 }
 
 }  // namespace boresight::ctl

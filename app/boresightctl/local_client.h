@@ -14,7 +14,7 @@
 // computer, Refused with the reason of the station, or NoAnswer when nobody answers.
 namespace boresight::ctl {
 
-[[nodiscard]] Result<> askLocally(const profile::ListenAddress& station, local::LocalCommand command);
+[[nodiscard]] local::LocalAnswer askLocally(const profile::ListenAddress& station, const local::LocalRequest& request);
 
 // Connects to the path of this moment, by the deadline. `pause` comes between two attempts: a station that reconnects
 // has no socket for a moment.

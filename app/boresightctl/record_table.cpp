@@ -4,6 +4,7 @@
 #include <QString>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 namespace boresight::ctl {
@@ -105,6 +106,13 @@ std::string inColumns(const RecordTable& table)
 }
 
 }  // namespace
+
+std::optional<TableFormat> parseTableFormat(std::string_view name)
+{
+    constexpr std::array<std::string_view, 3> kNames{"csv", "table", "json"};  // as TableFormat
+    const auto* const found = std::ranges::find(kNames, name);
+    return found == kNames.end() ? std::nullopt : std::optional(static_cast<TableFormat>(found - kNames.begin()));
+}
 
 std::string RecordTable::text(TableFormat format) const
 {

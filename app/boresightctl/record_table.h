@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,9 @@ enum class TableFormat
     Table,
     Json
 };
+
+// "csv", "table" or "json". Empty for all else.
+[[nodiscard]] std::optional<TableFormat> parseTableFormat(std::string_view name);
 
 struct TableColumn
 {

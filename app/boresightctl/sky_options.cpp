@@ -84,12 +84,11 @@ Result<> takeRaDec(const std::string& text, SkyOptions& options)
 
 Result<> takeFormat(const std::string& text, SkyOptions& options)
 {
-    constexpr std::array<std::string_view, 3> kNames{"csv", "table", "json"};  // as TableFormat
-    const auto* const found = std::ranges::find(kNames, text);
-    if (found == kNames.end()) {
+    const auto format = parseTableFormat(text);
+    if (!format) {
         return expected("format", text, QStringLiteral("csv, table or json"));
     }
-    options.format = static_cast<TableFormat>(found - kNames.begin());
+    options.format = *format;
     return {};
 }
 

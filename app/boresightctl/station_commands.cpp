@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/boresightctl/local_client.h"
 #include "app/boresightctl/rotctld_client.h"
+#include "app/boresightctl/station_help.h"
 #include "app/boresightctl/station_options.h"
 #include "app/boresightctl/station_report.h"
 #include "app/boresightctl/subcommand.h"
@@ -11,35 +12,6 @@
 
 namespace boresight::ctl {
 namespace {
-
-const std::string kExitStatus =
-    "Exit status: 0 done, 1 the station refused it, 2 the command line makes no sense, 3 no station answered in 2 s.\n";
-
-const std::string kWhichStation =
-    R"(  --station HOST:PORT  the rotctld port of the station; 127.0.0.1:4533 without it
-)";
-
-const std::string kWhichLocalStation =
-    R"(  --station HOST:PORT  the rotctld port of the station; 127.0.0.1:4533 without it
-                       HOST is localhost, 127.0.0.1 or ::1: the station runs on this computer
-)";
-
-const std::string kLocalSocket =
-    R"(
-The command goes through the local socket of the station, $XDG_RUNTIME_DIR/boresight/PORT.sock. It works on the computer
-of the station, for the user who started the station. The socket of the service is /run/boresight/PORT.sock, for root: use
-sudo.
-)";
-
-ExitStatus failedBy(const Subcommand& subcommand, const Error& error)
-{
-    if (error.code != ErrorCode::Refused) {
-        complain(subcommand, error.text);
-        return kNoConnection;
-    }
-    complain(subcommand, QStringLiteral("refused: ") + error.text);
-    return kFoundWrong;
-}
 
 // Asks `station` for one thing; `done` is told when it agrees.
 template <class Ask>
@@ -66,6 +38,8 @@ QString doneText(local::LocalCommand command)
         case local::LocalCommand::ResetStop:
             return QStringLiteral("STOP is reset. Clients are refused until release.");
         case local::LocalCommand::Stop:
+        case local::LocalCommand::Track:
+        case local::LocalCommand::Satellites:
             break;
     }
     return QStringLiteral("STOP is latched. The mount slows down and holds. Nothing moves it until reset-stop.");
@@ -79,10 +53,9 @@ ExitStatus runLocally(Arguments arguments)
     if (!options) {
         return usageError(subcommand, options.error().text);
     }
-    const Result<> answer = askLocally(options->station.value_or(profile::ListenAddress{}), command);
+    const auto answer = askLocally(options->station.value_or(profile::ListenAddress{}), {.command = command});
     if (!answer) {
-        return answer.error().code == ErrorCode::InvalidInput ? usageError(subcommand, answer.error().text)
-                                                              : failedBy(subcommand, answer.error());
+        return failedBy(subcommand, answer.error());
     }
     printLine(doneText(command));
     return kDone;

@@ -11,16 +11,26 @@
 namespace boresight::ctl {
 namespace {
 
-Result<> takeStationOption(const std::string& name, const std::optional<std::string>& value, StationOptions& options)
+using Value = std::optional<std::string>;
+
+Result<profile::ListenAddress> parseStation(const Value& value)
+{
+    const auto address = profile::parseListenAddress(value.value_or(""));
+    if (!address || address->port == 0) {
+        return failure(ErrorCode::InvalidInput, QStringLiteral("--station: expected HOST:PORT like localhost:4533"));
+    }
+    return *address;
+}
+
+Result<> noOption(const std::string& name)
+{
+    return failure(ErrorCode::InvalidInput, QStringLiteral("there is no option --%1").arg(toQString(name)));
+}
+
+Result<> takeStationOption(const std::string& name, const Value& value, StationOptions& options)
 {
     if (name == "station") {
-        const auto address = profile::parseListenAddress(value.value_or(""));
-        if (!address || address->port == 0) {
-            return failure(ErrorCode::InvalidInput,
-                           QStringLiteral("--station: expected HOST:PORT like localhost:4533"));
-        }
-        options.station = *address;
-        return {};
+        return parseStation(value).map([&](const profile::ListenAddress& address) { options.station = address; });
     }
     if (name == "format") {
         if (value != "json" && value != "text") {
@@ -29,7 +39,23 @@ Result<> takeStationOption(const std::string& name, const std::optional<std::str
         options.json = *value == "json";
         return {};
     }
-    return failure(ErrorCode::InvalidInput, QStringLiteral("there is no option --%1").arg(toQString(name)));
+    return noOption(name);
+}
+
+Result<> takeSatellitesOption(const std::string& name, const Value& value, SatellitesOptions& options)
+{
+    if (name == "station") {
+        return parseStation(value).map([&](const profile::ListenAddress& address) { options.station = address; });
+    }
+    if (name == "format") {
+        const auto format = parseTableFormat(value.value_or(""));
+        if (!format) {
+            return failure(ErrorCode::InvalidInput, QStringLiteral("--format: expected csv, table or json"));
+        }
+        options.format = *format;
+        return {};
+    }
+    return noOption(name);
 }
 
 Result<Angle> parseAngle(const char* what, const std::string& text, double least, double most)
@@ -48,9 +74,7 @@ Result<Angle> parseAngle(const char* what, const std::string& text, double least
     return Angle::fromDegrees(*degrees);
 }
 
-}  // namespace
-
-Result<StationOptions> parseStationOptions(Arguments arguments, std::size_t count)
+Result<StationOptions> readOptions(Arguments arguments)
 {
     StationOptions options;
     while (!arguments.empty()) {
@@ -67,9 +91,41 @@ Result<StationOptions> parseStationOptions(Arguments arguments, std::size_t coun
         }
         arguments = arguments.subspan(words);
     }
-    if (options.places.size() != count) {
-        return failure(ErrorCode::InvalidInput, count == 0 ? QStringLiteral("there is an argument too many")
-                                                           : QStringLiteral("give an azimuth and an elevation"));
+    return options;
+}
+
+}  // namespace
+
+Result<StationOptions> parseStationOptions(Arguments arguments, std::size_t count)
+{
+    return readOptions(arguments).and_then([count](StationOptions options) -> Result<StationOptions> {
+        if (options.places.size() != count) {
+            return failure(ErrorCode::InvalidInput, count == 0 ? QStringLiteral("there is an argument too many")
+                                                               : QStringLiteral("give an azimuth and an elevation"));
+        }
+        return options;
+    });
+}
+
+Result<StationOptions> parseTrackOptions(Arguments arguments)
+{
+    return readOptions(arguments).and_then([](StationOptions options) -> Result<StationOptions> {
+        if (options.places.empty()) {
+            return failure(ErrorCode::InvalidInput, QStringLiteral("name a target"));
+        }
+        return options;
+    });
+}
+
+Result<SatellitesOptions> parseSatellitesOptions(Arguments arguments)
+{
+    SatellitesOptions options;
+    for (OptionReader reader(arguments); !reader.atEnd();) {
+        const Result<> taken = reader.takeName().and_then(
+            [&](const std::string& name) { return takeSatellitesOption(name, reader.takeValue(), options); });
+        if (!taken) {
+            return tl::unexpected(taken.error());
+        }
     }
     return options;
 }

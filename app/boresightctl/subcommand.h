@@ -44,6 +44,8 @@ extern const Subcommand kTakeCommand;
 extern const Subcommand kReleaseCommand;
 extern const Subcommand kParkCommand;
 extern const Subcommand kStatusCommand;
+extern const Subcommand kTrackCommand;
+extern const Subcommand kSatellitesCommand;
 
 // Standard output, at once, also into a pipe: what programs may read, and tables and help of a fixed width.
 void print(const std::string& text);

@@ -14,6 +14,14 @@ bool lockedOut(const ClientLead::Rules& rules, const std::string& host)
     return rules.lead == profile::Lead::Locked && !sameHost(host, rules.lockedTo);
 }
 
+Result<> isUnlocked(const ClientLead::Rules& rules, const std::string& host)
+{
+    if (lockedOut(rules, host)) {
+        return failure(ErrorCode::Refused, Text::tr("The mount is locked to %1.").arg(toQString(rules.lockedTo)));
+    }
+    return {};
+}
+
 QString ago(SteadyTime::duration age)
 {
     const auto seconds = std::chrono::floor<std::chrono::seconds>(age).count();
@@ -89,13 +97,17 @@ Result<> ClientLead::mayAct(const Rules& rules, const Source& client, SteadyTime
     if (readOnly(client.clientId)) {
         return failure(ErrorCode::Refused, Text::tr("The operator has made this client read-only."));
     }
-    if (lockedOut(rules, hostOf(client.clientId))) {
-        return failure(ErrorCode::Refused, Text::tr("The mount is locked to %1.").arg(toQString(rules.lockedTo)));
-    }
-    if (leadHeld(rules, now) && !continues(client)) {
-        return failure(ErrorCode::Refused, leaderText(now));
-    }
-    return {};
+    return isUnlocked(rules, hostOf(client.clientId)).and_then([&]() -> Result<> {
+        return leadHeld(rules, now) && !continues(client) ? failure(ErrorCode::Refused, leaderText(now)) : Result<>{};
+    });
+}
+
+Result<> ClientLead::admitsHost(const Rules& rules, const std::string& host, SteadyTime now) const
+{
+    return isUnlocked(rules, host).and_then([&]() -> Result<> {
+        const bool isLeaders = m_leader && m_leader->left && sameHost(host, m_leader->host);
+        return leadHeld(rules, now) && !isLeaders ? failure(ErrorCode::Refused, leaderText(now)) : Result<>{};
+    });
 }
 
 Result<> ClientLead::admits(const Rules& rules, const Source& client, SteadyTime now) const

@@ -32,6 +32,8 @@ public:
     [[nodiscard]] Result<> admits(const Rules& rules, const Source& client, SteadyTime now) const;
     // The same, but for the wait after a re-arm: it could take the control by an act of its own.
     [[nodiscard]] Result<> mayAct(const Rules& rules, const Source& client, SteadyTime now) const;
+    // The same for a program of this host that is no client yet.
+    [[nodiscard]] Result<> admitsHost(const Rules& rules, const std::string& host, SteadyTime now) const;
     // It asks for a motion, whatever the answer will be. Call before admits().
     void asked(const Source& client, SteadyTime now);
     // It has moved the mount.

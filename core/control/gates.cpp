@@ -75,6 +75,14 @@ Result<> Gates::mayCommand(const Source& source) const
     });
 }
 
+Result<> Gates::mayShellCommand() const
+{
+    static const std::string kThisComputer = "127.0.0.1";
+    return m_of.arming.authority() == Authority::Operator
+               ? Result<>{}
+               : m_of.lead.admitsHost(m_of.profile.rotctld, kThisComputer, m_of.now);
+}
+
 int Gates::farOutside(Axis axis) const
 {
     const auto place = m_of.mount.measured(axis);

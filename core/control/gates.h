@@ -22,6 +22,8 @@ public:
 
     // Whether this source has the control, as far as the operator and the other clients are concerned.
     [[nodiscard]] Result<> mayCommand(const Source& source) const;
+    // A shell of this computer may move the mount as a client could: no client loses the control by it.
+    [[nodiscard]] Result<> mayShellCommand() const;
     [[nodiscard]] Result<> mayMove(const Source& source) const;  // armed, and no proof is running
     // Something goes on that Hold ends, or could begin.
     [[nodiscard]] Result<> mayHold(const Source& source) const;

@@ -89,6 +89,8 @@ public:
     [[nodiscard]] Result<> mayPoint(const Source& source) const { return gates().mayPoint(source); }
     // Whether this source has the control, as far as the operator and the other clients are concerned.
     [[nodiscard]] Result<> mayCommand(const Source& source) const { return gates().mayCommand(source); }
+    // Whether a shell of this computer may send the mount anywhere without taking the control from a client.
+    [[nodiscard]] Result<> mayShellCommand() const { return gates().mayShellCommand(); }
     // Another client re-armed the drives; this one kept sending and has to act before it moves the mount.
     [[nodiscard]] bool waitsSinceRearm(const Source& client) const { return m_lead.waits(client.clientId); }
     // Whether the beam can be pointed there from where it is, by all that is permitted.

@@ -1,21 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/local_socket/local_command.h"
 
+#include "core/base/numbers.h"
 #include "core/base/text.h"
 
 #include <QFileInfo>
+#include <QList>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <optional>
 #include <utility>
 
 namespace boresight::local {
 namespace {
 
-constexpr std::array kWords{std::pair{LocalCommand::Take, "take"}, std::pair{LocalCommand::Release, "release"},
-                            std::pair{LocalCommand::Stop, "stop"}, std::pair{LocalCommand::ResetStop, "reset-stop"}};
-const QByteArray kAgreed = "ok";
+constexpr std::array kWords{std::pair{LocalCommand::Take, "take"},
+                            std::pair{LocalCommand::Release, "release"},
+                            std::pair{LocalCommand::Stop, "stop"},
+                            std::pair{LocalCommand::ResetStop, "reset-stop"},
+                            std::pair{LocalCommand::Satellites, "satellites"},
+                            std::pair{LocalCommand::Track, "track"}};
+const QByteArray kAgreed = "ok\n";
 const QByteArray kRefused = "error: ";
+
+std::optional<KnownSatellite> satelliteOf(const QByteArray& line)
+{
+    const QList<QByteArray> fields = line.split('\t');
+    if (fields.size() != 3) {
+        return std::nullopt;
+    }
+    const auto number = parseInteger(fields[0].toStdString());
+    const auto milliseconds = parseInteger(fields[1].toStdString());
+    if (!number || !milliseconds) {
+        return std::nullopt;
+    }
+    return KnownSatellite{.number = *number,
+                          .epoch = UtcTime(std::chrono::milliseconds(*milliseconds)),
+                          .name = QString::fromUtf8(fields[2])};
+}
 
 }  // namespace
 
@@ -24,32 +48,60 @@ QByteArray wordOf(LocalCommand command)
     return std::ranges::find(kWords, command, [](const auto& one) { return one.first; })->second;
 }
 
-Result<LocalCommand> parseCommand(const QByteArray& line)
+QByteArray requestLine(const LocalRequest& request)
 {
-    const QByteArray word = line.trimmed();
+    return wordOf(request.command) + (request.target.isEmpty() ? QByteArray() : ' ' + request.target) + '\n';
+}
+
+Result<LocalRequest> parseRequest(const QByteArray& line)
+{
+    const QByteArray text = line.trimmed();
+    const QByteArray word = text.split(' ').constFirst();
     const auto* const found = std::ranges::find_if(kWords, [&word](const auto& one) { return word == one.second; });
-    if (found == kWords.end()) {
-        return failure(ErrorCode::InvalidInput,
-                       Text::tr("This is no command. The commands are take, release, stop and reset-stop."));
+    const bool isTrack = found != kWords.end() && found->first == LocalCommand::Track;
+    if (found == kWords.end() || isTrack == (word == text)) {
+        return failure(ErrorCode::InvalidInput, Text::tr("This is no command. The commands are take, release, stop, "
+                                                         "reset-stop, satellites and track TARGET."));
     }
-    return found->first;
+    return LocalRequest{.command = found->first, .target = isTrack ? text.mid(word.size()).trimmed() : QByteArray()};
 }
 
-QByteArray answerLine(const Result<>& answer)
+QByteArray answerText(const LocalAnswer& answer)
 {
-    return (answer ? kAgreed : kRefused + answer.error().text.simplified().toUtf8()) + '\n';
+    return answer ? kAgreed + *answer : kRefused + answer.error().text.simplified().toUtf8() + '\n';
 }
 
-Result<> parseAnswer(const QByteArray& line)
+LocalAnswer parseAnswer(const QByteArray& text)
 {
-    const QByteArray answer = line.trimmed();
-    if (answer == kAgreed) {
-        return {};
+    if (text.startsWith(kAgreed)) {
+        return text.mid(kAgreed.size());
     }
-    if (answer.startsWith(kRefused)) {
-        return failure(ErrorCode::Refused, QString::fromUtf8(answer.mid(kRefused.size())));
+    if (text.startsWith(kRefused)) {
+        return failure(ErrorCode::Refused, QString::fromUtf8(text.mid(kRefused.size()).trimmed()));
     }
     return failure(ErrorCode::Protocol, Text::tr("The answer is neither \"ok\" nor \"error\"."));
+}
+
+QByteArray satelliteLine(const KnownSatellite& satellite)
+{
+    const auto epoch = std::chrono::round<std::chrono::milliseconds>(satellite.epoch).time_since_epoch();
+    return QByteArray::number(satellite.number) + '\t' + QByteArray::number(qint64{epoch.count()}) + '\t' +
+           satellite.name.simplified().toUtf8() + '\n';
+}
+
+Result<std::vector<KnownSatellite>> parseSatellites(const QByteArray& lines)
+{
+    std::vector<KnownSatellite> satellites;
+    for (qsizetype from = 0; from < lines.size();) {
+        const qsizetype end = lines.indexOf('\n', from);
+        const auto satellite = end < 0 ? std::nullopt : satelliteOf(lines.mid(from, end - from));
+        if (!satellite) {
+            return failure(ErrorCode::Protocol, Text::tr("The list of satellites is not complete."));
+        }
+        satellites.push_back(*satellite);
+        from = end + 1;
+    }
+    return satellites;
 }
 
 QString runtimeFolder()

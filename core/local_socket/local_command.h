@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/clock.h"
 #include "core/base/result.h"
 
 #include <QByteArray>
 #include <QString>
 
 #include <cstdint>
+#include <vector>
 
-// What a program of the same user may ask of a running station by its local socket: one line to the station, one line
-// back, "ok" or "error: REASON". Both ends use this. None of the commands starts a motion. Pure, any thread.
+// What a program of the same user may ask of a running station by its local socket: one line to the station, and back
+// "ok" with the lines of the answer, or "error: REASON". Both ends use this. Only `track` starts a motion. Pure, any
+// thread.
 namespace boresight::local {
 
 enum class LocalCommand
@@ -17,21 +20,49 @@ enum class LocalCommand
     Take,
     Release,
     Stop,
-    ResetStop
+    ResetStop,
+    Track,
+    Satellites
 };
+
+struct LocalRequest
+{
+    LocalCommand command = LocalCommand::Stop;
+    QByteArray target = {};  // of Track, as typed: UTF-8 without LF
+
+    bool operator==(const LocalRequest&) const = default;
+};
+
+// The lines that follow "ok", each with its LF: the name of the target that is tracked, or the satellites. Else empty.
+using LocalAnswer = Result<QByteArray>;
 
 // Of a command, without its LF.
 inline constexpr qsizetype kLongestLine = 256;
 
 // "reset-stop"
 [[nodiscard]] QByteArray wordOf(LocalCommand command);
+// What is sent, with its LF.
+[[nodiscard]] QByteArray requestLine(const LocalRequest& request);
 // `line` is without its LF.
-[[nodiscard]] Result<LocalCommand> parseCommand(const QByteArray& line);
+[[nodiscard]] Result<LocalRequest> parseRequest(const QByteArray& line);
 
-// With its LF.
-[[nodiscard]] QByteArray answerLine(const Result<>& answer);
+// All that is sent back.
+[[nodiscard]] QByteArray answerText(const LocalAnswer& answer);
 // Refused, with the reason of the station, or Protocol.
-[[nodiscard]] Result<> parseAnswer(const QByteArray& line);
+[[nodiscard]] LocalAnswer parseAnswer(const QByteArray& text);
+
+// A satellite that the station knows, as a line of the answer: number, epoch and name with a tab between.
+struct KnownSatellite
+{
+    std::int64_t number = 0;
+    UtcTime epoch{};
+    QString name;  // may be empty
+
+    bool operator==(const KnownSatellite&) const = default;
+};
+[[nodiscard]] QByteArray satelliteLine(const KnownSatellite& satellite);
+// Protocol, if a line is no such line.
+[[nodiscard]] Result<std::vector<KnownSatellite>> parseSatellites(const QByteArray& lines);
 
 // $XDG_RUNTIME_DIR; empty where the system has none for this user.
 [[nodiscard]] QString runtimeFolder();

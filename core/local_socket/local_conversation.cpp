@@ -29,22 +29,29 @@ void LocalConversation::read()
     const QByteArray received = m_socket.peek(kLongestLine + 1);
     const qsizetype lineEnd = received.indexOf('\n');
     if (lineEnd >= 0) {
-        end(parseCommand(received.first(lineEnd)).and_then(m_obey));
+        end(parseRequest(received.first(lineEnd)).and_then(m_obey));
     } else if (received.size() > kLongestLine) {
         end(failure(ErrorCode::InvalidInput, Text::tr("The line is longer than %1 bytes.").arg(kLongestLine)));
     }
 }
 
-void LocalConversation::end(const Result<>& answer)
+void LocalConversation::end(const LocalAnswer& answer)
 {
     if (m_over) {
         return;
     }
     m_over = true;
     m_patience.start();
-    m_socket.write(answerLine(answer));
-    m_socket.flush();          // one line always has room in a socket that has sent nothing yet
-    if (m_socket.isValid()) {  // the client is still there
+    connect(&m_socket, &QLocalSocket::bytesWritten, this, &LocalConversation::closeOurEnd);
+    m_socket.write(answerText(answer));
+    m_socket.flush();
+    closeOurEnd();
+}
+
+// Once the answer is sent. A list of satellites is more than a socket takes at once.
+void LocalConversation::closeOurEnd()
+{
+    if (m_socket.bytesToWrite() == 0 && m_socket.isValid()) {  // the client is still there
         ::shutdown(static_cast<int>(m_socket.socketDescriptor()), SHUT_WR);
         m_socket.readAll();
     }

@@ -12,11 +12,12 @@
 
 // One client of the local socket: its line, our answer, the end. A client that sends no line in time is answered, too.
 // After the answer the client closes the connection, or we do when it has not done so for kPatience: what it is still
-// sending must not cost it our answer. Deletes itself when the connection has ended. Lives in its owner's event loop.
+// sending must not cost it our answer, and an answer of many lines takes it a while. Deletes itself when the connection
+// has ended. Lives in its owner's event loop.
 namespace boresight::local {
 
-// Whether the station agrees, or why not.
-using Obey = std::function<Result<>(LocalCommand)>;
+// What the station answers.
+using Obey = std::function<LocalAnswer(const LocalRequest&)>;
 
 class LocalConversation : public QObject
 {
@@ -29,11 +30,12 @@ public:
     LocalConversation(QLocalSocket* socket, Obey obey, QObject* parent);
 
     // Answers, unless this has happened before, and sends nothing more.
-    void end(const Result<>& answer);
+    void end(const LocalAnswer& answer);
     [[nodiscard]] bool isOver() const { return m_over; }
 
 private:
     void read();
+    void closeOurEnd();
     void losePatience();
 
     QLocalSocket& m_socket;

@@ -2,6 +2,8 @@
 #include "core/station/station_shell.h"
 
 #include "core/base/text.h"
+#include "core/elements/julian_date.h"
+#include "core/targets/target_text.h"
 
 namespace boresight {
 namespace {
@@ -24,6 +26,8 @@ Request requestOf(local::LocalCommand command)
         case local::LocalCommand::ResetStop:
             return request::ResetStop{};
         case local::LocalCommand::Stop:
+        case local::LocalCommand::Track:
+        case local::LocalCommand::Satellites:
             break;
     }
     return request::Stop{};
@@ -31,10 +35,10 @@ Request requestOf(local::LocalCommand command)
 
 }  // namespace
 
-StationShell::StationShell(Ask ask, EventLog& log, const Clock& clock, QObject* parent)
-    : m_ask(std::move(ask)),
+StationShell::StationShell(Station station, EventLog& log, const Clock& clock, QObject* parent)
+    : m_station(std::move(station)),
       m_lines(log, clock, kShellLinesPerSecond),
-      m_server([this](local::LocalCommand command) { return obey(command); }, parent)
+      m_server([this](const local::LocalRequest& asked) { return obey(asked); }, parent)
 {}
 
 void StationShell::open(std::uint16_t port)
@@ -55,14 +59,46 @@ void StationShell::open(std::uint16_t port)
                        .arg(listening.error().text));
 }
 
-Result<> StationShell::obey(local::LocalCommand command)
+local::LocalAnswer StationShell::obey(const local::LocalRequest& asked)
 {
-    const Result<> answer = m_ask(requestOf(command), shellSource());
+    if (asked.command == local::LocalCommand::Satellites) {
+        return satelliteLines();
+    }
+    const auto request = [&]() -> local::LocalAnswer {
+        return m_station.ask(requestOf(asked.command), shellSource()).map([] { return QByteArray(); });
+    };
+    const local::LocalAnswer answer = asked.command == local::LocalCommand::Track ? track(asked.target) : request();
     if (!answer) {
-        m_lines.add(Severity::Warning, shellSource().name,
-                    Text::tr("%1 refused: %2").arg(QString::fromLatin1(local::wordOf(command)), answer.error().text));
+        m_lines.add(
+            Severity::Warning, shellSource().name,
+            Text::tr("%1 refused: %2").arg(QString::fromLatin1(local::wordOf(asked.command)), answer.error().text));
     }
     return answer;
+}
+
+// The name of what it is.
+local::LocalAnswer StationShell::track(const QByteArray& text)
+{
+    const auto free = m_station.mayShellCommand();
+    if (!free) {
+        return failure(free.error().code, Text::tr("%1 Take the control first.").arg(free.error().text));
+    }
+    return targets::parseTarget(text.toStdString(), *m_station.satellites())
+        .and_then([&](const targets::Target& target) {
+            return m_station.ask(request::Track{target}, shellSource()).map([&] {
+                return QByteArray(target.name.simplified().toUtf8() + '\n');
+            });
+        });
+}
+
+QByteArray StationShell::satelliteLines() const
+{
+    QByteArray lines;
+    for (const orbit::ElementSet& one : *m_station.satellites()) {
+        lines += local::satelliteLine(
+            {.number = one.number, .epoch = orbit::utcTime(one.epoch), .name = toQString(one.name)});
+    }
+    return lines;
 }
 
 }  // namespace boresight

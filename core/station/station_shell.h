@@ -2,25 +2,34 @@
 #pragma once
 
 #include "core/alarms/log_throttle.h"
+#include "core/elements/element_set.h"
 #include "core/local_socket/local_server.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <vector>
 
-// The local socket as the station uses it: translates the commands of the shell into requests of the operator. Station
-// thread only.
+// The local socket as the station uses it: translates the commands of the shell into requests of the operator, and
+// lists the satellites. A target is tracked where a client of this computer could move the mount, or the operator has
+// the control. Station thread only.
 namespace boresight {
 
 class StationShell
 {
 public:
-    using Ask = std::function<Result<>(const Request&, const Source&)>;
+    struct Station
+    {
+        std::function<Result<>(const Request&, const Source&)> ask;
+        std::function<Result<>()> mayShellCommand;
+        std::function<std::shared_ptr<const std::vector<orbit::ElementSet>>()> satellites;
+    };
 
     // Log and clock outlive this.
-    StationShell(Ask ask, EventLog& log, const Clock& clock, QObject* parent);
+    StationShell(Station station, EventLog& log, const Clock& clock, QObject* parent);
 
     // Where the user's sockets are, as core/local_socket reports it. Without this there is no socket, and no line in
     // the log about it.
@@ -31,9 +40,11 @@ public:
     void close() { m_server.close(); }
 
 private:
-    [[nodiscard]] Result<> obey(local::LocalCommand command);
+    [[nodiscard]] local::LocalAnswer obey(const local::LocalRequest& asked);
+    [[nodiscard]] local::LocalAnswer track(const QByteArray& text);
+    [[nodiscard]] QByteArray satelliteLines() const;
 
-    Ask m_ask;
+    Station m_station;
     LogThrottle m_lines;
     local::LocalServer m_server;
     std::optional<QString> m_runtimeFolder;

@@ -5597,10 +5597,6 @@ até %1</translation>
         <translation>Como os eixos chegam ao fim de uma deslocação. &quot;separate&quot;: cada eixo chega assim que pode. &quot;together&quot;: o eixo mais rápido abranda para que ambos cheguem ao mesmo tempo.</translation>
     </message>
     <message>
-        <source>This is no command. The commands are take, release, stop and reset-stop.</source>
-        <translation>Isto não é um comando. Os comandos são take, release, stop e reset-stop.</translation>
-    </message>
-    <message>
         <source>The answer is neither &quot;ok&quot; nor &quot;error&quot;.</source>
         <translation>A resposta não é «ok» nem «error».</translation>
     </message>
@@ -7483,6 +7479,26 @@ até %1</translation>
     <message>
         <source>%1 more refused in %2 s. The last: %3</source>
         <translation>%1 outras recusadas em %2 s. A última: %3</translation>
+    </message>
+    <message>
+        <source>This is no command. The commands are take, release, stop, reset-stop, satellites and track TARGET.</source>
+        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, satellites e track ALVO.</translation>
+    </message>
+    <message>
+        <source>The list of satellites is not complete.</source>
+        <translation>A lista de satélites não está completa.</translation>
+    </message>
+    <message>
+        <source>tracks %1 from now on</source>
+        <translation>segue %1 a partir de agora</translation>
+    </message>
+    <message>
+        <source>The site of the mount was changed. Track the target again.</source>
+        <translation>O local da montagem foi alterado. Volte a seguir o alvo.</translation>
+    </message>
+    <message>
+        <source>%1 Take the control first.</source>
+        <translation>%1 Tome primeiro o controlo.</translation>
     </message>
 </context>
 <context>

@@ -20,7 +20,7 @@ TEST(LocalClient, WaitsForAStationThatReconnects)
     constexpr int kAttempts = 3;
     const QTemporaryDir runtime;
     const auto path = [&runtime] { return local::socketPath(runtime.path(), kPort); };
-    local::LocalServer server([](local::LocalCommand) { return Result<>{}; });
+    local::LocalServer server([](const local::LocalRequest&) { return local::LocalAnswer(); });
     int attempts = 0;
     QLocalSocket socket;
     const QDeadlineTimer patience(std::chrono::minutes(1));

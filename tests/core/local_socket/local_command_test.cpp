@@ -10,33 +10,60 @@
 namespace boresight::local {
 namespace {
 
-// REQ-LOCALSOCKET-01: The commands are take, release, stop and reset-stop, exactly. The answer is one line: ok, or
-// error with the reason.
+// REQ-LOCALSOCKET-01: The commands are take, release, stop, reset-stop, satellites, and track with a target, exactly.
+// The answer is ok and the lines of the answer, or one line: error with the reason.
 TEST(LocalCommandTest, EachHasItsWord)
 {
-    for (const char* const word : {"take", "release", "stop", "reset-stop"}) {
-        const auto command = parseCommand(word);
-        ASSERT_TRUE(command) << word;
-        EXPECT_EQ(wordOf(*command), word);
-        EXPECT_EQ(parseCommand(QByteArray(word) + "\r"), *command) << word;
+    for (const char* const word : {"take", "release", "stop", "reset-stop", "satellites"}) {
+        const auto request = parseRequest(word);
+        ASSERT_TRUE(request) << word;
+        EXPECT_EQ(wordOf(request->command), word);
+        EXPECT_EQ(requestLine(*request), QByteArray(word) + '\n');
+        EXPECT_EQ(parseRequest(QByteArray(word) + "\r"), *request) << word;
     }
-    for (const char* const other : {"", "Stop", "stop now", "reset_stop", "P 10 20", "take\nstop"}) {
-        EXPECT_FALSE(parseCommand(other)) << other;
+    const LocalRequest track{.command = LocalCommand::Track, .target = "cas a"};
+    EXPECT_EQ(parseRequest("track cas a"), track);
+    EXPECT_EQ(parseRequest(" track   cas a \r"), track);
+    EXPECT_EQ(requestLine(track), "track cas a\n");
+    for (const char* const other : {"", "Stop", "stop now", "reset_stop", "P 10 20", "take\nstop", "track", "track ",
+                                    "tracks moon", "satellites all"}) {
+        EXPECT_FALSE(parseRequest(other)) << other;
     }
 }
 
 // REQ-LOCALSOCKET-01
-TEST(LocalCommandTest, TheAnswerIsOneLine)
+TEST(LocalCommandTest, TheAnswerIsOkOrTheReason)
 {
-    EXPECT_EQ(answerLine({}), "ok\n");
-    const Result<> refused = failure(ErrorCode::Refused, QStringLiteral("STOP is latched.\nReset STOP first."));
-    EXPECT_EQ(answerLine(refused), "error: STOP is latched. Reset STOP first.\n");
-    EXPECT_TRUE(parseAnswer("ok\n"));
-    const auto reason = parseAnswer(answerLine(refused));
+    EXPECT_EQ(answerText(QByteArray()), "ok\n");
+    EXPECT_EQ(answerText(QByteArray("Moon\n")), "ok\nMoon\n");
+    const LocalAnswer refused = failure(ErrorCode::Refused, QStringLiteral("STOP is latched.\nReset STOP first."));
+    EXPECT_EQ(answerText(refused), "error: STOP is latched. Reset STOP first.\n");
+    EXPECT_EQ(parseAnswer("ok\n").value(), "");
+    EXPECT_EQ(parseAnswer("ok\nMoon\n").value(), "Moon\n");
+    const auto reason = parseAnswer(answerText(refused));
     ASSERT_FALSE(reason);
     EXPECT_EQ(reason.error().code, ErrorCode::Refused);
     EXPECT_EQ(reason.error().text, QStringLiteral("STOP is latched. Reset STOP first."));
-    EXPECT_EQ(parseAnswer("RPRT 0\n").error().code, ErrorCode::Protocol);
+    for (const char* const other : {"RPRT 0\n", "", "o", "okay\n"}) {
+        EXPECT_EQ(parseAnswer(other).error().code, ErrorCode::Protocol) << other;
+    }
+}
+
+// REQ-LOCALSOCKET-940: A satellite is a line of its number, its epoch to the millisecond and its name. A list that is
+// not complete is refused.
+TEST(LocalCommandTest, SatellitesAreLines)
+{
+    const UtcTime epoch(std::chrono::milliseconds(1'764'000'000'123));
+    const std::vector<KnownSatellite> known{{.number = 25544, .epoch = epoch, .name = QStringLiteral("ISS (ZARYA)")},
+                                            {.number = 7, .epoch = epoch, .name = {}}};
+    const QByteArray lines = satelliteLine(known[0]) + satelliteLine(known[1]);
+    EXPECT_EQ(lines, "25544\t1764000000123\tISS (ZARYA)\n7\t1764000000123\t\n");
+    EXPECT_EQ(parseSatellites(lines).value(), known);
+    EXPECT_TRUE(parseSatellites({}).value().empty());
+    EXPECT_EQ(satelliteLine({.number = 1, .name = QStringLiteral("a\tb\nc")}), "1\t0\ta b c\n");
+    for (const char* const bad : {"25544\t1\tISS", "x\t1\tISS\n", "1\tx\tISS\n", "1\t1\n", "1\t1\ta\tb\n", "\n"}) {
+        EXPECT_FALSE(parseSatellites(bad)) << bad;
+    }
 }
 
 // REQ-LOCALSOCKET-930: A station of the own user is asked before the service of the system, whose socket is in the

@@ -87,10 +87,10 @@ protected:
 
     QTemporaryDir runtime;
     const QString path = socketPath(runtime.path(), kPort);
-    Result<> agreement;
+    LocalAnswer agreement;
     std::vector<LocalCommand> asked;
-    LocalServer server{[this](LocalCommand command) {
-        asked.push_back(command);
+    LocalServer server{[this](const LocalRequest& request) {
+        asked.push_back(request.command);
         return agreement;
     }};
 };
@@ -106,11 +106,13 @@ TEST_F(LocalServerTest, OneLineInOneLineOut)
     EXPECT_EQ(ask("release\n"), "error: STOP is latched. Reset STOP first.\n");
     EXPECT_THAT(asked, ElementsAre(LocalCommand::Take, LocalCommand::Stop, LocalCommand::Release));
     asked.clear();
-    EXPECT_EQ(ask("P 10 20\n"), "error: This is no command. The commands are take, release, stop and reset-stop.\n");
+    EXPECT_EQ(
+        ask("P 10 20\n"),
+        "error: This is no command. The commands are take, release, stop, reset-stop, satellites and track TARGET.\n");
     EXPECT_EQ(ask(QByteArray(100000, 'x')), "error: The line is longer than 256 bytes.\n");
     EXPECT_EQ(ask("stop" + QByteArray(253, ' ') + "\n"), "error: The line is longer than 256 bytes.\n");
     EXPECT_THAT(asked, IsEmpty());
-    agreement = {};
+    agreement = QByteArray();
     EXPECT_EQ(ask("stop" + QByteArray(252, ' ') + "\n"), "ok\n");
 }
 
@@ -124,6 +126,18 @@ TEST_F(LocalServerTest, ALineMayComeInPieces)
     EXPECT_EQ(ask("take\n"), "ok\n") << "the other waits for nobody";
     EXPECT_EQ(answerTo(*slow, "-stop\n"), "ok\n");
     EXPECT_THAT(asked, ElementsAre(LocalCommand::Take, LocalCommand::ResetStop));
+}
+
+// REQ-LOCALSOCKET-941: An answer of many lines arrives whole, also where it is more than the socket takes at once.
+TEST_F(LocalServerTest, ALongAnswerArrivesWhole)
+{
+    constexpr qsizetype kMany = 4'000'000;
+    ASSERT_TRUE(listen());
+    agreement = QByteArray(kMany, 'x') + '\n';
+    const std::string answer = ask("satellites\n");
+    EXPECT_EQ(answer.size(), static_cast<std::size_t>(kMany) + 4);
+    EXPECT_TRUE(answer.starts_with("ok\nxxx"));
+    EXPECT_TRUE(answer.ends_with("x\n"));
 }
 
 // REQ-LOCALSOCKET-03: At most eight clients at the same time. One that sends no command within 2 s is closed.
@@ -210,7 +224,7 @@ TEST_F(LocalServerTest, WhatAKilledProgramLeftIsRemoved)
     leaveASocket();
     ASSERT_TRUE(listen());
     EXPECT_EQ(ask("take\n"), "ok\n");
-    LocalServer second([](LocalCommand) { return Result<>{}; });
+    LocalServer second([](const LocalRequest&) { return LocalAnswer(); });
     const auto other = second.listen(runtime.path(), kPort);
     ASSERT_FALSE(other);
     EXPECT_EQ(other.error().code, ErrorCode::Busy);

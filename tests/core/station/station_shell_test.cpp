@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The local socket of a whole station, with a real socket.
+#include "core/station/station_shell.h"
+
+#include "core/elements/julian_date.h"
+#include "tests/core/control/station_rig.h"
 #include "tests/core/station/linked_station.h"
 #include "tests/fakes/wait_until.h"
 
@@ -72,6 +76,82 @@ TEST(StationShell, AsksAsTheOperator)
     EXPECT_THAT(log, HasSubstr("shell: listening on " + path.toStdString()));
     EXPECT_THAT(log, HasSubstr("shell: STOP is latched"));
     EXPECT_THAT(log, HasSubstr("shell: release refused: STOP is latched"));
+}
+
+// A mount that may be moved, and the shell beside it.
+struct ShellRig : StationRig
+{
+    ShellRig()
+    {
+        run(Seconds(0.5));
+        control.clientCame(kClient, "10.0.0.7");
+        shell.setRuntimeFolder(runtime.path());
+        shell.open(kPort);
+    }
+
+    std::string answerTo(const QByteArray& line)
+    {
+        return boresight::ask(local::socketPath(runtime.path(), kPort), line);
+    }
+
+    static constexpr std::uint16_t kPort = 4533;
+    QTemporaryDir runtime;
+    std::shared_ptr<const std::vector<orbit::ElementSet>> known =
+        std::make_shared<const std::vector<orbit::ElementSet>>(std::vector<orbit::ElementSet>{
+            {.name = "ISS (ZARYA)", .number = 25544, .epoch = orbit::julianDate(UtcTime(std::chrono::days(20000)))}});
+    StationShell shell{{.ask = [this](const Request& request, const Source& by) { return ask(request, by); },
+                        .mayShellCommand = [this] { return control.mayShellCommand(); },
+                        .satellites = [this] { return known; }},
+                       log,
+                       clock,
+                       nullptr};
+};
+
+// REQ-STATION-940: The shell lets the station track a target by the rule of a go-to: not while STOP is latched, and not
+// while a client has the control. Then take comes first. The operator has the control afterwards.
+TEST(StationShell, TracksWhereAClientOfThisComputerCouldMoveTheMount)
+{
+    ShellRig rig;
+    EXPECT_EQ(rig.answerTo("track azel 20,30\n"), "ok\n20.00° 30.00°\n");
+    rig.run(Seconds(0.1));
+    const StationStatus status = rig.control.status();
+    EXPECT_EQ(status.authority, Authority::Operator);
+    ASSERT_TRUE(status.tracked);
+    EXPECT_EQ(status.commander.name, QStringLiteral("shell"));
+    EXPECT_EQ(rig.answerTo("track azel 25,30\n"), "ok\n25.00° 30.00°\n") << "the operator has the control";
+    EXPECT_THAT(rig.answerTo("track nothing\n"), HasSubstr("error: \"nothing\" is no known satellite"));
+
+    ASSERT_EQ(rig.answerTo("release\n"), "ok\n");
+    ASSERT_TRUE(rig.point(30.0, 30.0, kClient));
+    rig.run(Seconds(0.1));
+    EXPECT_THAT(rig.answerTo("track azel 20,30\n"), HasSubstr("error: rotctld 1 has control."));
+    EXPECT_THAT(rig.answerTo("track azel 20,30\n"), HasSubstr("Take the control first.\n"));
+    EXPECT_FALSE(rig.control.status().tracked);
+    EXPECT_EQ(rig.control.status().authority, Authority::Clients);
+    ASSERT_EQ(rig.answerTo("take\n"), "ok\n");
+    EXPECT_EQ(rig.answerTo("track azel 20,30\n"), "ok\n20.00° 30.00°\n");
+    ASSERT_EQ(rig.answerTo("stop\n"), "ok\n");
+    EXPECT_THAT(rig.answerTo("track azel 20,30\n"), HasSubstr("error: STOP is latched"));
+}
+
+// REQ-STATION-940
+TEST(StationShell, ALockedMountIsNotItsOwn)
+{
+    ShellRig rig;
+    profile::Profile locked = rig.profile;
+    locked.rotctld.lead = profile::Lead::Locked;
+    locked.rotctld.lockedTo = "10.0.0.7";
+    rig.setProfile(locked);
+    EXPECT_EQ(rig.answerTo("track azel 20,30\n"), "error: The mount is locked to 10.0.0.7. Take the control first.\n");
+}
+
+// REQ-STATION-941: The shell gets the satellites that the station knows, and tracks them by their names. The reason why
+// not is that of the station.
+TEST(StationShell, ListsTheSatellites)
+{
+    ShellRig rig;
+    EXPECT_EQ(rig.answerTo("satellites\n"), "ok\n25544\t1728000000000\tISS (ZARYA)\n");
+    EXPECT_EQ(rig.answerTo("track iss\n"), "error: The site of the mount is not set. Enter it in the profile.\n");
 }
 
 // REQ-STATION-201: A station without a local socket works, and its log says why it has none. Where the rotctld server

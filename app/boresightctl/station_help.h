@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/boresightctl/subcommand.h"
+#include "core/base/result.h"
+
+#include <string>
+
+// What the subcommands that ask a running station have in common: paragraphs of their help, and how they end.
+namespace boresight::ctl {
+
+inline const std::string kExitStatus =
+    "Exit status: 0 done, 1 the station refused it, 2 the command line makes no sense, 3 no station answered in 2 s.\n";
+
+inline const std::string kWhichStation =
+    R"(  --station HOST:PORT  the rotctld port of the station; 127.0.0.1:4533 without it
+)";
+
+inline const std::string kWhichLocalStation =
+    R"(  --station HOST:PORT  the rotctld port of the station; 127.0.0.1:4533 without it
+                       HOST is localhost, 127.0.0.1 or ::1: the station runs on this computer
+)";
+
+inline const std::string kLocalSocket =
+    R"(
+The command goes through the local socket of the station, $XDG_RUNTIME_DIR/boresight/PORT.sock. It works on the computer
+of the station, for the user who started the station. The socket of the service is /run/boresight/PORT.sock, for root: use
+sudo.
+)";
+
+// Says why nothing was done: by the station, or because nobody answers.
+ExitStatus failedBy(const Subcommand& subcommand, const Error& error);
+
+}  // namespace boresight::ctl

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/local_client.h"
+#include "app/boresightctl/record_table.h"
+#include "app/boresightctl/sky_time.h"
+#include "app/boresightctl/station_help.h"
+#include "app/boresightctl/station_options.h"
+#include "app/boresightctl/subcommand.h"
+#include "core/base/clock.h"
+#include "core/base/numbers.h"
+
+#include <QStringList>
+
+#include <vector>
+
+namespace boresight::ctl {
+namespace {
+
+using Days = std::chrono::duration<double, std::chrono::days::period>;
+
+constexpr int kAgeDecimals = 2;
+
+ExitStatus runTrack(Arguments arguments)
+{
+    const auto options = parseTrackOptions(arguments);
+    if (!options) {
+        return usageError(kTrackCommand, options.error().text);
+    }
+    std::string target;
+    for (const std::string& word : options->places) {
+        target += (target.empty() ? "" : " ") + word;
+    }
+    const auto answer =
+        askLocally(options->station.value_or(profile::ListenAddress{}),
+                   {.command = local::LocalCommand::Track, .target = QByteArray::fromStdString(target)});
+    if (!answer) {
+        return failedBy(kTrackCommand, answer.error());
+    }
+    printLine(QStringLiteral("The station tracks %1. The operator has the control: clients are refused until release.")
+                  .arg(QString::fromUtf8(answer->trimmed())));
+    return kDone;
+}
+
+RecordTable tableOf(const std::vector<local::KnownSatellite>& satellites, UtcTime now)
+{
+    RecordTable table{.columns = {{"name"}, {"norad", true}, {"epoch_utc"}, {"age_days", true}}};
+    for (const local::KnownSatellite& one : satellites) {
+        table.rows.push_back({one.name.toStdString(), std::to_string(one.number), skyTimeText(one.epoch, 0),
+                              formatFixed(Days(now - one.epoch).count(), kAgeDecimals)});
+    }
+    return table;
+}
+
+ExitStatus runSatellites(Arguments arguments)
+{
+    const auto options = parseSatellitesOptions(arguments);
+    if (!options) {
+        return usageError(kSatellitesCommand, options.error().text);
+    }
+    const auto satellites = askLocally(options->station, {.command = local::LocalCommand::Satellites})
+                                .and_then([](const QByteArray& lines) { return local::parseSatellites(lines); });
+    if (!satellites) {
+        return failedBy(kSatellitesCommand, satellites.error());
+    }
+    print(tableOf(*satellites, SystemClock().utc()).text(options->format));
+    if (satellites->empty()) {
+        complain(kSatellitesCommand, QStringLiteral("The station knows no satellites. Name a file or folder with "
+                                                    "elements in the setting elements of its profile."));
+        return kFoundWrong;
+    }
+    return kDone;
+}
+
+}  // namespace
+
+const Subcommand kTrackCommand{.name = "track",
+                               .arguments = "TARGET [--station HOST:PORT]",
+                               .summary = "Let a running station track a satellite, a body or a place",
+                               .details = kWhichLocalStation +
+                                          R"(
+TARGET is one of these. Capital and small letters are the same.
+  25544, noaa 19, iss         a satellite that the station knows: its number, its name, or words that only its name has
+  sun, moon, mercury, venus, mars, jupiter, saturn, uranus, neptune
+  cas-a, cyg-a, tau-a, vir-a, sgr-a   radio sources
+  radec HOURS,DEGREES         a place among the stars: J2000, each as a number or like 12:30:49.4
+  azel AZIMUTH,ELEVATION      a direction that stays, in degrees
+  IM58kr                      a Maidenhead locator: the bearing to it. "IM58kr long": the long path
+  place NORTH,EAST,HEIGHT     a position in degrees and metres above the ellipsoid of WGS-84
+)" + kLocalSocket +
+                                          R"(
+The command ends when the station has accepted the target. The motion goes on. What rises and sets is followed until it
+sets, and then the mount holds. A target that rises within 30 minutes is waited for. Of all others that are below the
+horizon the station says when they rise. To a direction and to a place the mount goes and stays.
+
+The station refuses it while STOP is latched, and while a client has the control: take comes first then. The operator has
+the control afterwards, until release. The Sun is refused while the profile keeps the beam away from it.
+)" + kExitStatus +
+                                          R"(
+Example:
+  boresightctl track moon
+  boresightctl track iss
+)",
+                               .run = runTrack};
+
+const Subcommand kSatellitesCommand{.name = "satellites",
+                                    .arguments = "[--station HOST:PORT] [--format FORMAT]",
+                                    .summary = "List the satellites that a running station knows",
+                                    .details = kWhichLocalStation +
+                                               R"(  --format csv|table|json   csv without it
+)" + kLocalSocket + R"(
+Columns: name,norad,epoch_utc,age_days, in the order of the numbers. The age is that of the elements now, by the clock of
+this computer. Which files the station reads says the setting elements of its profile.
+)" + kExitStatus + R"(
+Example:
+  boresightctl satellites --format table
+)",
+                                    .run = runSatellites};
+
+}  // namespace boresight::ctl
