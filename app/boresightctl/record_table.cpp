@@ -111,7 +111,10 @@ std::optional<TableFormat> parseTableFormat(std::string_view name)
 {
     constexpr std::array<std::string_view, 3> kNames{"csv", "table", "json"};  // as TableFormat
     const auto* const found = std::ranges::find(kNames, name);
-    return found == kNames.end() ? std::nullopt : std::optional(static_cast<TableFormat>(found - kNames.begin()));
+    if (found == kNames.end()) {
+        return std::nullopt;
+    }
+    return static_cast<TableFormat>(found - kNames.begin());
 }
 
 std::string RecordTable::text(TableFormat format) const

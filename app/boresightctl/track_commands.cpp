@@ -92,7 +92,8 @@ sets, and then the mount holds. A target that rises within 30 minutes is waited 
 horizon the station says when they rise. To a direction and to a place the mount goes and stays.
 
 The station refuses it while STOP is latched, and while a client has the control: take comes first then. The operator has
-the control afterwards, until release. The Sun is refused while the profile keeps the beam away from it.
+the control afterwards. release gives it back and ends the tracking. The Sun is refused while the profile keeps the beam
+away from it.
 )" + kExitStatus +
                                           R"(
 Example:

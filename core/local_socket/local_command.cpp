@@ -94,8 +94,8 @@ Result<std::vector<KnownSatellite>> parseSatellites(const QByteArray& lines)
     std::vector<KnownSatellite> satellites;
     for (qsizetype from = 0; from < lines.size();) {
         const qsizetype end = lines.indexOf('\n', from);
-        const auto satellite = end < 0 ? std::nullopt : satelliteOf(lines.mid(from, end - from));
-        if (!satellite) {
+        const auto satellite = satelliteOf(lines.mid(from, end - from));
+        if (end < 0 || !satellite) {
             return failure(ErrorCode::Protocol, Text::tr("The list of satellites is not complete."));
         }
         satellites.push_back(*satellite);

@@ -129,7 +129,10 @@ std::optional<Target> objectOf(std::string_view lower)
     std::erase(key, '*');
     const auto objects = ephemeris::namedObjects();
     const auto found = std::ranges::find(objects, key, &ephemeris::NamedObject::key);
-    return found == objects.end() ? std::nullopt : std::optional(objectTarget(*found));
+    if (found == objects.end()) {
+        return std::nullopt;
+    }
+    return objectTarget(*found);
 }
 
 bool isPartOfWord(std::string_view text, std::size_t at)

@@ -60,11 +60,25 @@ protected:
         }
     }
 
+    // Made up.
+    [[nodiscard]] QString elements() const
+    {
+        const QString path = folder.filePath(QStringLiteral("one.tle"));
+        QFile file(path);
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(
+            "FIRST\n"
+            "1 90001U 26001A   26001.50000000  .00001000  00000-0  20000-4 0   104\n"
+            "2 90001  51.6000 100.0000 0010000  90.0000 270.0000 15.50000000000016\n");
+        return path;
+    }
+
     OwnRuntimeFolder runtime;
     QTemporaryDir folder;
-    fakes::Program daemon{QStringLiteral(BORESIGHTD),
-                          {QStringLiteral("--simulate"), QStringLiteral("--state-dir"), folder.path(),
-                           QStringLiteral("--listen"), QStringLiteral("127.0.0.1:0")}};
+    fakes::Program daemon{
+        QStringLiteral(BORESIGHTD),
+        {QStringLiteral("--simulate"), QStringLiteral("--state-dir"), folder.path(), QStringLiteral("--listen"),
+         QStringLiteral("127.0.0.1:0"), QStringLiteral("--elements"), elements()}};
     QString address;
 };
 
@@ -107,6 +121,43 @@ TEST_F(CtlStation, GivesAndTakesControlAndLatchesStop)
     EXPECT_THAT(ask("status").output, HasSubstr("NOT MOVING"));
     EXPECT_TRUE(isSentOff());
     EXPECT_TRUE(daemon.waitForError(QStringLiteral("shell: STOP is latched"))) << daemon.errors().toStdString();
+}
+
+// REQ-CTL-960: track lets the station follow a target that it reads from words. It has the control afterwards: goto is
+// refused until release. A target that the station does not know, or that it may not track now, is refused with the
+// reason (1). Without a target the line makes no sense (2).
+TEST_F(CtlStation, TracksATarget)
+{
+    const auto tracks = [this] { return ask("track azel 113,40").status == 0; };
+    ASSERT_TRUE(isSentOff());
+    EXPECT_TRUE(fakes::waitUntil(tracks)) << "goto came from the same computer";
+    const Outcome again = ask("track AZEL 120,40");
+    EXPECT_EQ(again.status, 0) << again.errors;
+    EXPECT_THAT(again.output, HasSubstr("The station tracks 120.00° 40.00°. The operator has the control"));
+    EXPECT_EQ(ask("goto 113 40").status, 1);
+    EXPECT_EQ(ask("release").status, 0);
+    const Outcome unknown = ask("track noaa 99");
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_THAT(unknown.errors, HasSubstr("refused: \"noaa 99\" is no known satellite, no body and no locator"));
+    EXPECT_EQ(ask("track").status, 2);
+    EXPECT_EQ(ask("track moon --norad 5").status, 2);
+    EXPECT_EQ(ask("stop --latched").status, 0);
+    const Outcome stopped = ask("track azel 113,40");
+    EXPECT_EQ(stopped.status, 1);
+    EXPECT_THAT(stopped.errors, HasSubstr("refused: STOP is latched"));
+}
+
+// REQ-CTL-961: satellites lists those that the station knows: name, number, epoch and age. track takes their numbers.
+TEST_F(CtlStation, ListsTheSatellites)
+{
+    const std::string start = "name,norad,epoch_utc,age_days\nFIRST,90001,2026-01-01T12:00:00Z,";
+    EXPECT_TRUE(fakes::waitUntil([&] { return ask("satellites").output.starts_with(start); })) << "read at its start";
+    EXPECT_THAT(ask("satellites --format json").output, HasSubstr("\"norad\": 90001"));
+    EXPECT_EQ(ask("satellites --format text").status, 2);
+    EXPECT_EQ(ask("satellites all").status, 2);
+    const Outcome track = ask("track 90001");
+    EXPECT_EQ(track.status, 1);
+    EXPECT_THAT(track.errors, HasSubstr("refused: The site of the mount is not set."));
 }
 
 // REQ-CTL-303: The local socket belongs to one computer and one user: another host is a line without sense (2), no
