@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/units/quantity.h"
 
+#include "core/units/duration_text.h"
 #include "core/units/sky.h"
 
 #include <gtest/gtest.h>
@@ -55,6 +56,17 @@ TEST(Quantity, TravelRangeIncludesItsEnds)
     EXPECT_EQ(range.clamped(-100_deg), -90_deg);
     EXPECT_EQ(range.clamped(500_deg), 450_deg);
     EXPECT_EQ(range.clamped(10_deg), 10_deg);
+}
+
+// REQ-UNITS-940: A duration is written in seconds, in minutes and seconds, or in hours and minutes, whatever is short.
+TEST(Quantity, ADurationIsWrittenShort)
+{
+    EXPECT_EQ(durationText(Seconds(99.4)), QStringLiteral("99 s"));
+    EXPECT_EQ(durationText(Seconds(100.0)), QStringLiteral("1 min 40 s"));
+    EXPECT_EQ(durationText(Seconds(5999.0)), QStringLiteral("99 min 59 s"));
+    EXPECT_EQ(durationText(Seconds(6000.0)), QStringLiteral("1 h 40 min"));
+    EXPECT_EQ(durationText(Seconds(46866.0)), QStringLiteral("13 h 1 min"));
+    EXPECT_EQ(durationText(Seconds(7199.0)), QStringLiteral("2 h 0 min"));
 }
 
 }  // namespace
