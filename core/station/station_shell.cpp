@@ -67,7 +67,7 @@ local::LocalAnswer StationShell::obey(const local::LocalRequest& asked)
     const auto request = [&]() -> local::LocalAnswer {
         return m_station.ask(requestOf(asked.command), shellSource()).map([] { return QByteArray(); });
     };
-    const local::LocalAnswer answer = asked.command == local::LocalCommand::Track ? track(asked.target) : request();
+    local::LocalAnswer answer = asked.command == local::LocalCommand::Track ? track(asked.target) : request();
     if (!answer) {
         m_lines.add(
             Severity::Warning, shellSource().name,

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -23,11 +22,17 @@ constexpr std::size_t kMostNamed = 3;  // of satellites that fit
 constexpr double kLowest = -1000.0;    // m
 constexpr double kHighest = 100'000.0;
 
+// Whatever the locale is.
+char lower(char character)
+{
+    return character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
+}
+
 std::string lowered(std::string_view text)
 {
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
+    std::string all(text);
+    std::ranges::transform(all, all.begin(), lower);
+    return all;
 }
 
 // "5.5", or "5:30:00", or "-5:30"
@@ -121,9 +126,9 @@ struct Form
 constexpr std::array kForms{Form{"azel ", directionTarget}, Form{"radec ", starTarget}, Form{"place ", placeTarget}};
 
 // "Cas A", "cas-a" and "CAS_A" are "cas-a"; "sgr a*" is "sgr-a".
-std::optional<Target> objectOf(std::string_view lower)
+std::optional<Target> objectOf(std::string_view small)
 {
-    std::string key(lower);
+    std::string key(small);
     std::ranges::replace_if(
         key, [](char c) { return c == ' ' || c == '_'; }, '-');
     std::erase(key, '*');
@@ -135,9 +140,11 @@ std::optional<Target> objectOf(std::string_view lower)
     return objectTarget(*found);
 }
 
+// Of a text in small letters; all that is not ASCII is a letter.
 bool isPartOfWord(std::string_view text, std::size_t at)
 {
-    return at < text.size() && std::isalnum(static_cast<unsigned char>(text[at])) != 0;
+    const char c = at < text.size() ? text[at] : ' ';
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
 }
 
 // As whole words: "iss" is in "iss (zarya)", and not in "swisscube".
@@ -154,16 +161,16 @@ bool hasWords(std::string_view text, std::string_view words)
 using Satellites = std::vector<const orbit::ElementSet*>;
 
 // Those of this number or name; else those whose name has these words.
-Satellites satellitesOf(std::string_view lower, std::span<const orbit::ElementSet> known)
+Satellites satellitesOf(std::string_view small, std::span<const orbit::ElementSet> known)
 {
-    const auto number = parseInteger(lower);
+    const auto number = parseInteger(small);
     Satellites exact;
     Satellites partly;
     for (const orbit::ElementSet& one : known) {
         const std::string name = lowered(one.name);
-        if (number == one.number || name == lower) {
+        if (number == one.number || name == small) {
             exact.push_back(&one);
-        } else if (!number && hasWords(name, lower)) {
+        } else if (!number && hasWords(name, small)) {
             partly.push_back(&one);
         }
     }
@@ -211,16 +218,16 @@ std::optional<ephemeris::StarPlace> parseStarPlace(std::string_view text)
 Result<Target> parseTarget(std::string_view text, std::span<const orbit::ElementSet> satellites)
 {
     const std::string_view typed = orbit::trimmed(text);
-    const std::string lower = lowered(typed);
+    const std::string small = lowered(typed);
     for (const Form& form : kForms) {
-        if (lower.starts_with(form.word)) {
+        if (small.starts_with(form.word)) {
             return form.read(typed.substr(form.word.size()));
         }
     }
-    if (const auto object = objectOf(lower)) {
+    if (const auto object = objectOf(small)) {
         return *object;
     }
-    const Satellites found = typed.empty() ? Satellites() : satellitesOf(lower, satellites);
+    const Satellites found = typed.empty() ? Satellites() : satellitesOf(small, satellites);
     if (found.size() == 1) {
         return satelliteTarget(*found.front());
     }
