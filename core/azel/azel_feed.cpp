@@ -68,15 +68,16 @@ QString AzelFeed::problem(SteadyTime now) const
 Result<> AzelFeed::isFresh(SteadyTime now) const
 {
     if (!m_text) {
-        return failure(ErrorCode::NoAnswer, m_problem ? m_problem->text : Text::tr("The file was not read yet."));
+        return failure(ErrorCode::NoAnswer, m_problem ? m_problem->text : Text::tr("the file was not read yet"));
     }
     if (!m_changed || now - *m_changed > kStale) {
-        return failure(ErrorCode::NoAnswer,
-                       Text::tr("Nobody writes the file. Open the window Astronomical Data of WSJT-X."));
+        return failure(
+            ErrorCode::NoAnswer,
+            Text::tr("the file does not change: WSJT-X has ended, or its window Astronomical Data is closed"));
     }
     if (std::abs(m_clockOff.count()) > Seconds(kStale).count()) {
-        return failure(ErrorCode::NoAnswer, Text::tr("The time in the file and the clock of this computer differ by "
-                                                     "%1 s. Set both clocks.")
+        return failure(ErrorCode::NoAnswer, Text::tr("the time in the file and the clock of this computer differ by "
+                                                     "%1 s")
                                                 .arg(std::abs(m_clockOff.count()), 0, 'f', 0));
     }
     return {};

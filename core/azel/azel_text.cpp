@@ -123,25 +123,25 @@ void addDoppler(const Fields& line, AzelText& text)
 Result<> isText(std::string_view text)
 {
     if (withoutBlanks(text).empty()) {
-        return failure(ErrorCode::NoAnswer, Text::tr("The file is empty."));
+        return failure(ErrorCode::NoAnswer, Text::tr("the file is empty"));
     }
     if (text.size() > kLongestAzelText) {
         return failure(ErrorCode::Protocol,
-                       Text::tr("The file is no azel.dat: it is longer than %1 bytes.").arg(kLongestAzelText));
+                       Text::tr("the file is no azel.dat: it is longer than %1 bytes").arg(kLongestAzelText));
     }
     const bool isPlain = std::ranges::all_of(
         text, [](char one) { return (one >= ' ' && one <= '~') || one == '\n' || one == '\r' || one == '\t'; });
     return isPlain ? Result<>{}
                    : failure(ErrorCode::Protocol,
-                             Text::tr("The file is no azel.dat: it has characters that are no plain text."));
+                             Text::tr("the file is no azel.dat: it has characters that are no plain text"));
 }
 
 tl::unexpected<Error> noMoon(const std::vector<Fields>& lines)
 {
     const bool isPair =
         lines.size() == 1 && lines[0].size() == 2 && plainNumber(lines[0][0]) && plainNumber(lines[0][1]);
-    return failure(ErrorCode::Protocol, isPair ? Text::tr("The file is of AirScout, which writes a form of its own.")
-                                               : Text::tr("The file has no line of the Moon."));
+    return failure(ErrorCode::Protocol, isPair ? Text::tr("the file is that of AirScout, which has another form")
+                                               : Text::tr("the file has no line of the Moon"));
 }
 
 }  // namespace
@@ -160,18 +160,18 @@ Result<AzelText> readAzelText(std::string_view text)
     const Fields* const doppler = dopplerLine(lines);
     if (sun == nullptr || doppler == nullptr) {
         return failure(ErrorCode::NoAnswer,
-                       Text::tr("The file is cut: the line of the Sun or of the Doppler is missing."));
+                       Text::tr("the file is cut: the line of the Sun or of the Doppler is missing"));
     }
     const auto time = timeOfDay(moon->front());
     if (!time) {
-        return failure(ErrorCode::Protocol, Text::tr("The time of the Moon is none."));
+        return failure(ErrorCode::Protocol, Text::tr("the time of the Moon cannot be read"));
     }
     if (timeOfDay(sun->front()) != time) {
-        return failure(ErrorCode::NoAnswer, Text::tr("The file is torn: Moon and Sun are of different times."));
+        return failure(ErrorCode::NoAnswer, Text::tr("the file is torn: Moon and Sun have different times"));
     }
     const auto place = direction((*moon)[1], (*moon)[2]);
     if (!place) {
-        return failure(ErrorCode::Protocol, Text::tr("The angles of the Moon are none, or out of range."));
+        return failure(ErrorCode::Protocol, Text::tr("the angles of the Moon cannot be read or are out of range"));
     }
     AzelText read{.timeOfDay = *time, .moon = *place, .sun = direction((*sun)[1], (*sun)[2])};
     addDoppler(*doppler, read);

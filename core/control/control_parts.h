@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/alarms/alarm_board.h"
+#include "core/azel/azel_feed.h"
 #include "core/base/clock.h"
 #include "core/control/arming.h"
 #include "core/control/cable_guard.h"
@@ -38,6 +39,7 @@ struct ControlParts
     const SlewWatch& slew;
     const EnergyMeter& energy;
     const AlarmBoard& alarms;
+    const azel::AzelFeed& azelFeed;
     SteadyTime now;  // of the running or last tick
     std::uint64_t tick = 0;
 

@@ -25,9 +25,10 @@ struct RequestList
 
 // The requests that the control hands to the sources. It answers all others itself, and the compiler finds one that
 // nobody takes.
-using MotionRequests = RequestList<request::PointSky, request::PointAxes, request::PointAxis, request::Jog,
-                                   request::Move, request::Step, request::Follow, request::Track, request::Nudge,
-                                   request::Horizon, request::Park, request::Home, request::Unwind, request::Trial>;
+using MotionRequests =
+    RequestList<request::PointSky, request::PointAxes, request::PointAxis, request::Jog, request::Move, request::Step,
+                request::Follow, request::Track, request::Nudge, request::Horizon, request::Park, request::Home,
+                request::Unwind, request::Trial, request::FollowAzel>;
 
 class MotionSource
 {

@@ -50,6 +50,7 @@ void PermissionReport::judgePlaces(Permissions& may) const
     const Result<> point = gates.mayPoint(kTheOperator);
     judge(may, Action::Point, point);
     judge(may, Action::Track, point);
+    judge(may, Action::FollowAzel, point);
     judge(may, Action::Park, point.and_then([&] { return gates.mayBeAt(gates.park()); }));
     judge(may, Action::Home, point.and_then([&] { return gates.mayBeAt(gates.home()); }));
     judge(may, Action::Unwind, point.and_then([&] { return gates.unwound().map([](const AxisPosition&) {}); }));

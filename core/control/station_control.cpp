@@ -86,6 +86,7 @@ ControlParts StationControl::parts() const
             .slew = m_slew,
             .energy = m_energy,
             .alarms = m_alarms,
+            .azelFeed = m_azelFeed,
             .now = m_now,
             .tick = m_tick};
 }

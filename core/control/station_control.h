@@ -3,6 +3,7 @@
 
 #include "core/alarms/alarm_board.h"
 #include "core/alarms/event_log.h"
+#include "core/azel/azel_feed.h"
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/control/advice_alarms.h"
@@ -135,6 +136,8 @@ public:
     [[nodiscard]] const MountDriver& mount() const { return m_mount; }
     // Where a sensor on the antenna measures the beam. It counts only when the wrap is asked for.
     void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation);
+    // What a look at azel.dat has found.
+    void take(const azel::AzelReading& reading) { m_azelFeed.take(reading, m_clock.now(), m_clock.utc()); }
 
 private:
     Result<> handle(const request::Hold& wanted, const Source& source);
@@ -186,6 +189,7 @@ private:
     CableGuard m_cable;
     SlewWatch m_slew;
     EnergyMeter m_energy;
+    azel::AzelFeed m_azelFeed;
     SourceLog m_sourceLog;
 
     CurrentMotion m_current;

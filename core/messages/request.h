@@ -63,6 +63,8 @@ struct Track  // go to where it rises, follow it until it sets, then hold; stay 
 {
     targets::Target target;
 };
+struct FollowAzel  // keep the beam on the Moon of WSJT-X's azel.dat; below the horizon the mount is parked
+{};
 struct Nudge  // while a stream is followed: shifts it, see StationStatus::trim; else as Step
 {
     Angle azimuth;
@@ -275,7 +277,8 @@ using Request =
                  request::ApplyProfile, request::Reconnect, request::ReadDrives, request::FixDrives,
                  request::AssignBoard, request::SetGear, request::SwitchOff, request::ReleaseBus, request::TakeBus,
                  request::ChooseTurn, request::ProveCrashStop, request::EndProof, request::ReadGains, request::SetGain,
-                 request::PutGainsBack, request::StoreGains, request::Trial, TuningRequest, CalibrationRequest>;
+                 request::PutGainsBack, request::StoreGains, request::Trial, request::FollowAzel, TuningRequest,
+                 CalibrationRequest>;
 
 // A request of the screen, numbered so that the answer finds the control that sent it.
 struct NumberedRequest

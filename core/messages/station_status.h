@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/elements/element_set.h"
 #include "core/ephemeris/almanac.h"
+#include "core/messages/azel_status.h"
 #include "core/messages/calibration_status.h"
 #include "core/messages/capabilities.h"
 #include "core/messages/drives_status.h"
@@ -245,6 +246,7 @@ struct StationStatus
     // Whose elements are known, in the order of their numbers. Never null.
     std::shared_ptr<const std::vector<orbit::ElementSet>> satellites =
         std::make_shared<const std::vector<orbit::ElementSet>>();
+    AzelStatus azel;
     std::vector<BodyPlace> bodies;       // empty: the site is not set
     Permissions permissions;             // of the operator
     Capabilities capabilities;           // of the mount

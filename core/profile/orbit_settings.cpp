@@ -40,4 +40,37 @@ void addOrbit(std::vector<Setting>& list)
         [](auto& p) -> auto& { return p.orbit.lead; }));
 }
 
+void addAzel(std::vector<Setting>& list)
+{
+    list.push_back(textual(
+        "azel.file", kNow,
+        {QT_TRANSLATE_NOOP("Text", "azel.dat"),
+         QT_TRANSLATE_NOOP("Text",
+                           "The file by which WSJT-X, MAP65 or QMAP report the Moon. Empty: azel.dat in the folder of "
+                           "WSJT-X of this user.")},
+        [](const Profile& p) { return p.azel.file; },
+        [](Profile& p, const std::string& text) -> Result<> {
+            return (text.empty() ? Result<>{} : checkPath(text)).map([&] { p.azel.file = text; });
+        }));
+    list.push_back(number(
+        "azel.interval_s", "s", {1.0, 3600.0}, kNow,
+        {QT_TRANSLATE_NOOP("Text", "Interval"),
+         QT_TRANSLATE_NOOP("Text", "The mount moves on to the Moon at most this often. At 1 s it moves all the time.")},
+        [](auto& p) -> auto& { return p.azel.interval; }));
+    list.push_back(number(
+        "azel.beam_fraction", "", {0.0, 1.0}, kNow,
+        {QT_TRANSLATE_NOOP("Text", "Part of the beam width"),
+         QT_TRANSLATE_NOOP("Text",
+                           "The mount moves on only when the Moon is this part of the beam width away from where the "
+                           "mount points. 0: the interval alone counts.")},
+        [](auto& p) -> auto& { return p.azel.beamFraction; }));
+    list.push_back(choice(
+        "azel.only_while_receiving", {"off", "on"}, kNow,
+        {QT_TRANSLATE_NOOP("Text", "Move only while receiving"),
+         QT_TRANSLATE_NOOP("Text",
+                           "Whether the mount stands still while WSJT-X transmits. The way that is saved up is driven "
+                           "in the next receive period.")},
+        [](auto& p) -> auto& { return p.azel.onlyWhileReceiving; }));
+}
+
 }  // namespace boresight::profile

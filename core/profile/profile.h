@@ -158,6 +158,23 @@ struct OrbitSettings
     bool operator==(const OrbitSettings&) const = default;
 };
 
+enum class OnlyWhileReceiving
+{
+    Off,
+    On
+};
+
+// The Moon of WSJT-X, by its azel.dat.
+struct AzelSettings
+{
+    std::string file;           // empty: where WSJT-X writes it for this user
+    Seconds interval{1.0};      // between two places of the mount; the shortest: it follows all the time
+    double beamFraction = 0.0;  // of the beam's width that the Moon goes on before the mount does; 0: any way
+    OnlyWhileReceiving onlyWhileReceiving = OnlyWhileReceiving::Off;
+
+    bool operator==(const AzelSettings&) const = default;
+};
+
 // A feed that the Sun would melt, or a receiver that hears nothing beside it, is kept away from the Sun.
 enum class KeepAway
 {
@@ -318,6 +335,7 @@ struct Profile
     SiteSettings site;
     GpredictSettings gpredict;
     OrbitSettings orbit;
+    AzelSettings azel;
     SunSettings sun;
     JogSettings jog;
     RotctldSettings rotctld;

@@ -305,6 +305,7 @@ std::vector<Setting> makeSettings()
     addSite(list);
     addGpredict(list);
     addOrbit(list);
+    addAzel(list);
     addSun(list);
     addJog(list);
     addClients(list);

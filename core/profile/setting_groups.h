@@ -14,6 +14,7 @@ void addRegion(std::vector<Setting>& list);
 void addSite(std::vector<Setting>& list);
 void addGpredict(std::vector<Setting>& list);
 void addOrbit(std::vector<Setting>& list);
+void addAzel(std::vector<Setting>& list);
 void addSun(std::vector<Setting>& list);
 void addSupervision(std::vector<Setting>& list);
 void addRecovery(std::vector<Setting>& list);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sources/motion_sources.h"
 
+#include "core/sources/azel_follow.h"
 #include "core/sources/body_stream.h"
 #include "core/sources/client_move.h"
 #include "core/sources/client_stream.h"
@@ -48,6 +49,7 @@ MotionSources motionSources(Helm& helm)
                   sources::ClientStream,  //
                   sources::BodyStream,    //
                   sources::TargetTrack,   //
+                  sources::AzelFollow,    //
                   sources::TrialRun       //
                   >(helm);
 }

@@ -71,6 +71,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_sensor(m_profile, clock, m_log, m_control.alarms(), m_broker, this),
       m_power(m_profile, clock, m_log, this),
       m_elements(m_profile, m_log, this),
+      m_azel(m_profile, this),
       m_calibrationFile(calibrationPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_calibration(m_control, m_profile, m_calibrationFile, clock, m_log),
       m_tuning(m_control, clock, m_log),
@@ -97,6 +98,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
     connect(&m_updateTimer, &QTimer::timeout, this, &Station::publish);
     connect(&m_reopenTimer, &QTimer::timeout, this, &Station::openMount);
     connect(&m_power, &StationPower::received, this, [this](const power::Value& value) { m_calibration.take(value); });
+    connect(&m_azel, &StationAzel::looked, this, [this](const azel::AzelReading& reading) { m_control.take(reading); });
     connect(&m_eventFile, &EventFile::failed, this,
             [this](const QString& reason) { m_control.alarms().raise(alarmEntry("log.not-stored"), {reason}); });
     connect(&m_eventFile, &EventFile::written, this,
@@ -134,6 +136,7 @@ void Station::openAll()
     m_sensor.open();
     m_power.open();
     m_elements.open();
+    m_azel.open();
     m_eventFile.tick();
 }
 
@@ -261,6 +264,7 @@ void Station::finish()
     m_server.close();
     m_sensor.close();
     m_power.close();
+    m_azel.close();
     m_broker.close();
     m_mount->close();
     m_updateWanted = true;  // the last words, also to a screen that is slow: who asked for the end has an answer to get

@@ -14,6 +14,7 @@
 #include "core/profile/profile.h"
 #include "core/rotctld/server.h"
 #include "core/station/real_time.h"
+#include "core/station/station_azel.h"
 #include "core/station/station_broker.h"
 #include "core/station/station_elements.h"
 #include "core/station/station_power.h"
@@ -132,6 +133,7 @@ private:
     StationSensor m_sensor;
     StationPower m_power;
     StationElements m_elements;
+    StationAzel m_azel;
     CalibrationFile m_calibrationFile;
     CalibrationDesk m_calibration;
     TuningDesk m_tuning;

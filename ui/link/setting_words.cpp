@@ -38,6 +38,7 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"site", QT_TRANSLATE_NOOP("SettingWords", "Site")},
                              {"gpredict", QT_TRANSLATE_NOOP("SettingWords", "Gpredict")},
                              {"orbit", QT_TRANSLATE_NOOP("SettingWords", "Satellites")},
+                             {"azel", QT_TRANSLATE_NOOP("SettingWords", "Moon by WSJT-X")},
                              {"sun", QT_TRANSLATE_NOOP("SettingWords", "Sun")},
                              {"jog", QT_TRANSLATE_NOOP("SettingWords", "Jog")},
                              {"rotctld", QT_TRANSLATE_NOOP("SettingWords", "rotctld server")},

@@ -51,16 +51,16 @@ protected:
 // not.
 TEST_F(AzelFeedTest, IsFreshWhileItsTimeGoesOn)
 {
-    EXPECT_EQ(whyNotFresh(), "The file was not read yet.");
+    EXPECT_EQ(whyNotFresh(), "the file was not read yet");
     write();
-    EXPECT_THAT(whyNotFresh(), HasSubstr("Nobody writes the file.")) << "it may be of yesterday at this time";
+    EXPECT_THAT(whyNotFresh(), HasSubstr("the file does not change")) << "it may be of yesterday at this time";
     writeFor(2);
     EXPECT_EQ(whyNotFresh(), "");
     clock.advance(seconds(30));
     EXPECT_EQ(whyNotFresh(), "");
     EXPECT_EQ(feed.age(clock.now(), clock.utc()), Seconds(30.0));
     clock.advance(seconds(1));
-    EXPECT_THAT(whyNotFresh(), HasSubstr("Nobody writes the file."));
+    EXPECT_THAT(whyNotFresh(), HasSubstr("the file does not change"));
     writeFor(1);
     EXPECT_EQ(whyNotFresh(), "");
 }
@@ -75,7 +75,7 @@ TEST_F(AzelFeedTest, TheClocksAreCompared)
     writeFor(2, Seconds(-90.0));
     EXPECT_THAT(whyNotFresh(), HasSubstr("differ by 9"));
     writeFor(2, Seconds(90.0));
-    EXPECT_THAT(whyNotFresh(), HasSubstr("Set both clocks"));
+    EXPECT_THAT(whyNotFresh(), HasSubstr("differ by 9"));
 
     const auto midnight = std::chrono::ceil<std::chrono::days>(clock.utc() + hours(1));
     clock.stepUtc(midnight - clock.utc() + std::chrono::milliseconds(200));
@@ -105,7 +105,7 @@ TEST_F(AzelFeedTest, WhatCannotBeReadIsReportedAfterAWhile)
     writeFor(1);
     EXPECT_EQ(feed.problem(clock.now()).toStdString(), "");
     write(Seconds(0.0), QStringLiteral("/another/azel.dat"));
-    EXPECT_THAT(whyNotFresh(), HasSubstr("Nobody writes the file.")) << "nothing is known of another file";
+    EXPECT_THAT(whyNotFresh(), HasSubstr("the file does not change")) << "nothing is known of another file";
 }
 
 }  // namespace

@@ -106,6 +106,7 @@ TEST(ProfileDiff, KnowsEveryKey)
             other = setting.key == "rotctld.listen"                ? "[::1]:1"
                     : setting.key == "bus.name"                    ? "socketcan:can7"
                     : setting.key == "gpredict.folder"             ? "/mnt/Gpredict"
+                    : setting.key == "azel.file"                   ? "/srv/azel.dat"
                     : setting.key == "sensor.deviation_unreliable" ? "40.0-80.0"
                                                                    : "::1";
         }

@@ -4,6 +4,7 @@
 #include "core/sources/motion_sources.h"
 
 #include "tests/core/control/station_rig.h"
+#include "tests/fakes/azel_writer.h"
 
 #include <gtest/gtest.h>
 
@@ -97,6 +98,10 @@ struct SourcesRig
     SourcesRig()
     {
         rig.azimuth.position = 0.05;
+        fakes::AzelWriter writer(Site{});
+        for (int second = 0; second < 2; ++second) {
+            rig.control.take(writer.readingAt(rig.clock.utc() + std::chrono::seconds(second)));
+        }
         rig.run(Seconds(0.5));
     }
 

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sources/azel_follow.h"
+
+#include "core/alarms/catalogue.h"
+#include "core/base/text.h"
+#include "core/base/time_of_day.h"
+#include "core/units/angle_between.h"
+#include "core/units/degrees_text.h"
+
+namespace boresight::sources {
+namespace {
+
+// The rate of a set-point is taken from where the Moon is this much later.
+constexpr std::chrono::milliseconds kMoonApart{20};
+// At this interval the mount follows in each tick.
+constexpr Seconds kAllTheTime{1.0};
+// It has set when it is this low, and has risen at 0°: the steps of the file must not park the mount twice.
+constexpr Angle kMoonSets = Angle::fromDegrees(-0.3);
+
+const Source& azelSource()
+{
+    static const Source source{.kind = SourceKind::Operator, .name = QStringLiteral("azel.dat")};
+    return source;
+}
+
+}  // namespace
+
+Result<> AzelFollow::isUsable() const
+{
+    const ControlParts view = helm().view();
+    return view.azelFeed.isFresh(view.now).and_then([&]() -> Result<> {
+        if (m_moon.isElsewhere()) {
+            return failure(ErrorCode::Refused, Text::tr("its Moon is %1 from where the Moon is over the site: the "
+                                                        "locator in WSJT-X or the site is wrong")
+                                                   .arg(degreesText(*m_moon.apart())));
+        }
+        if (view.profile.azel.onlyWhileReceiving == profile::OnlyWhileReceiving::On && !view.azelFeed.text()->radio) {
+            return failure(ErrorCode::Refused, Text::tr("it does not show whether the radio transmits, and the setting "
+                                                        "only_while_receiving is on"));
+        }
+        return {};
+    });
+}
+
+Result<> AzelFollow::ask(const request::FollowAzel&, const Source& by)
+{
+    const ControlParts view = helm().view();
+    m_moon.look(view);
+    return operatorOnly(by).and_then([&] { return helm().mayPoint(by); }).and_then([&]() -> Result<> {
+        if (const Result<> usable = isUsable(); !usable) {
+            return failure(usable.error().code, Text::tr("azel.dat cannot be used: %1").arg(usable.error().text));
+        }
+        forget();
+        m_utc = {};
+        const UtcTime utc = m_utc.now(view.clock);
+        m_followed = Followed{};
+        setUp(m_moon.at(utc).elevation >= Angle{}, utc);
+        const Result<> driven = drive(view.now, utc);
+        if (!driven) {
+            m_followed.reset();
+            return driven;
+        }
+        helm().clearAlarm(alarmEntry("azel.ended"));
+        return {};
+    });
+}
+
+void AzelFollow::step(SteadyTime now)
+{
+    m_moon.look(helm().view());
+    if (!m_followed) {
+        return;
+    }
+    const CurrentMotion& current = helm().current();
+    if (!current.isFor(azelSource()) || !(current.is(Activity::Streaming) || current.is(Activity::Parking))) {
+        forget();  // somebody has ended it, or moves the mount
+        return;
+    }
+    if (current.errand() != m_followed->errand) {
+        end(Severity::Advisory, Text::tr("ends the tracking, because control was given away"));
+        return;
+    }
+    if (const QString why = whyToEnd(now); !why.isEmpty()) {
+        end(Severity::Warning, Text::tr("ends the tracking: %1").arg(why));
+        helm().raiseAlarm(alarmEntry("azel.ended"), {why});
+        return;
+    }
+    tellDifference();
+    if (const Result<> driven = drive(now, m_utc.now(helm().view().clock)); !driven) {
+        end(Severity::Warning, Text::tr("ends the tracking: %1").arg(driven.error().text));
+    }
+}
+
+// A file that is written again soon goes on where it was. What is not there after a while is a fault: the mount must
+// not start by itself later.
+QString AzelFollow::whyToEnd(SteadyTime now)
+{
+    const Result<> usable = isUsable();
+    if (usable) {
+        m_followed->staleSince.reset();
+        helm().clearAlarm(alarmEntry("azel.stale"));
+        return {};
+    }
+    if (usable.error().code == ErrorCode::Refused) {
+        return usable.error().text;
+    }
+    if (!m_followed->staleSince) {
+        m_followed->staleSince = now;
+        helm().raiseAlarm(alarmEntry("azel.stale"),
+                          {usable.error().text, timeOfDayText(helm().view().clock.utc() + kLongestStale)});
+    }
+    return now - *m_followed->staleSince >= kLongestStale ? usable.error().text : QString();
+}
+
+void AzelFollow::tellDifference()
+{
+    if (m_moon.differs()) {
+        helm().raiseAlarm(alarmEntry("azel.differs"), {degreesText(*m_moon.apart())});
+    } else {
+        helm().clearAlarm(alarmEntry("azel.differs"));
+    }
+}
+
+AzelPhase AzelFollow::wantedPhase() const
+{
+    if (m_followed->staleSince) {
+        return AzelPhase::Stale;
+    }
+    const ControlParts view = helm().view();
+    const bool transmits = view.azelFeed.text()->radio == azel::Radio::Transmits;
+    return transmits && view.profile.azel.onlyWhileReceiving == profile::OnlyWhileReceiving::On
+               ? AzelPhase::Transmitting
+           : m_followed->isUp ? AzelPhase::Following
+                              : AzelPhase::BelowHorizon;
+}
+
+bool AzelFollow::isParking() const
+{
+    return helm().current().is(Activity::Parking) && helm().current().isFor(azelSource());
+}
+
+void AzelFollow::setUp(bool isUp, UtcTime utc)
+{
+    m_followed->isUp = isUp;
+    m_followed->next = isUp ? m_moon.nextSet(utc) : m_moon.nextRise(utc);
+}
+
+void AzelFollow::watchHorizon(UtcTime utc)
+{
+    const Angle elevation = m_moon.at(utc).elevation;
+    const bool isUp = elevation > (m_followed->isUp ? kMoonSets : Angle{});
+    if (isUp != m_followed->isUp) {
+        setUp(isUp, utc);
+    }
+}
+
+Result<> AzelFollow::drive(SteadyTime now, UtcTime utc)
+{
+    watchHorizon(utc);
+    const AzelPhase phase = wantedPhase();
+    const Result<> driven = phase == AzelPhase::Following      ? follow(now, utc)
+                            : phase == AzelPhase::BelowHorizon ? park()
+                                                               : stand();
+    return driven.map([&] {
+        m_followed->phase = phase;
+        m_followed->errand = helm().current().errand();
+    });
+}
+
+bool AzelFollow::isDue(const SkyPointing& moon, SteadyTime now) const
+{
+    const profile::Profile& profile = helm().view().profile;
+    const std::optional<Target>& target = m_followed->target;
+    if (!target) {
+        return true;
+    }
+    const bool isOver = profile.azel.interval <= kAllTheTime || now - target->since >= profile.azel.interval;
+    return isOver && angleBetween(target->now, moon) >= profile.mount.beamWidth * profile.azel.beamFraction;
+}
+
+Result<> AzelFollow::follow(SteadyTime now, UtcTime utc)
+{
+    const auto at = [&](UtcTime when) {
+        SkyPointing moon = m_moon.at(when);
+        moon.elevation = std::max(moon.elevation, Angle{});  // at its rise, by a hair
+        return moon;
+    };
+    const profile::AzelSettings& settings = helm().view().profile.azel;
+    if (const SkyPointing moon = at(utc); isDue(moon, now)) {
+        const bool isSteady = settings.interval <= kAllTheTime && settings.beamFraction <= 0.0;
+        m_followed->target = Target{.now = moon, .soon = isSteady ? at(utc + kMoonApart) : moon, .since = now};
+    }
+    m_followed->standing.reset();
+    return helm()
+        .lead({.now = m_followed->target->now,
+               .soon = m_followed->target->soon,
+               .apart = kMoonApart,
+               .near = m_followed->place},
+              azelSource(), Text::tr("track the Moon by WSJT-X"))
+        .map([&](const AxisPosition& place) { m_followed->place = place; });
+}
+
+// Once: the next time that it is asked for it goes on, or stands there.
+Result<> AzelFollow::park()
+{
+    m_followed->standing.reset();
+    m_followed->target.reset();
+    m_followed->place.reset();
+    if (isParking()) {
+        return {};
+    }
+    const AxisPosition place = Gates(helm().view()).park();
+    return helm().goTo(place, Activity::Parking, azelSource(),
+                       Text::tr("park at %1, because the Moon is below the horizon").arg(helm().directionText(place)));
+}
+
+// Where the axes stop when they brake now.
+Result<> AzelFollow::stand()
+{
+    const ControlParts view = helm().view();
+    if (isParking() && view.motion.atRest()) {
+        return {};
+    }
+    if (!m_followed->standing) {
+        const AxisPosition place = view.stoppingPlace();
+        const AxisPosition& trim = view.motion.trim();  // is added to the target
+        m_followed->standing =
+            AxisPosition{.azimuth = place.azimuth - trim.azimuth, .elevation = place.elevation - trim.elevation};
+    }
+    const SkyPointing direction = view.model.pointing().toSky(*m_followed->standing);
+    return helm()
+        .lead({.now = direction, .soon = direction, .apart = kMoonApart, .near = m_followed->standing}, azelSource(),
+              Text::tr("track the Moon by WSJT-X"))
+        .map([](const AxisPosition&) {});
+}
+
+void AzelFollow::forget()
+{
+    m_followed.reset();
+    helm().clearAlarm(alarmEntry("azel.stale"));
+    helm().clearAlarm(alarmEntry("azel.differs"));
+}
+
+void AzelFollow::end(Severity severity, const QString& why)
+{
+    forget();
+    helm().end(severity, why);
+}
+
+void AzelFollow::describe(StationStatus& status) const
+{
+    const ControlParts view = helm().view();
+    const azel::AzelFeed& feed = view.azelFeed;
+    const Result<> usable = isUsable();
+    status.azel = {.path = feed.path(),
+                   .problem = usable ? feed.problem(view.now) : usable.error().text,
+                   .age = feed.age(view.now, view.clock.utc()),
+                   .apart = m_moon.apart(),
+                   .interpolates = m_moon.interpolates()};
+    if (feed.text()) {
+        status.azel.moon = feed.text()->moon;
+        status.azel.transmits =
+            feed.text()->radio ? std::optional(*feed.text()->radio == azel::Radio::Transmits) : std::optional<bool>();
+    }
+    if (!usable && status.permissions.allows(Action::FollowAzel)) {
+        status.permissions.refuse(Action::FollowAzel, Text::tr("azel.dat cannot be used: %1").arg(usable.error().text));
+    }
+    if (m_followed) {
+        status.azel.phase = m_followed->phase;
+        status.azel.next = m_followed->next;
+        status.tracked =
+            TrackedSatellite{.name = Text::tr("Moon (WSJT-X)"), .isUp = m_followed->isUp, .next = m_followed->next};
+    }
+}
+
+}  // namespace boresight::sources
