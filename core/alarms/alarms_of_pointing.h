@@ -86,9 +86,8 @@ inline constexpr std::array kPointingAlarms{
                .what = QT_TRANSLATE_NOOP("Text", "The Moon cannot be tracked by azel.dat: %1"),
                .action = QT_TRANSLATE_NOOP(
                    "Text", "The mount stands still. It moves again BY ITSELF if the file is right again before %2"),
-               .remedy = QT_TRANSLATE_NOOP("Text", "Look at WSJT-X. STOP or Hold ends the tracking"),
-               .examples = {"the file does not change: WSJT-X has ended, or its window Astronomical Data is closed",
-                            "17:06:10Z"},
+               .remedy = QT_TRANSLATE_NOOP("Text", "STOP or Hold ends the tracking"),
+               .examples = {"nothing writes the file: open the window Astronomical Data of WSJT-X", "17:06:10Z"},
                .identifying = 0},
     AlarmEntry{.id = "azel.ended",
                .source = "azel.dat",

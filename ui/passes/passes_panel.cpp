@@ -9,6 +9,7 @@
 #include "ui/kit/read_table.h"
 #include "ui/kit/value_label.h"
 #include "ui/look/paint.h"
+#include "ui/passes/azel_box.h"
 #include "ui/passes/clear_sky.h"
 #include "ui/passes/pass_picture.h"
 #include "ui/passes/pass_table.h"
@@ -54,7 +55,8 @@ PassesPanel::PassesPanel(RequestDesk& desk, QWidget* parent)
       m_refused(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_track(new CommandButton(tr("Track"),
                                 tr("Go to where the satellite rises and follow it until it sets. Then the mount holds"),
-                                desk, *m_refused, this))
+                                desk, *m_refused, this)),
+      m_azel(new AzelBox(desk, this))
 {
     build();
     connect(m_searcher, &PassSearcher::found, this, &PassesPanel::showBook);
@@ -86,10 +88,13 @@ void PassesPanel::build()
     m_note->setLines(2);
     m_note->setStretching(true);
     column->addWidget(makeSearchLine());
-    column->addWidget(m_note);
-    column->addWidget(m_openSetting, 0, Qt::AlignLeft);
+    auto* const notes = new QHBoxLayout;
+    notes->addWidget(m_note, 1);
+    notes->addWidget(m_openSetting);
+    column->addLayout(notes);
     column->addWidget(m_table, 1);
     column->addWidget(makeSelection());
+    column->addWidget(m_azel);
     QHeaderView* const header = m_table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::Fixed);
     header->setSectionResizeMode(PassTable::Satellite, QHeaderView::Stretch);
@@ -153,6 +158,7 @@ void PassesPanel::showStatus(const StationStatus& status)
         std::chrono::floor<std::chrono::seconds>(status.utc) != std::chrono::floor<std::chrono::seconds>(m_now);
     m_now = status.utc;
     searchAgain(status);
+    m_azel->showStatus(status);
     if (isNextSecond) {
         m_passes->tick(m_now);
         showSelected();
@@ -234,9 +240,9 @@ void PassesPanel::showNote(const StationStatus& status)
     const bool areKnown = status.satellites && !status.satellites->empty();
     m_openSetting->setVisible(!areKnown);
     if (!areKnown) {
-        m_note->setValue(tr("Boresight knows no satellites. Name a file or folder with elements in the setting "
-                            "elements, for instance the satdata of Gpredict."),
-                         Tone::Warning, Symbol::Warning);
+        m_note->setValue(
+            tr("Boresight knows no satellites. Open the setting and name a file or folder with their elements."),
+            Tone::Warning, Symbol::Warning);
     } else if (!status.profile->site.known) {
         m_note->setValue(tr("The site is not set. Enter it on the page Profile, or in the guide."), Tone::Warning,
                          Symbol::Warning);

@@ -19,6 +19,7 @@ class QTableView;
 // the elements, the site or the limits change. Gui thread.
 namespace boresight::ui {
 
+class AzelBox;
 class CommandButton;
 class PassPicture;
 class PassTable;
@@ -76,6 +77,7 @@ private:
     ValueLabel* m_facts;
     ValueLabel* m_refused;
     CommandButton* m_track;
+    AzelBox* m_azel;
     Basis m_basis;
     UtcTime m_searched{};  // when the span of the last search began
     UtcTime m_now{};

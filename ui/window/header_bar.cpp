@@ -21,7 +21,8 @@ namespace boresight::ui {
 namespace {
 
 constexpr QSize kMenuSize{44, 44};
-constexpr int kControlMargin = 8;  // px, around who has the control
+constexpr long kLongestInMinutes = 6000;  // s
+constexpr int kControlMargin = 8;         // px, around who has the control
 
 struct Shown
 {
@@ -141,6 +142,9 @@ QString controlHelp(const StationStatus& status)
 QString minutesText(Seconds time)
 {
     const auto whole = std::max(0L, std::lround(time.count()));
+    if (whole >= kLongestInMinutes) {
+        return HeaderBar::tr("%1 h %2 min").arg(whole / 3600).arg(whole / 60 % 60);
+    }
     return QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
 }
 

@@ -182,9 +182,9 @@ TEST_F(StationAzelFollow, IsRefusedWithTheReason)
     EXPECT_EQ(ask(), "azel.dat cannot be used: the file was not read yet");
     look();
     rig.run(Seconds(1.0));
-    EXPECT_THAT(ask(), HasSubstr("the file does not change"));
+    EXPECT_THAT(ask(), HasSubstr("nothing writes the file"));
     EXPECT_THAT(rig.control.status().permissions.reason(Action::FollowAzel).toStdString(),
-                HasSubstr("the file does not change"));
+                HasSubstr("nothing writes the file"));
     set({.onlyWhileReceiving = profile::OnlyWhileReceiving::On});
     writer.flag = "";
     run(Seconds(2.0));
