@@ -30,9 +30,9 @@ Result<> AzelFollow::isUsable() const
     const ControlParts view = helm().view();
     return view.azelFeed.isFresh(view.now).and_then([&]() -> Result<> {
         if (m_moon.isElsewhere()) {
-            return failure(ErrorCode::Refused, Text::tr("its Moon is %1 from where the Moon is over the site: the "
-                                                        "locator in WSJT-X or the site is wrong")
-                                                   .arg(degreesText(*m_moon.apart())));
+            return failure(ErrorCode::Refused,
+                           Text::tr("its Moon is %1 off: the locator in WSJT-X or the site is wrong")
+                               .arg(degreesText(*m_moon.apart())));
         }
         if (view.profile.azel.onlyWhileReceiving == profile::OnlyWhileReceiving::On && !view.azelFeed.text()->radio) {
             return failure(ErrorCode::Refused, Text::tr("it does not show whether the radio transmits, and the setting "

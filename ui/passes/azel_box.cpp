@@ -133,7 +133,7 @@ void AzelBox::showStatus(const StationStatus& status)
         return;
     }
     const QString phase = phaseText(azel);
-    m_state->setValue(agreementText(azel) + (phase.isEmpty() ? QString() : QLatin1Char(' ') + phase),
+    m_state->setValue((phase.isEmpty() ? QString() : phase + QLatin1Char(' ')) + agreementText(azel),
                       azel.apart && !azel.interpolates ? Tone::Warning : Tone::Secondary);
 }
 

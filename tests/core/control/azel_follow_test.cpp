@@ -146,7 +146,7 @@ TEST_F(StationAzelFollow, AFileThatDiffersIsFollowedInItsSteps)
 {
     writer.moonInstead = SkyPointing{120.3_deg, 40.1_deg};
     run(Seconds(2.5));
-    EXPECT_THAT(ask(), HasSubstr("from where the Moon is over the site: the locator in WSJT-X or the site is wrong"));
+    EXPECT_THAT(ask(), HasSubstr("off: the locator in WSJT-X or the site is wrong"));
     SkyPointing beside = writer.moon(now());
     beside.elevation += 0.7_deg;
     writer.moonInstead = beside;
@@ -286,6 +286,23 @@ TEST_F(StationAzelFollow, IsParkedOnceWhileTheMoonIsDown)
     EXPECT_EQ(this->status().phase, AzelPhase::Following);
     EXPECT_LT(off(), 0.01_deg);
     EXPECT_EQ(starts(), before + 2);
+}
+
+// What the operator has trimmed is a part of where the mount stands.
+TEST_F(StationAzelFollow, ATrimIsHeldWhileTheRadioTransmits)
+{
+    set({.onlyWhileReceiving = profile::OnlyWhileReceiving::On});
+    follow();
+    ASSERT_TRUE(rig.ask(request::Nudge{.azimuth = 3_deg, .elevation = -1_deg}));
+    run(Seconds(5.0));
+    ASSERT_TRUE(isFollowing());
+    EXPECT_GT(off(), 2_deg);
+    writer.flag = ", T";
+    run(Seconds(2.0));
+    const AxisPosition held = place();
+    run(Seconds(10.0));
+    EXPECT_LT(abs(place().azimuth - held.azimuth), 1e-6_deg);
+    EXPECT_GT(off(), 2_deg);
 }
 
 TEST_F(StationAzelFollow, ParkingWaitsForReceiving)

@@ -69,8 +69,8 @@ TEST_F(AzelBoxTest, ShowsWhyItStandsStill)
         show(still);
         return text("Moon by WSJT-X").toStdString();
     };
-    EXPECT_TRUE(shown(AzelPhase::Transmitting).ends_with("The mount stands still while WSJT-X transmits."));
-    EXPECT_TRUE(shown(AzelPhase::Stale).ends_with("The mount waits for the file."));
+    EXPECT_TRUE(shown(AzelPhase::Transmitting).starts_with("The mount stands still while WSJT-X transmits."));
+    EXPECT_TRUE(shown(AzelPhase::Stale).starts_with("The mount waits for the file."));
     EXPECT_NE(shown(AzelPhase::BelowHorizon).find("Moon below the horizon, parked. Rises at 20"), std::string::npos);
 
     status = withFile();
