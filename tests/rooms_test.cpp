@@ -99,9 +99,9 @@ Rooms joined(Rooms one, const Rooms& other)
     return one;
 }
 
-const Rooms kSeenByTheWindow{"core/base",     "core/units",    "core/pointing", "core/profile", "core/alarms",
-                             "core/messages", "core/elements", "core/orbit",    "core/passes",  "core/gpredict",
-                             "core/targets"};
+const Rooms kSeenByTheWindow{"core/base",   "core/units",    "core/pointing", "core/profile",
+                             "core/alarms", "core/messages", "core/elements", "core/orbit",
+                             "core/passes", "core/gpredict", "core/targets"};
 const Rooms kAboveTheDriver{"core/control", "core/sources", "core/motion", "core/mount",
                             "core/north",   "core/tuning",  "core/witness"};
 const Rooms kBelowPanels{"ui/kit", "ui/look", "ui/link", "ui/hold", "ui/sky"};

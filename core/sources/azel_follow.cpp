@@ -269,7 +269,7 @@ void AzelFollow::describe(StationStatus& status) const
         status.azel.phase = m_followed->phase;
         status.azel.next = m_followed->next;
         status.tracked =
-            TrackedSatellite{.name = Text::tr("Moon (WSJT-X)"), .isUp = m_followed->isUp, .next = m_followed->next};
+            TrackedTarget{.name = Text::tr("Moon (WSJT-X)"), .isUp = m_followed->isUp, .next = m_followed->next};
     }
 }
 

@@ -669,6 +669,10 @@ até %1</translation>
         <source>Satellites</source>
         <translation>Satélites</translation>
     </message>
+    <message>
+        <source>Moon by WSJT-X</source>
+        <translation>Lua pelo WSJT-X</translation>
+    </message>
 </context>
 <context>
     <name>SkyBodies</name>
@@ -7500,6 +7504,210 @@ até %1</translation>
         <source>%1 Take the control first.</source>
         <translation>%1 Tome primeiro o controlo.</translation>
     </message>
+    <message>
+        <source>The Moon cannot be tracked by azel.dat: %1</source>
+        <translation>Não é possível seguir a Lua pelo azel.dat: %1</translation>
+    </message>
+    <message>
+        <source>The mount stands still. It moves again BY ITSELF if the file is right again before %2</source>
+        <translation>A montagem está parada. Volta a mover-se POR SI se o ficheiro voltar a estar certo antes das %2</translation>
+    </message>
+    <message>
+        <source>STOP or Hold ends the tracking</source>
+        <translation>STOP ou Manter termina o seguimento</translation>
+    </message>
+    <message>
+        <source>The Moon is no longer tracked by azel.dat: %1</source>
+        <translation>A Lua já não é seguida pelo azel.dat: %1</translation>
+    </message>
+    <message>
+        <source>Look at WSJT-X, then track the Moon again</source>
+        <translation>Verifique o WSJT-X e volte a seguir a Lua</translation>
+    </message>
+    <message>
+        <source>The Moon of azel.dat is %1 from where the Moon is over the site</source>
+        <translation>A Lua do azel.dat está a %1 de onde a Lua está sobre o local</translation>
+    </message>
+    <message>
+        <source>The mount follows the file, in its steps of 0.1°</source>
+        <translation>A montagem segue o ficheiro, nos seus passos de 0,1°</translation>
+    </message>
+    <message>
+        <source>Enter the same locator in WSJT-X and in the profile, with at least six characters</source>
+        <translation>Introduza o mesmo localizador no WSJT-X e no perfil, com pelo menos seis caracteres</translation>
+    </message>
+    <message>
+        <source>the file was not read yet</source>
+        <translation>o ficheiro ainda não foi lido</translation>
+    </message>
+    <message>
+        <source>nothing writes the file: open the window Astronomical Data of WSJT-X</source>
+        <translation>nada escreve o ficheiro: abra a janela Astronomical Data do WSJT-X</translation>
+    </message>
+    <message>
+        <source>the time in the file and the clock of this computer differ by %1 s</source>
+        <translation>a hora no ficheiro e o relógio deste computador diferem %1 s</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>o ficheiro está vazio</translation>
+    </message>
+    <message>
+        <source>the file is no azel.dat: it is longer than %1 bytes</source>
+        <translation>o ficheiro não é um azel.dat: tem mais de %1 bytes</translation>
+    </message>
+    <message>
+        <source>the file is no azel.dat: it has characters that are no plain text</source>
+        <translation>o ficheiro não é um azel.dat: tem caracteres que não são texto simples</translation>
+    </message>
+    <message>
+        <source>the file is that of AirScout, which has another form</source>
+        <translation>o ficheiro é do AirScout, que tem outro formato</translation>
+    </message>
+    <message>
+        <source>the file has no line of the Moon</source>
+        <translation>o ficheiro não tem a linha da Lua</translation>
+    </message>
+    <message>
+        <source>the file is cut: the line of the Sun or of the Doppler is missing</source>
+        <translation>o ficheiro está cortado: falta a linha do Sol ou do Doppler</translation>
+    </message>
+    <message>
+        <source>the time of the Moon cannot be read</source>
+        <translation>não é possível ler a hora da Lua</translation>
+    </message>
+    <message>
+        <source>the file is torn: Moon and Sun have different times</source>
+        <translation>o ficheiro está incoerente: a Lua e o Sol têm horas diferentes</translation>
+    </message>
+    <message>
+        <source>the angles of the Moon cannot be read or are out of range</source>
+        <translation>os ângulos da Lua não são legíveis ou estão fora dos limites</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>esse ficheiro não existe</translation>
+    </message>
+    <message>
+        <source>Mercury</source>
+        <translation>Mercúrio</translation>
+    </message>
+    <message>
+        <source>Venus</source>
+        <translation>Vénus</translation>
+    </message>
+    <message>
+        <source>Mars</source>
+        <translation>Marte</translation>
+    </message>
+    <message>
+        <source>Jupiter</source>
+        <translation>Júpiter</translation>
+    </message>
+    <message>
+        <source>Saturn</source>
+        <translation>Saturno</translation>
+    </message>
+    <message>
+        <source>Uranus</source>
+        <translation>Úrano</translation>
+    </message>
+    <message>
+        <source>Neptune</source>
+        <translation>Neptuno</translation>
+    </message>
+    <message>
+        <source>azel.dat</source>
+        <translation>azel.dat</translation>
+    </message>
+    <message>
+        <source>The file by which WSJT-X, MAP65 or QMAP report the Moon. Empty: azel.dat in the folder of WSJT-X of this user.</source>
+        <translation>O ficheiro pelo qual o WSJT-X, o MAP65 ou o QMAP indicam a Lua. Vazio: o azel.dat na pasta do WSJT-X deste utilizador.</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>Intervalo</translation>
+    </message>
+    <message>
+        <source>The mount moves on to the Moon at most this often. At 1 s it moves all the time.</source>
+        <translation>A montagem avança para a Lua no máximo com este intervalo. Com 1 s move-se continuamente.</translation>
+    </message>
+    <message>
+        <source>Part of the beam width</source>
+        <translation>Parte da largura do feixe</translation>
+    </message>
+    <message>
+        <source>The mount moves on only when the Moon is this part of the beam width away from where the mount points. 0: the interval alone counts.</source>
+        <translation>A montagem só avança quando a Lua está a esta parte da largura do feixe de para onde a montagem aponta. 0: só conta o intervalo.</translation>
+    </message>
+    <message>
+        <source>Move only while receiving</source>
+        <translation>Mover só na receção</translation>
+    </message>
+    <message>
+        <source>Whether the mount stands still while WSJT-X transmits. The way that is saved up is driven in the next receive period.</source>
+        <translation>Se a montagem fica parada enquanto o WSJT-X transmite. O caminho acumulado é percorrido no período de receção seguinte.</translation>
+    </message>
+    <message>
+        <source>its Moon is %1 off: the locator in WSJT-X or the site is wrong</source>
+        <translation>a sua Lua está desviada %1: o localizador no WSJT-X ou o local está errado</translation>
+    </message>
+    <message>
+        <source>it does not show whether the radio transmits, and the setting only_while_receiving is on</source>
+        <translation>não indica se o rádio transmite, e a definição only_while_receiving está ligada</translation>
+    </message>
+    <message>
+        <source>azel.dat cannot be used: %1</source>
+        <translation>não é possível usar o azel.dat: %1</translation>
+    </message>
+    <message>
+        <source>track the Moon by WSJT-X</source>
+        <translation>seguir a Lua pelo WSJT-X</translation>
+    </message>
+    <message>
+        <source>park at %1, because the Moon is below the horizon</source>
+        <translation>estacionar em %1, porque a Lua está abaixo do horizonte</translation>
+    </message>
+    <message>
+        <source>Moon (WSJT-X)</source>
+        <translation>Lua (WSJT-X)</translation>
+    </message>
+    <message>
+        <source>%1 is where the mount stands.</source>
+        <translation>%1 está onde está a montagem.</translation>
+    </message>
+    <message>
+        <source>A direction is &quot;azel AZIMUTH,ELEVATION&quot; in degrees, like &quot;azel 120.5,30&quot;.</source>
+        <translation>Uma direção é &quot;azel AZIMUTE,ELEVAÇÃO&quot; em graus, como &quot;azel 120.5,30&quot;.</translation>
+    </message>
+    <message>
+        <source>A place among the stars is &quot;radec HOURS,DEGREES&quot; of J2000, like &quot;radec 12:30:49.4,12:23:28&quot; or &quot;radec 12.514,12.391&quot;.</source>
+        <translation>Um lugar entre as estrelas é &quot;radec HORAS,GRAUS&quot; de J2000, como &quot;radec 12:30:49.4,12:23:28&quot; ou &quot;radec 12.514,12.391&quot;.</translation>
+    </message>
+    <message>
+        <source>RA %1 h, declination %2</source>
+        <translation>AR %1 h, declinação %2</translation>
+    </message>
+    <message>
+        <source>A position is &quot;place NORTH,EAST,HEIGHT&quot; in degrees and metres, like &quot;place 38.757,-9.117,1200&quot;. The height may be left out.</source>
+        <translation>Uma posição é &quot;place NORTE,ESTE,ALTURA&quot; em graus e metros, como &quot;place 38.757,-9.117,1200&quot;. A altura pode ser omitida.</translation>
+    </message>
+    <message>
+        <source>%1 north, %2 east</source>
+        <translation>%1 norte, %2 este</translation>
+    </message>
+    <message>
+        <source>%1, long path</source>
+        <translation>%1, caminho longo</translation>
+    </message>
+    <message>
+        <source>%1 satellites have that name, among them %2. Give the number.</source>
+        <translation>%1 satélites têm esse nome, entre eles %2. Indique o número.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no known satellite, no body and no locator. The bodies are: %2.</source>
+        <translation>&quot;%1&quot; não é um satélite conhecido, nem um corpo, nem um localizador. Os corpos são: %2.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -8004,6 +8212,101 @@ velocidade %1</translation>
     <message>
         <source>the cable wrap is unknown</source>
         <translation>a volta é desconhecida</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::AzelBox</name>
+    <message>
+        <source>no R or T</source>
+        <translation>sem R nem T</translation>
+    </message>
+    <message>
+        <source>transmits</source>
+        <translation>transmite</translation>
+    </message>
+    <message>
+        <source>receives</source>
+        <translation>recebe</translation>
+    </message>
+    <message>
+        <source>Moon by WSJT-X: %1</source>
+        <translation>Lua pelo WSJT-X: %1</translation>
+    </message>
+    <message>
+        <source>%1 old</source>
+        <translation>há %1</translation>
+    </message>
+    <message>
+        <source>Not compared, because the site is not set.</source>
+        <translation>Sem comparação, porque o local não está definido.</translation>
+    </message>
+    <message>
+        <source>Agrees with the Moon of Boresight (%1).</source>
+        <translation>Coincide com a Lua do Boresight (%1).</translation>
+    </message>
+    <message>
+        <source>Differs from the Moon of Boresight by %1.</source>
+        <translation>Difere da Lua do Boresight em %1.</translation>
+    </message>
+    <message>
+        <source>Tracked.</source>
+        <translation>Seguida.</translation>
+    </message>
+    <message>
+        <source>Sets at %1.</source>
+        <translation>Põe-se às %1.</translation>
+    </message>
+    <message>
+        <source>The mount stands still while WSJT-X transmits.</source>
+        <translation>A montagem está parada enquanto o WSJT-X transmite.</translation>
+    </message>
+    <message>
+        <source>The mount waits for the file.</source>
+        <translation>A montagem espera pelo ficheiro.</translation>
+    </message>
+    <message>
+        <source>Moon below the horizon, parked.</source>
+        <translation>Lua abaixo do horizonte, estacionada.</translation>
+    </message>
+    <message>
+        <source>Rises at %1.</source>
+        <translation>Nasce às %1.</translation>
+    </message>
+    <message>
+        <source>File of WSJT-X</source>
+        <translation>Ficheiro do WSJT-X</translation>
+    </message>
+    <message>
+        <source>Moon by WSJT-X</source>
+        <translation>Lua pelo WSJT-X</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>Track Moon</source>
+        <translation>Seguir Lua</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Manter</translation>
+    </message>
+    <message>
+        <source>End tracking. The mount holds</source>
+        <translation>Termina; a montagem mantém a posição</translation>
+    </message>
+    <message>
+        <source>Keep the beam on the Moon of WSJT-X. Below the horizon the mount is parked</source>
+        <translation>Mantém o feixe na Lua do WSJT-X. Abaixo do horizonte a montagem é estacionada</translation>
+    </message>
+    <message>
+        <source>Hold and stop tracking the Moon of WSJT-X</source>
+        <translation>Manter e deixar de seguir a Lua do WSJT-X</translation>
+    </message>
+    <message>
+        <source>Track the Moon of WSJT-X</source>
+        <translation>Seguir a Lua do WSJT-X</translation>
     </message>
 </context>
 <context>
@@ -10232,6 +10535,10 @@ trocar os motores</translation>
         <source>Waiting for %1, rises in %2</source>
         <translation>À espera de %1, nasce em %2</translation>
     </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::HelpPage</name>
@@ -11640,8 +11947,8 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>%1 passagens de %2 satélites num dia</translation>
     </message>
     <message>
-        <source>Boresight knows no satellites. Name a file or folder with elements in the setting elements, for instance the satdata of Gpredict.</source>
-        <translation>O Boresight não conhece satélites. Indique um ficheiro ou uma pasta com elementos no ajuste elements, por exemplo o satdata do Gpredict.</translation>
+        <source>Boresight knows no satellites. Open the setting and name a file or folder with their elements.</source>
+        <translation>O Boresight não conhece satélites. Abra a definição e indique um ficheiro ou pasta com os elementos deles.</translation>
     </message>
 </context>
 <context>

@@ -89,9 +89,9 @@ TEST_F(AzelBoxTest, ShowsWhyItStandsStill)
 TEST_F(AzelBoxTest, TheHeaderCountsInHours)
 {
     StationStatus status = withFile();
-    status.tracked = TrackedSatellite{.name = QStringLiteral("Moon (WSJT-X)"),
-                                      .isUp = false,
-                                      .next = status.utc + std::chrono::hours(9) + std::chrono::minutes(5)};
+    status.tracked = TrackedTarget{.name = QStringLiteral("Moon (WSJT-X)"),
+                                   .isUp = false,
+                                   .next = status.utc + std::chrono::hours(9) + std::chrono::minutes(5)};
     show(status);
     bool isFound = false;
     for (const ValueLabel* const label : window.findChildren<ValueLabel*>()) {
