@@ -56,7 +56,7 @@ std::optional<Seconds> AzelFeed::age(SteadyTime now, UtcTime utc) const
     if (m_changed) {
         return now - *m_changed;
     }
-    return m_text && m_written ? std::optional<Seconds>(utc - *m_written) : std::nullopt;
+    return m_text && m_written ? std::optional<Seconds>(utc - *m_written) : std::optional<Seconds>();
 }
 
 QString AzelFeed::problem(SteadyTime now) const

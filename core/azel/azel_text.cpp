@@ -48,7 +48,8 @@ std::vector<Fields> linesOf(std::string_view text)
 // A digit that is none, a second point, an exponent: no writer makes them.
 std::optional<double> plainNumber(std::string_view text)
 {
-    return text.find_first_not_of("-.0123456789") == std::string_view::npos ? parseFinite(text) : std::nullopt;
+    return text.find_first_not_of("-.0123456789") == std::string_view::npos ? parseFinite(text)
+                                                                            : std::optional<double>();
 }
 
 std::optional<std::chrono::seconds> timeOfDay(std::string_view text)
@@ -60,8 +61,9 @@ std::optional<std::chrono::seconds> timeOfDay(std::string_view text)
     std::int64_t seconds = 0;
     for (std::size_t i = 0; i < kMost.size(); ++i) {
         const std::string_view digits = text.substr(3 * i, 2);
-        const auto number =
-            digits.find_first_not_of("0123456789") == std::string_view::npos ? parseInteger(digits) : std::nullopt;
+        const auto number = digits.find_first_not_of("0123456789") == std::string_view::npos
+                                ? parseInteger(digits)
+                                : std::optional<std::int64_t>();
         if (!number || *number > kMost[i]) {
             return std::nullopt;
         }
@@ -112,7 +114,7 @@ void addDoppler(const Fields& line, AzelText& text)
 {
     const auto fields = std::ranges::find(line, "Doppler") - line.begin();
     const auto number = [&](std::ptrdiff_t at) {
-        return at < fields ? plainNumber(line[static_cast<std::size_t>(at)]) : std::nullopt;
+        return at < fields ? plainNumber(line[static_cast<std::size_t>(at)]) : std::optional<double>();
     };
     text.megahertz = number(0);
     text.dxDoppler = number(1);

@@ -55,13 +55,13 @@ Result<> AzelFollow::ask(const request::FollowAzel&, const Source& by)
         const UtcTime utc = m_utc.now(view.clock);
         m_followed = Followed{};
         setUp(m_moon.at(utc).elevation >= Angle{}, utc);
-        const Result<> driven = drive(view.now, utc);
-        if (!driven) {
+        Result<> driven = drive(view.now, utc);
+        if (driven) {
+            helm().clearAlarm(alarmEntry("azel.ended"));
+        } else {
             m_followed.reset();
-            return driven;
         }
-        helm().clearAlarm(alarmEntry("azel.ended"));
-        return {};
+        return driven;
     });
 }
 

@@ -62,12 +62,12 @@ SkyPointing AzelMoon::at(UtcTime utc)
 
 std::optional<UtcTime> AzelMoon::nextRise(UtcTime from)
 {
-    return m_almanac ? ephemeris::nextRise(*m_almanac, Body::Moon, from, {}) : std::nullopt;
+    return m_almanac ? ephemeris::nextRise(*m_almanac, Body::Moon, from, {}) : std::optional<UtcTime>();
 }
 
 std::optional<UtcTime> AzelMoon::nextSet(UtcTime from)
 {
-    return m_almanac ? ephemeris::nextSet(*m_almanac, Body::Moon, from, {}) : std::nullopt;
+    return m_almanac ? ephemeris::nextSet(*m_almanac, Body::Moon, from, {}) : std::optional<UtcTime>();
 }
 
 }  // namespace boresight::sources
