@@ -175,16 +175,16 @@ void PassesPanel::searchAgain(const StationStatus& status)
     const profile::Profile& profile = *status.profile;
     const Basis basis{
         .satellites = status.satellites, .site = profile.site, .limits = profile.limits, .pointing = profile.pointing};
-    const bool isOld = m_now < m_searched || m_now - m_searched > kSearchAgain;
-    if (!basis.satellites || basis.satellites->empty() || !basis.site.known || (basis == m_basis && !isOld)) {
+    const bool isOld = m_now < m_last.begun || m_now - m_last.begun > kSearchAgain;
+    if (!basis.satellites || basis.satellites->empty() || !basis.site.known || (basis == m_last.basis && !isOld)) {
         return;
     }
-    m_basis = basis;
-    m_searched = m_now - kBack;
+    m_last.basis = basis;
+    m_last.begun = m_now - kBack;
     m_searcher->search(
         {.satellites = basis.satellites,
          .search = {
-             .site = siteOf(basis.site), .from = m_searched, .to = m_now + kAhead, .isClear = clearSky(profile)}});
+             .site = siteOf(basis.site), .from = m_last.begun, .to = m_now + kAhead, .isClear = clearSky(profile)}});
 }
 
 void PassesPanel::showBook(const std::shared_ptr<const PassBook>& book)
@@ -221,7 +221,7 @@ void PassesPanel::select(int row)
 
 void PassesPanel::track()
 {
-    for (const orbit::ElementSet& elements : *m_basis.satellites) {
+    for (const orbit::ElementSet& elements : *m_last.basis.satellites) {
         if (elements.number == m_selected->number) {
             m_track->ask(request::Track{targets::satelliteTarget(elements)});
         }

@@ -49,6 +49,11 @@ private:
 
         bool operator==(const Basis&) const = default;
     };
+    struct Search
+    {
+        Basis basis;
+        UtcTime begun{};  // of the span
+    };
     struct Selected
     {
         std::int64_t number = 0;
@@ -78,8 +83,7 @@ private:
     ValueLabel* m_refused;
     CommandButton* m_track;
     AzelBox* m_azel;
-    Basis m_basis;
-    UtcTime m_searched{};  // when the span of the last search began
+    Search m_last;
     UtcTime m_now{};
     std::optional<Selected> m_selected;
 };
