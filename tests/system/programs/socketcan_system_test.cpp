@@ -207,7 +207,7 @@ TEST_P(SocketCanFlood, MountStaysUnderControlOrStopsAndSaysSo)
     static_cast<void>(cangen.waitForEnd());
     ASSERT_TRUE(mount.waitForTruths(10));
 
-    const bool stopped = mount.log().find("re-arm", logBefore) != std::string::npos;
+    const bool stopped = mount.log().find("press Re-arm", logBefore) != std::string::npos;
     std::printf("%s, %.0f frames a second for %.1f s: %s at azimuth %.2f\n%s", GetParam().name,
                 static_cast<double>(flood) / seconds, seconds,
                 stopped ? "the mount stopped and said so" : "the mount stayed under control", mount.truth().azimuth,
