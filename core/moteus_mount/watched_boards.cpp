@@ -83,6 +83,7 @@ void WatchedBoards::judge(const Board& board, SteadyTime now)
 std::vector<WatchedDrive> WatchedBoards::status() const
 {
     std::vector<WatchedDrive> all;
+    all.reserve(m_boards.size());
     for (const Board& board : m_boards) {
         all.push_back(
             {.id = board.named.id, .name = toQString(board.named.name), .readings = readingsOf(board.drive, m_now)});
