@@ -89,7 +89,7 @@ void PlaceBelief::take(const Reply& reply)
     m_agreeing = agrees ? m_agreeing + 1 : 1;
     m_doubted = agrees ? continued(*m_doubted, reply)
                        : Course{.place = *reply.place, .rate = {}, .asked = reply.asked, .received = reply.received};
-    if (m_agreeing < (m_doubt ? kJump : kAgree)) {
+    if (m_agreeing < (m_doubt || m_believed.empty() ? kJump : kAgree)) {
         passWithout(reply.received);
         return;
     }
@@ -155,7 +155,8 @@ bool PlaceBelief::rivals(const Reply& reply)
 void PlaceBelief::passWithout(SteadyTime now)
 {
     ++m_without;
-    if (m_place && m_without >= kAgree && now - m_place->received >= kForgotten) {
+    const int most = m_believed.empty() ? kJump : kAgree;  // another is expected, and takes longer to be believed
+    if (m_place && m_without >= most && now - m_place->received >= kForgotten) {
         m_place.reset();
     }
 }

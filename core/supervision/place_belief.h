@@ -11,8 +11,9 @@
 // Decides which of the places that a drive reports are believed. A single reply can be false: motion must not act on
 // it. A reply is believed if the axis can have got there since the last believed one, judged by how fast it moved. Any
 // other place is doubted, and is believed only after kJump replies in a row that agree with each other: then the angle
-// has really jumped. A first place needs kAgree replies that agree. Pure: time is passed in. Turns of the output, as
-// the drive reports them.
+// has really jumped. A first place needs as many: the drive may be on and may get it as the place to hold. After some
+// replies without a place, kAgree that agree are enough where the axis is expected. Pure: time is passed in. Turns of
+// the output, as the drive reports them.
 namespace boresight::supervision {
 
 class PlaceBelief

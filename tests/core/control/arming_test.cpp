@@ -34,7 +34,7 @@ struct ArmingRig
     void makeReady()
     {
         mount.setFitness({});
-        run(Seconds(0.1));
+        run(Seconds(0.2));
     }
 
     void run(Seconds time)
@@ -102,10 +102,10 @@ TEST(Arming, WaitsForBothDrivesAndTheirFitness)
     ArmingRig rig;
     EXPECT_EQ(rig.refusal(), "no reply from the azimuth drive");
     rig.elevation.silent = true;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_EQ(rig.refusal(), "no reply from the elevation drive");
     rig.elevation.silent = false;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_EQ(rig.refusal(), "the drives have not been looked at yet");
     rig.mount.setFitness(failure(ErrorCode::Refused, QStringLiteral("servo.timeout_mode is 12")));
     EXPECT_EQ(rig.refusal(), "servo.timeout_mode is 12");
@@ -169,9 +169,9 @@ TEST(Arming, TheFirstFaultOfASeriesIsTheReasonUntilARearmIsDone)
     rig.makeReady();
     EXPECT_FALSE(rig.arming.rearm(kOperator)) << "there is no fault";
     rig.fail(rig.azimuth, 35);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     rig.fail(rig.elevation, 35);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_EQ(rig.arming.fault(), QStringLiteral("azimuth drive failed"));
     EXPECT_EQ(rig.refusal(), "azimuth drive failed. Re-arm first.");
     ASSERT_TRUE(rig.arming.rearm(kOperator));
@@ -190,7 +190,7 @@ TEST(Arming, ALossWhileRearmingEndsTheRearm)
     ArmingRig rig;
     rig.makeReady();
     rig.fail(rig.azimuth, 35);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.arming.rearm(kOperator));
     rig.fail(rig.elevation, 35);
     rig.run(Seconds(0.5));
@@ -203,7 +203,7 @@ TEST(Arming, RearmingIsTheOperatorsWhileTheOperatorHasTakenOver)
     ArmingRig rig;
     rig.makeReady();
     rig.fail(rig.azimuth, 35);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     rig.arming.takeAuthority(Taking::Explicitly);
     EXPECT_FALSE(rig.arming.rearm(kClient));
     rig.arming.giveAuthority();
@@ -216,13 +216,13 @@ TEST(Arming, HeatMustPassBeforeARearm)
     rig.makeReady();
     rig.azimuth.temperature = 76.0;
     rig.fail(rig.azimuth, 38);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     const Result<> hot = rig.arming.rearm(kOperator);
     ASSERT_FALSE(hot);
     EXPECT_NE(textOf(hot.error()).find("azimuth drive: The drive board is still at 76 °C"), std::string::npos)
         << textOf(hot.error());
     rig.azimuth.temperature = 60.0;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_TRUE(rig.arming.rearm(kOperator));
 }
 
@@ -233,13 +233,13 @@ TEST(Arming, WhatWouldStopTheMountAgainOnTheOtherAxisRefusesTheRearmToo)
     rig.makeReady();
     rig.fail(rig.azimuth, 35);
     rig.elevation.temperature = 78.0;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     const Result<> hot = rig.arming.rearm(kOperator);
     ASSERT_FALSE(hot);
     EXPECT_EQ(textOf(hot.error()), "elevation drive: The drive board is still at 78 °C. It must cool down to 70 °C.");
     EXPECT_TRUE(rig.arming.fault());
     rig.elevation.temperature = 69.0;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_TRUE(rig.arming.rearm(kOperator));
 }
 
@@ -269,7 +269,7 @@ TEST(Arming, AProgramThatClosesStartsAndRearmsNothing)
     rig.arming.close();
     EXPECT_EQ(rig.refusal(), "Boresight is closing");
     rig.fail(rig.azimuth, 35);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_EQ(textOf(rig.arming.rearm(kOperator).error()), "Boresight is closing");
 }
 

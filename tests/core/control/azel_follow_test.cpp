@@ -39,7 +39,7 @@ protected:
     StationAzelFollow()
     {
         moonIs(40_deg);
-        rig.run(Seconds(0.1));
+        rig.run(Seconds(0.2));
     }
 
     [[nodiscard]] UtcTime now() const { return rig.clock.utc(); }

@@ -23,14 +23,14 @@ void nobodyAnswers(StationRig& rig)
 
 void standing(StationRig& rig)
 {
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 30_deg}}));
     rig.settle();
 }
 
 void wound(StationRig& rig)
 {
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.ask(request::PointAxes{{300_deg, 30_deg}}));
     rig.settle();
 }
@@ -53,7 +53,7 @@ void braking(StationRig& rig)
 {
     moving(rig);
     ASSERT_TRUE(rig.ask(request::Stop{}));
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
 }
 
 void stopped(StationRig& rig)
@@ -345,7 +345,7 @@ TEST(Permissions, OfAStationThatNobodyKnowsForbidEverything)
 TEST(Permissions, ThereIsNoWayOnAtTheEndOfTheTravel)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.ask(request::PointAxes{{450_deg, 90_deg}}));
     rig.settle();
     const Permissions may = rig.control.status().permissions;
@@ -437,7 +437,7 @@ TEST(Permissions, AClientIsToldWhyControlCannotBeGivenToIt)
     StationRig rig;
     rig.control.clientCame(kClient, "10.0.0.7");
     rig.control.clientCame(kOtherClient, "10.0.0.8");
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     const auto obstacle = [&rig](std::uint64_t id) {
         ClientStatus client{.id = id};
         rig.control.describe(client, std::nullopt);

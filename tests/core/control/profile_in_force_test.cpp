@@ -56,10 +56,10 @@ TEST(ProfileInForce, AnAxisIsJudgedByTheNumbersOfNow)
 TEST(ProfileInForce, ARearmIsRefusedByTheNumbersOfNow)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     rig.azimuth.mode = moteus::Mode::Fault;
     rig.azimuth.fault = 33;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_EQ(rig.state(), StationState::Fault);
     const profile::Profile before = rig.profile;
     profile::Profile demanding = before;
@@ -76,7 +76,7 @@ TEST(ProfileInForce, ARearmIsRefusedByTheNumbersOfNow)
 TEST(ProfileInForce, AFaultIsRetriedByTheRuleOfNow)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     profile::Profile retrying = rig.profile;
     retrying.recovery.supply = profile::Retry::Once;
     retrying.recovery.interval = Seconds(10.0);
@@ -94,7 +94,7 @@ TEST(ProfileInForce, AClientMovesAndReadsByTheSettingsOfNow)
     const rotctld::Client client{.id = 1, .address = "127.0.0.1:50000"};
     StationRig rig;
     StationRotator rotator(rig.control, rig.inForce, rig.log, rig.clock);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     profile::Profile slower = rig.profile;
     slower.jog.fast = 3_deg_s;
     slower.rotctld.azimuth = profile::AzimuthConvention::PlusMinus180;

@@ -18,7 +18,7 @@ class StationCable : public ::testing::Test
 protected:
     void standAt(Angle azimuth)
     {
-        rig.run(Seconds(0.1));
+        rig.run(Seconds(0.2));
         ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = azimuth, .elevation = 30_deg}}));
         rig.settle();
         ASSERT_TRUE(rig.ask(request::GiveAuthority{}));

@@ -17,7 +17,7 @@ protected:
     {
         rig.control.clientCame(kClient, "10.0.0.7");
         rig.control.clientCame(kOtherClient, "10.0.0.9");
-        rig.run(Seconds(0.1));
+        rig.run(Seconds(0.2));
     }
     ClientStatus status(const Source& client, std::optional<SteadyTime> lastMotion = std::nullopt)
     {
@@ -92,7 +92,7 @@ TEST_F(StationClients, ATargetOutsideIsToldForAsLongAsItLasts)
     EXPECT_EQ(limitedLines(), 1) << "once, not with each of its points";
 
     ASSERT_TRUE(rig.point(90.0, 5.0));
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_FALSE(rig.control.status().limited);
     EXPECT_TRUE(rig.control.status().limitedReason.isEmpty());
     EXPECT_TRUE(rig.control.status().alarms.empty());
@@ -152,7 +152,7 @@ TEST_F(StationClients, LimitedOrRefusedTheLeadGoesByWhatIsAccepted)
 {
     rig.profile.rotctld.outsideLimits = profile::OutsideLimits::Refuse;
     StationRig strict(rig.profile);
-    strict.run(Seconds(0.1));
+    strict.run(Seconds(0.2));
     EXPECT_FALSE(strict.point(20.0, -20.0));
     EXPECT_TRUE(strict.point(20.0, 20.0, kOtherClient)) << "who could not move the mount does not lead";
 }

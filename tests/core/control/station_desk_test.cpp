@@ -73,7 +73,7 @@ TEST(StationDesk, ANudgeWithoutAStreamIsAStep)
 TEST(StationDesk, UnwindTurnsBackToTheSameDirection)
 {
     StationRig rig;  // travel -90…450°
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 425_deg, .elevation = 30_deg}}));
     rig.settle();
     ASSERT_TRUE(rig.ask(request::Unwind{}));
@@ -93,7 +93,7 @@ TEST(StationDesk, UnwindStaysInsideTheLimits)
     profile::Profile profile;
     profile.limits.azimuth = {100_deg, 450_deg};
     StationRig rig(profile);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 425_deg, .elevation = 30_deg}}));
     rig.settle();
     EXPECT_FALSE(rig.ask(request::Unwind{})) << "65° is forbidden";
@@ -131,7 +131,7 @@ TEST(StationOneAxis, TheOtherAxisStaysWhereItIs)
 TEST(StationOneAxis, TheAzimuthKeepsItsTurnAndTakesTheNearestOne)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 405_deg, .elevation = 30_deg}}));
     rig.settle();
     ASSERT_TRUE(rig.ask(request::PointAxis{.axis = Axis::Elevation, .angle = 50_deg}));
@@ -146,7 +146,7 @@ TEST(StationOneAxis, TheAzimuthKeepsItsTurnAndTakesTheNearestOne)
 TEST(StationOneAxis, AnAxisThatMovesStops)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.point(170, 30, kOperator));
     rig.run(Seconds(5.0));
     const double before = rig.azimuthDegrees();
@@ -166,7 +166,7 @@ TEST(StationOneAxis, OverTheTopTheAzimuthIsThatOfTheBeam)
     profile::Profile profile;
     profile.elevation.geometry.travel = {0_deg, 180_deg};
     StationRig rig(profile);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 100_deg, .elevation = 120_deg}}));
     rig.settle();
     ASSERT_TRUE(rig.ask(request::PointAxis{.axis = Axis::Azimuth, .angle = 300_deg}));
@@ -178,7 +178,7 @@ TEST(StationOneAxis, OverTheTopTheAzimuthIsThatOfTheBeam)
 TEST(StationOneAxis, WhatIsOutsideIsRefused)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     const auto text = [&](const request::PointAxis& wanted) {
         const auto answer = rig.ask(wanted);
         return answer ? std::string() : textOf(answer.error());
@@ -207,7 +207,7 @@ TEST(StationOneAxis, TheHorizonAtAnAzimuth)
 TEST(StationDesk, AProfileThatMakesNoSenseIsRefusedWithItsKey)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     profile::Profile odd = rig.profile;
     odd.jog.slow = 9_deg_s;
     const Result<> answer = rig.ask(request::ApplyProfile{odd});
@@ -219,7 +219,7 @@ TEST(StationDesk, AProfileThatMakesNoSenseIsRefusedWithItsKey)
 TEST(StationDesk, NewSettingsAreInForceWithTheNextRequest)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     profile::Profile changed = rig.profile;
     changed.park = {.azimuth = 33_deg, .elevation = 12_deg};
     rig.setProfile(changed);
@@ -236,7 +236,7 @@ TEST(StationDesk, BeforeItsDirectionsAreConfirmedAMountIsJoggedALittleAndSlowly)
     profile::Profile fresh;
     fresh.mount.directions = Directions::Unconfirmed;
     StationRig rig(fresh);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_FALSE(rig.point(50.0, 30.0));
     EXPECT_FALSE(rig.ask(request::Park{}));
     EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 5.5_deg_s}}));
@@ -262,7 +262,7 @@ TEST(StationDesk, BeforeItsDirectionsAreConfirmedAClientMovesItALittleAndSlowly)
     profile::Profile fresh;
     fresh.mount.directions = Directions::Unconfirmed;
     StationRig rig(fresh);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_FALSE(rig.point(50.0, 30.0));
     EXPECT_FALSE(rig.ask(request::Move{{.elevation = 5.5_deg_s}}, kClient));
     ASSERT_TRUE(rig.ask(request::Move{{.elevation = 1_deg_s}}, kClient));
@@ -282,7 +282,7 @@ TEST(StationDesk, AnAxisAtTheEndOfItsSmallWayKeepsNeitherTheOtherNorTheWayBack)
     profile::Profile fresh;
     fresh.mount.directions = Directions::Unconfirmed;
     StationRig rig(fresh);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     const auto jog = [&rig](const AxisRates& rates) {
         for (int repeat = 0; repeat < 150; ++repeat) {
             (void)rig.ask(request::Jog{rates});
@@ -306,7 +306,7 @@ TEST(StationDesk, DirectionsThatAreDoubtedAgainAllowASmallWayFromWhereTheMountSt
     profile::Profile fresh;
     fresh.mount.directions = Directions::Unconfirmed;
     StationRig rig(fresh);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = 1_deg_s}}));
     rig.run(Seconds(1.0));
     fresh.mount.directions = Directions::Confirmed;

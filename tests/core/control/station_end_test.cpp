@@ -18,7 +18,7 @@ TEST(StationControl, ClosingDeceleratesThenLeavesTheDrivesAsTheProfileSays)
         profile::Profile profile;
         profile.control.onExit = how;
         StationRig rig(profile);
-        rig.run(Seconds(0.1));
+        rig.run(Seconds(0.2));
         ASSERT_TRUE(rig.point(100.0, 60.0));
         rig.run(Seconds(2.0));
         rig.control.shutDown();
@@ -39,7 +39,7 @@ TEST(StationControl, ClosingWaitsForASlowAxis)
     profile.control.onExit = profile::OnExit::Off;
     profile.azimuth.limits.acceleration = AngularAcceleration::fromDegrees(0.5);
     StationRig rig(profile);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 400_deg, .elevation = 0_deg}}));
     rig.run(Seconds(25.0));
     rig.control.shutDown();
@@ -57,7 +57,7 @@ TEST(StationControl, ClosingWhileADriveIsCapturedLeavesItAsTheProfileSays)
     profile::Profile profile;
     profile.control.onExit = profile::OnExit::Brake;
     StationRig rig(profile);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.point(100.0, 60.0));
     rig.tick();
     rig.control.shutDown();
@@ -82,7 +82,7 @@ TEST(StationControl, ClosingLeavesDrivesAloneThatWereNeverCommanded)
 TEST(StationControl, AClientCannotPushTheRestOutOfTheLog)
 {
     StationRig rig({.rotctld = {.lead = profile::Lead::Last}});
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     const std::uint64_t before = rig.log.lastNumber();
     for (int i = 0; i < 1000; ++i) {
         ASSERT_TRUE(rig.ask(request::Move{{.azimuth = 1_deg_s}}, i % 2 == 0 ? kClient : kOtherClient));
@@ -95,7 +95,7 @@ TEST(StationControl, AClientCannotPushTheRestOutOfTheLog)
 TEST(StationControl, EveryMotionStartNamesSourceAndReason)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.point(10.0, 20.0));
     auto lines = rig.log.since(0, 1);
     EXPECT_EQ(lines.back().source, kClient.name);

@@ -38,7 +38,7 @@ TEST(StationControl, AFaultOnOneAxisHoldsTheOtherAndWaitsForRearm)
 
     EXPECT_FALSE(rig.ask(request::Rearm{})) << "still hot";
     rig.azimuth.temperature = 60.0;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.ask(request::Rearm{}));
     rig.run(Seconds(0.2));
     EXPECT_EQ(rig.state(), StationState::Standby);
@@ -263,7 +263,7 @@ TEST(StationControl, ReArmingIsTheOperatorsWhileTheOperatorHasTakenOver)
     rig.azimuth.temperature = 76.0;
     rig.run(Seconds(0.2));
     rig.azimuth.temperature = 60.0;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
     EXPECT_EQ(rig.ask(request::Rearm{}, kClient).error().code, ErrorCode::Refused);
     EXPECT_TRUE(rig.ask(request::Rearm{}));

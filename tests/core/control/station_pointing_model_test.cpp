@@ -24,7 +24,7 @@ profile::Profile leaning(const pointing::PointingTerms& terms = kTerms,
 
 struct ModelRig : StationRig
 {
-    explicit ModelRig(const profile::Profile& settings = leaning()) : StationRig(settings) { run(Seconds(0.1)); }
+    explicit ModelRig(const profile::Profile& settings = leaning()) : StationRig(settings) { run(Seconds(0.2)); }
 
     Result<> pointTo(double trueAzimuth, double trueElevation)
     {

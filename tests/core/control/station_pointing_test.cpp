@@ -10,7 +10,7 @@ namespace {
 TEST(StationControl, APointIsReachedAndHeld)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.point(113.0, 10.0, kOperator));
     rig.tick();
     EXPECT_EQ(rig.state(), StationState::Slew);
@@ -24,7 +24,7 @@ TEST(StationControl, APointIsReachedAndHeld)
 TEST(StationControl, CrossingNorthDoesNotUnwind)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     for (const double azimuth : {300.0, 340.0, 359.0, 2.0, 20.0, 60.0}) {
         ASSERT_TRUE(rig.point(azimuth, 30.0));
         rig.settle();
@@ -43,7 +43,7 @@ TEST(StationControl, CrossingNorthDoesNotUnwind)
 TEST(StationControl, TheOperatorIsRefusedWhatIsOutside)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     const auto answer = rig.point(10.0, -5.0, kOperator);
     ASSERT_FALSE(answer);
     EXPECT_EQ(answer.error().code, ErrorCode::OutOfRange);
@@ -57,7 +57,7 @@ TEST(StationControl, TheOperatorIsRefusedWhatIsOutside)
 TEST(StationControl, TheOperatorIsNotSentOverTheTop)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     const auto answer = rig.point(10.0, 95.0, kOperator);
     ASSERT_FALSE(answer);
     EXPECT_EQ(textOf(answer.error()), "elevation 95.00° above limit 90.00°");
@@ -68,7 +68,7 @@ TEST(StationControl, TheOperatorIsNotSentOverTheTop)
 TEST(StationControl, AClientGetsTheNearestPermittedPoint)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.point(20.0, -5.0));
     rig.settle();
     const StationStatus status = rig.control.status();
@@ -85,7 +85,7 @@ TEST(StationControl, AClientIsRefusedWhereTheProfileSaysSo)
     profile::Profile profile;
     profile.rotctld.outsideLimits = profile::OutsideLimits::Refuse;
     StationRig rig(profile);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_EQ(rig.point(20.0, -5.0).error().code, ErrorCode::OutOfRange);
     rig.run(Seconds(0.5));
     EXPECT_EQ(rig.commands(), 0U);
@@ -96,7 +96,7 @@ TEST(StationControl, ARepeatedTargetDoesNotDisturbTheMotion)
     StationRig one;
     StationRig repeated;
     for (StationRig* const rig : {&one, &repeated}) {
-        rig->run(Seconds(0.1));
+        rig->run(Seconds(0.2));
         ASSERT_TRUE(rig->point(80.0, 40.0));
     }
     for (int i = 0; i < 200; ++i) {
@@ -113,7 +113,7 @@ TEST(StationControl, ARepeatedTargetDoesNotDisturbTheMotion)
 TEST(StationControl, AnotherClientBeginsAStreamOfItsOwn)
 {
     StationRig rig({.rotctld = {.lead = profile::Lead::Last}});
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     for (int i = 0; i < 20; ++i) {
         ASSERT_TRUE(rig.point(10.0 + 0.5 * i, 30.0));
         rig.run(Seconds(1.0));
@@ -140,7 +140,7 @@ TEST(StationControl, ParkAndHome)
     profile::Profile profile;
     profile.park = {.azimuth = 90_deg, .elevation = 45_deg};
     StationRig rig(profile);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.ask(request::Park{}));
     EXPECT_NE(rig.state(), StationState::Parked);
     rig.settle();
@@ -156,10 +156,10 @@ TEST(StationControl, ParkAndHome)
 TEST(StationControl, StepsAddUpFromTheTarget)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     for (int i = 0; i < 3; ++i) {
         ASSERT_TRUE(rig.ask(request::Step{.azimuth = 1_deg, .elevation = 0.5_deg}));
-        rig.run(Seconds(0.1));
+        rig.run(Seconds(0.2));
     }
     rig.settle();
     EXPECT_NEAR(rig.azimuthDegrees(), 3.0, 0.001);
@@ -171,7 +171,7 @@ TEST(StationControl, StepsAddUpFromTheTarget)
 TEST(StationControl, JogEndsWhenTheKeepAliveStops)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     for (int i = 0; i < 20; ++i) {
         ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = 5_deg_s}}));
         rig.run(Seconds(0.06));
@@ -189,7 +189,7 @@ TEST(StationControl, JogEndsWhenTheKeepAliveStops)
 TEST(StationControl, ReleasedJogStopsAtOnce)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.ask(request::Jog{{.elevation = 2_deg_s}}));
     rig.run(Seconds(0.16));
     ASSERT_TRUE(rig.ask(request::Jog{}));
@@ -199,10 +199,10 @@ TEST(StationControl, ReleasedJogStopsAtOnce)
 TEST(StationControl, JogEndsAtTheEndOfTheTravel)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     for (int i = 0; i < 200; ++i) {
         ASSERT_TRUE(rig.ask(request::Jog{{.elevation = -6_deg_s}}));
-        rig.run(Seconds(0.1));
+        rig.run(Seconds(0.2));
         ASSERT_GE(rig.elevationDegrees(), -1e-6);
     }
     EXPECT_EQ(rig.control.status().elevation.state, AxisState::Limit);
@@ -212,7 +212,7 @@ TEST(StationControl, JogEndsAtTheEndOfTheTravel)
 TEST(StationControl, AMoveOfAClientEndsWithTheClient)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.ask(request::Move{{.azimuth = 3_deg_s}}, kClient));
     rig.run(Seconds(2.0));
     EXPECT_EQ(rig.state(), StationState::Jog);

@@ -35,7 +35,7 @@ profile::Profile profileWith(const pointing::Region& region)
 
 struct RegionRig : StationRig
 {
-    explicit RegionRig(const pointing::Region& region) : StationRig(profileWith(region)) { run(Seconds(0.1)); }
+    explicit RegionRig(const pointing::Region& region) : StationRig(profileWith(region)) { run(Seconds(0.2)); }
 
     // Until nothing moves; once the set-points are permitted they stay so.
     void settlePermitted()
@@ -208,7 +208,7 @@ TEST(StationRegion, ParkingInAKeepOutIsRefused)
     profile::Profile profile = profileWith({.keepOuts = {stationMast()}});
     profile.park = {.azimuth = 315_deg, .elevation = 10_deg};
     StationRig rig(profile);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     const auto answer = rig.ask(request::Park{});
     ASSERT_FALSE(answer);
     EXPECT_NE(textOf(answer.error()).find("keep-out \"stationMast\""), std::string::npos);
@@ -272,7 +272,7 @@ TEST(StationRegion, AClientIsRefusedWhereTheProfileSaysSo)
     profile::Profile profile = profileWith(roof());
     profile.rotctld.outsideLimits = profile::OutsideLimits::Refuse;
     StationRig rig(profile);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_FALSE(rig.point(315, 30));
     EXPECT_TRUE(rig.point(315, 41));
 }
@@ -285,7 +285,7 @@ TEST(StationRegion, AHeldJogStopsAtTheEdgeSaysSoAndIsLetBack)
     const auto jog = [&rig](AngularRate rate) {
         for (int i = 0; i < 60; ++i) {
             ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = rate}}));
-            rig.run(Seconds(0.1));
+            rig.run(Seconds(0.2));
         }
     };
     jog(6_deg_s);
@@ -336,7 +336,7 @@ TEST(StationRegion, DrawnOntoTheMountItHoldsAndOnlyLetsOut)
     EXPECT_NEAR(rig.elevationDegrees(), 38, 0.001) << "it does not move by itself";
     for (int i = 0; i < 10; ++i) {
         ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = 2_deg_s, .elevation = -2_deg_s}}));
-        rig.run(Seconds(0.1));
+        rig.run(Seconds(0.2));
     }
     EXPECT_NEAR(rig.elevationDegrees(), 38, 0.001);
     EXPECT_NEAR(rig.azimuthDegrees(), 310, 0.001);

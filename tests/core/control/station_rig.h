@@ -122,7 +122,7 @@ struct StationRig
     // A client's first target, and `time` on the way there.
     [[nodiscard]] bool setsOff(double azimuthDegrees, double elevationDegrees, Seconds time)
     {
-        run(Seconds(0.1));
+        run(Seconds(0.2));
         const bool accepted = point(azimuthDegrees, elevationDegrees).has_value();
         run(time);
         return accepted;

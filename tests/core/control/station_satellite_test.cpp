@@ -66,7 +66,7 @@ FoundOrbit orbitWith(UtcTime now, const std::function<bool(const passes::Pass&)>
 class StationSatellite : public ::testing::Test
 {
 protected:
-    StationSatellite() { rig.run(Seconds(0.1)); }
+    StationSatellite() { rig.run(Seconds(0.2)); }
 
     [[nodiscard]] UtcTime now() const { return rig.clock.utc(); }
     // One that rises after so long.

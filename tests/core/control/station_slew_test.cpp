@@ -24,7 +24,7 @@ protected:
 
     static void standAt(StationRig& rig, Angle azimuth, Angle elevation)
     {
-        rig.run(Seconds(0.1));
+        rig.run(Seconds(0.2));
         ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = azimuth, .elevation = elevation}}));
         rig.settle(Seconds(200.0));
         ASSERT_FALSE(rig.control.status().slew);
@@ -80,7 +80,7 @@ protected:
 TEST_F(StationSlew, AGoTo)
 {
     StationRig rig(settings());
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_FALSE(rig.control.status().slew);
     ASSERT_TRUE(rig.point(113, 10, kOperator));
     expectTrueToTheEnd(rig);
@@ -101,7 +101,7 @@ TEST_F(StationSlew, AroundAKeepOut)
 TEST_F(StationSlew, ParkHomeAndAStep)
 {
     StationRig rig(settings());
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.ask(request::Park{}));
     expectTrueToTheEnd(rig);
     ASSERT_TRUE(rig.ask(request::Home{}));
@@ -113,7 +113,7 @@ TEST_F(StationSlew, ParkHomeAndAStep)
 TEST_F(StationSlew, AClientsTarget)
 {
     StationRig rig(settings());
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.point(200, 70));
     expectTrueToTheEnd(rig);
 }
@@ -123,7 +123,7 @@ TEST_F(StationSlew, BothAxesTogether)
     profile::Profile profile = settings();
     profile.control.arrival = profile::Arrival::Together;
     StationRig rig(profile);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.point(150, 20, kOperator));
     rig.run(Seconds(8.0));
     const StationStatus half = rig.control.status();
@@ -137,7 +137,7 @@ TEST_F(StationSlew, BothAxesTogether)
 TEST_F(StationSlew, TogetherIsChosenOnTheWay)
 {
     StationRig rig(settings());
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.point(150, 40, kOperator));
     rig.run(Seconds(1.0));
     profile::Profile changed = rig.profile;
@@ -152,7 +152,7 @@ TEST_F(StationSlew, TogetherIsChosenOnTheWay)
 TEST_F(StationSlew, OtherLimitsOnTheWay)
 {
     StationRig rig(settings());
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.point(170, 10, kOperator));
     rig.run(Seconds(5.0));
     profile::Profile changed = rig.profile;
@@ -168,7 +168,7 @@ TEST_F(StationSlew, OtherLimitsOnTheWay)
 TEST_F(StationSlew, WhatEndsItEndsWhatIsShown)
 {
     StationRig rig(settings());
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.point(170, 10, kOperator));
     rig.run(Seconds(2.0));
     ASSERT_TRUE(rig.control.status().slew);
@@ -241,7 +241,7 @@ TEST_F(StationSlew, AStreamThatTurnsBackShowsItsWayAndItsTime)
 TEST_F(StationSlew, TheLogNamesItsTime)
 {
     StationRig rig(settings());
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.point(113, 10, kOperator));
     EXPECT_EQ(rig.lastLog(), "moves the mount from 0.00° 0.00°: go to 113.00° 10.00°, there in 13 s");
     const SteadyTime then = rig.clock.now();

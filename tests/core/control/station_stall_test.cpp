@@ -216,7 +216,7 @@ TEST(StationStall, BehindStopNothingIsResumed)
 TEST(StationStall, AJogEnds)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = AngularRate::fromDegrees(2.0), .elevation = {}}}));
     rig.run(Seconds(0.2));
     stall(rig, Seconds(0.5));

@@ -43,7 +43,7 @@ TEST(StationControl, TheFirstCommandHoldsTheMeasuredPosition)
 TEST(StationControl, EveryMotionFrameCarriesWatchdogAndLimits)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.point(30.0, 20.0));
     rig.settle();
     ASSERT_GT(rig.elevation.seen.size(), 50U);
@@ -74,7 +74,7 @@ TEST(StationControl, WithoutDrivesRequestsAreAnsweredAtOnce)
 TEST(StationControl, APositionOlderThanASecondIsNoPosition)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_TRUE(rig.control.measured());
     rig.elevation.silent = true;
     rig.run(Seconds(0.9));
@@ -89,7 +89,7 @@ TEST(StationControl, ATrustedPowerUpPositionMayBePointed)
     profile.azimuth.powerUpPosition = profile.elevation.powerUpPosition = profile::PowerUpPosition::Trusted;
     StationRig rig(profile);
     rig.azimuth.home = rig.elevation.home = moteus::HomeState::Rotor;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_TRUE(rig.point(10.0, 10.0));
 }
 

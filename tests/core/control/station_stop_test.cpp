@@ -46,7 +46,7 @@ profile::Profile withoutBrakes()
 TEST(StationControl, StopBrakesHarderThanAProfileWithoutBrakes)
 {
     StationRig rig(withoutBrakes());
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_TRUE(rig.ask(request::Move{{.azimuth = 10_deg_s}}));
     rig.run(Seconds(25.0));
     ASSERT_NEAR(rig.control.status().azimuth.commandedRate->degrees(), 10.0, 0.01);
@@ -64,7 +64,7 @@ TEST(StationControl, StopBrakesHarderThanAProfileWithoutBrakes)
     EXPECT_NEAR(hardest, 7.5 / 360.0, 0.1 / 360.0);
     ASSERT_TRUE(rig.ask(request::ResetStop{}));
     rig.azimuth.seen.clear();
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_LE(rig.azimuth.seen.back().fields.at(Register::CommandAccelerationLimit), 0.75 / 360.0);
 }
 

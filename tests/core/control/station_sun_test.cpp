@@ -35,7 +35,7 @@ struct SunRig : StationRig
     explicit SunRig(const profile::Profile& settings = sunny()) : StationRig(settings)
     {
         clock.stepUtc(std::chrono::hours(12));
-        run(Seconds(0.1));
+        run(Seconds(0.2));
     }
 
     [[nodiscard]] SkyPointing sun() const
@@ -98,7 +98,7 @@ TEST(StationSun, NobodyMovesIntoIt)
     ASSERT_TRUE(rig.goesTo(sun.azimuth.degrees() - 30.0, sun.elevation.degrees()));
     for (int i = 0; i < 100; ++i) {
         (void)rig.ask(request::Jog{{.azimuth = 6_deg_s}});
-        rig.run(Seconds(0.1));
+        rig.run(Seconds(0.2));
         EXPECT_GE(rig.distance(), kRadius);
     }
     EXPECT_LT(rig.distance(), kRadius + 1_deg) << "the jog stopped at the edge";
@@ -176,7 +176,7 @@ TEST(StationSun, FromInsideOnlyTheWayOutIsOpen)
     const double before = rig.azimuthDegrees();
     for (int i = 0; i < 20; ++i) {
         (void)rig.ask(request::Jog{{.azimuth = 2_deg_s}});
-        rig.run(Seconds(0.1));
+        rig.run(Seconds(0.2));
     }
     EXPECT_NEAR(rig.azimuthDegrees(), before, 1e-6) << "towards it: held";
     ASSERT_TRUE(rig.goesTo(sun.azimuth.degrees() - 30.0, sun.elevation.degrees()));
@@ -232,7 +232,7 @@ struct DoubtedRig : StationRig
     {
         clock.setSynchronised(false);
         clock.setUtc(std::chrono::sys_days{std::chrono::year{2000} / 1 / 1});
-        run(Seconds(0.1));
+        run(Seconds(0.2));
     }
 
     [[nodiscard]] bool alarmed() const
@@ -246,7 +246,7 @@ struct DoubtedRig : StationRig
     {
         clock.setUtc(std::chrono::sys_days{std::chrono::year{2026} / 11 / 21} + std::chrono::hours(12));
         clock.setSynchronised(true);
-        run(Seconds(0.1));
+        run(Seconds(0.2));
     }
     [[nodiscard]] std::string refusal(double azimuthDegrees, double elevationDegrees)
     {
@@ -314,13 +314,13 @@ TEST(StationSunClock, FromInsideTheOperatorJogsOutSlowly)
     rig.settle();
     rig.profile = sunny();
     rig.setProfile(rig.profile);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_NE(rig.refusal(20.0, 40.0).find("The clock of this computer is not synchronised"), std::string::npos);
     EXPECT_FALSE(rig.point(20.0, 40.0)) << "nor for a client";
     EXPECT_FALSE(rig.ask(request::Jog{{.elevation = -3_deg_s}})) << "too fast";
     for (int i = 0; i < 400; ++i) {
         ASSERT_TRUE(rig.ask(request::Jog{{.elevation = -1.0 * rig.profile.jog.unwind}}));
-        rig.run(Seconds(0.1));
+        rig.run(Seconds(0.2));
     }
     rig.settle();
     EXPECT_LT(rig.elevationDegrees(), 18.0) << "below the lowest Sun of the winter";
@@ -353,7 +353,7 @@ TEST(StationSunClock, TheOperatorMayVouchForIt)
     DoubtedRig rig(trusting);
     EXPECT_TRUE(rig.alarmed()) << "in the year 2000";
     rig.clock.setUtc(std::chrono::sys_days{std::chrono::year{2026} / 11 / 21} + std::chrono::hours(12));
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_FALSE(rig.alarmed());
     EXPECT_EQ(rig.control.status().sunKeepOuts.size(), 1U);
 }

@@ -36,7 +36,7 @@ targets::Target targetOf(std::string_view text)
 class StationTarget : public ::testing::Test
 {
 protected:
-    StationTarget() { rig.run(Seconds(0.1)); }
+    StationTarget() { rig.run(Seconds(0.2)); }
 
     [[nodiscard]] UtcTime now() const { return rig.clock.utc(); }
     static targets::TargetPath pathOf(std::string_view text) { return {targetOf(text), kSite}; }
@@ -49,7 +49,7 @@ protected:
     void goTo(UtcTime utc)
     {
         rig.clock.setUtc(utc);
-        rig.run(Seconds(0.1));
+        rig.run(Seconds(0.2));
     }
     void runUntil(UtcTime utc)
     {
@@ -155,14 +155,14 @@ TEST_F(StationTarget, TheProfileMayForbidTheSun)
     away.sun = {.keepAway = profile::KeepAway::On, .radius = 10_deg};
     const profile::Profile free = rig.profile;
     rig.setProfile(away);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_THAT(ask("sun"), HasSubstr("the profile keeps the beam away from the Sun"));
     rig.setProfile(free);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     ASSERT_EQ(ask("sun"), "");
     rig.settle();
     rig.setProfile(away);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_FALSE(tracked());
     EXPECT_TRUE(logged(QStringLiteral("ends the tracking: the profile keeps the beam away from the Sun")));
     rig.settle();
@@ -178,7 +178,7 @@ TEST_F(StationTarget, AnotherSiteEndsIt)
     profile::Profile moved = rig.profile;
     moved.site.latitude = 39_deg;
     rig.setProfile(moved);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_FALSE(tracked());
     EXPECT_TRUE(
         logged(QStringLiteral("ends the tracking: The site of the mount was changed. Track the target again.")));

@@ -22,7 +22,7 @@ struct SensedRig : StationRig
         EXPECT_TRUE(ask(request::PointAxes{{400_deg, 45_deg}}));
         settle();
         sense(400_deg);
-        run(Seconds(0.1));
+        run(Seconds(0.2));
     }
 
     // Its readings are of true azimuths, and a deviation of some degrees is in them.

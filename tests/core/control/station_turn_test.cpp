@@ -395,7 +395,7 @@ TEST(StationTurns, ARestartThatNobodyNoticedIsSeenByTheHomeState)
     rig.azimuth.mode = moteus::Mode::Stopped;
     rig.azimuth.home = HomeState::Rotor;
     rig.azimuth.position = std::remainder(rig.azimuth.position, 0.01);
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_FALSE(rig.control.status().azimuth.turnKnown);
     ASSERT_TRUE(rig.mount.memory().turns[0]);
     EXPECT_NEAR(rig.mount.memory().turns[0]->angle.degrees(), before.degrees(), 0.2);

@@ -341,20 +341,8 @@ private:
 
     void ask(const Request& request, const Source& source)
     {
-        if (std::holds_alternative<request::TakeBus>(request)) {
-            endFalsePlaces();
-        }
         const StationStatus before = m_rig.control.status();
         m_promises.asked(request, source, m_rig.ask(request, source).has_value(), before);
-    }
-
-    // They last 0.3 s at most. Nobody asked a drive while the bus was released: kept until now, all of its first
-    // replies would be false alike, and nobody could know.
-    void endFalsePlaces()
-    {
-        for (const Axis axis : kAxes) {
-            drive(axis).falsePlaces.clear();
-        }
     }
 
     void tick(Seconds step)

@@ -270,7 +270,7 @@ TEST(StationWatch, ASilenceIsNotToldAsLateRepliesToo)
     rig.azimuth.silent = true;
     rig.run(Seconds(0.16));
     rig.azimuth.silent = false;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     EXPECT_THAT(rig.alarm("after the one before"), HasSubstr("Boresight does not stop the mount."));
 }
 

@@ -13,7 +13,7 @@ struct LostReplies : ::testing::Test
 {
     LostReplies()
     {
-        rig.run(Seconds(0.1));
+        rig.run(Seconds(0.2));
         EXPECT_TRUE(rig.ask(request::PointAxes{{.azimuth = 180_deg, .elevation = 60_deg}}));
         rig.run(Seconds(3.0));
     }
@@ -79,7 +79,7 @@ TEST_F(LostReplies, RepliesThatComeBackInTimeLetTheMotionGoOn)
 TEST_F(LostReplies, OneOrTwoInARowChangeNoSetPoint)
 {
     StationRig undisturbed;
-    undisturbed.run(Seconds(0.1));
+    undisturbed.run(Seconds(0.2));
     ASSERT_TRUE(undisturbed.ask(request::PointAxes{{.azimuth = 180_deg, .elevation = 60_deg}}));
     undisturbed.run(Seconds(3.0));
     for (int tick = 0; tick < 500; ++tick) {

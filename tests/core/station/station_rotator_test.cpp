@@ -16,7 +16,7 @@ const rotctld::Client kRotatorGpredict{.id = 1, .address = "127.0.0.1:50000"};
 
 struct RotatorRig : StationRig
 {
-    explicit RotatorRig(const profile::Profile& settings = {}) : StationRig(settings) { run(Seconds(0.1)); }
+    explicit RotatorRig(const profile::Profile& settings = {}) : StationRig(settings) { run(Seconds(0.2)); }
 
     Result<> pointTo(double azimuthDegrees_, double elevationDegrees_)
     {
@@ -37,12 +37,12 @@ profile::Profile withConvention(profile::AzimuthConvention convention)
 // While nobody listens: under our eyes it would be a jump of the encoder.
 void turnByHand(RotatorRig& rig, double degrees)
 {
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
     rig.azimuth.silent = true;
     rig.run(Seconds(0.5));
     rig.azimuth.position = degrees / 360.0;
     rig.azimuth.silent = false;
-    rig.run(Seconds(0.1));
+    rig.run(Seconds(0.2));
 }
 
 TEST(StationRotator, ReportsTheMeasuredAzimuthInTheConventionOfTheProfile)

@@ -107,7 +107,7 @@ TEST(Station, ALostReplyIsNotSampledAsTheOldValue)
 {
     Rig rig;
     rig.station->openAll();
-    rig.run(5);
+    rig.run(10);
     rig.station->publish();
     rig.station->updateTaken();
     rig.azimuth.silent = true;

@@ -40,7 +40,7 @@ SupervisedMount::SupervisedMount(const sim::PairSettings& pair, const profile::P
                    .supervisor{Axis::Elevation, m_inForce},
                    .belief = PlaceBelief(placesOf(m_profile.elevation, m_profile))}}
 {
-    run(Seconds(0.1));
+    run(Seconds(0.2));
 }
 
 void SupervisedMount::run(Seconds time)
