@@ -23,16 +23,12 @@ void nobodyAnswers(StationRig& rig)
 
 void standing(StationRig& rig)
 {
-    rig.run(Seconds(0.2));
-    ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 30_deg}}));
-    rig.settle();
+    ASSERT_TRUE(rig.holdAt({100_deg, 30_deg}));
 }
 
 void wound(StationRig& rig)
 {
-    rig.run(Seconds(0.2));
-    ASSERT_TRUE(rig.ask(request::PointAxes{{300_deg, 30_deg}}));
-    rig.settle();
+    ASSERT_TRUE(rig.holdAt({300_deg, 30_deg}));
 }
 
 void moving(StationRig& rig)

@@ -68,10 +68,8 @@ struct FalsePlaceRig : StationRig
 {
     FalsePlaceRig(double azimuthDegrees, double elevationDegrees)
     {
-        run(Seconds(0.5));
-        EXPECT_TRUE(ask(request::PointAxes{
-            {.azimuth = Angle::fromDegrees(azimuthDegrees), .elevation = Angle::fromDegrees(elevationDegrees)}}));
-        settle();
+        EXPECT_TRUE(
+            holdAt({.azimuth = Angle::fromDegrees(azimuthDegrees), .elevation = Angle::fromDegrees(elevationDegrees)}));
     }
 
     [[nodiscard]] double degrees(Axis axis) { return angle(axis, drive(axis).position).degrees(); }

@@ -128,6 +128,17 @@ struct StationRig
         return accepted;
     }
 
+    // From the start, without the way there.
+    [[nodiscard]] bool holdAt(const AxisPosition& place)
+    {
+        azimuth.position = profile.azimuth.geometry.toMotor(place.azimuth).turns();
+        elevation.position = profile.elevation.geometry.toMotor(place.elevation).turns();
+        run(Seconds(0.2));
+        const bool accepted = ask(request::PointAxes{place}).has_value();
+        settle();
+        return accepted;
+    }
+
     void draw(const pointing::Region& region)
     {
         profile.limits = region;
