@@ -101,7 +101,7 @@ Rooms joined(Rooms one, const Rooms& other)
 
 const Rooms kSeenByTheWindow{"core/base",   "core/units",    "core/pointing", "core/profile",
                              "core/alarms", "core/messages", "core/elements", "core/orbit",
-                             "core/passes", "core/gpredict", "core/targets"};
+                             "core/passes", "core/gpredict", "core/schedule", "core/targets"};
 const Rooms kAboveTheDriver{"core/control", "core/sources", "core/motion", "core/mount",
                             "core/north",   "core/tuning",  "core/witness"};
 const Rooms kBelowPanels{"ui/kit", "ui/look", "ui/link", "ui/hold", "ui/sky"};
@@ -183,7 +183,7 @@ TEST(Rooms, MessagesAreMadeOfValues)
 {
     EXPECT_THAT(wrong({"core/messages"},
                       {"core/base", "core/units", "core/pointing", "core/profile", "core/elements", "core/calibration",
-                       "core/ephemeris", "core/orientation", "core/response", "core/targets"}),
+                       "core/ephemeris", "core/orientation", "core/response", "core/schedule", "core/targets"}),
                 IsEmpty());
 }
 

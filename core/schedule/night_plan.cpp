@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/schedule/night_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <compare>
+#include <utility>
+
+namespace boresight::schedule {
+namespace {
+
+// Less: the first one is to be preferred by this.
+std::partial_ordering compare(const WatchedPass& a, const WatchedPass& b, Reason by)
+{
+    switch (by) {
+        case Reason::Priority:
+            return a.priority <=> b.priority;
+        case Reason::Longer:
+            return b.pass.duration().count() <=> a.pass.duration().count();
+        case Reason::Earlier:
+            return a.pass.aos.utc.time_since_epoch().count() <=> b.pass.aos.utc.time_since_epoch().count();
+        case Reason::LowerNumber:
+            break;
+    }
+    return a.number <=> b.number;
+}
+
+using Reasons = std::array<Reason, 4>;
+
+Reasons reasonsOf(OverlapPolicy policy)
+{
+    switch (policy) {
+        case OverlapPolicy::Longest:
+            return {Reason::Longer, Reason::Priority, Reason::Earlier, Reason::LowerNumber};
+        case OverlapPolicy::First:
+            return {Reason::Earlier, Reason::Priority, Reason::Longer, Reason::LowerNumber};
+        case OverlapPolicy::Priority:
+            break;
+    }
+    return {Reason::Priority, Reason::Longer, Reason::Earlier, Reason::LowerNumber};
+}
+
+bool isPreferred(const WatchedPass& a, const WatchedPass& b, const Reasons& reasons)
+{
+    for (const Reason by : reasons) {
+        if (const auto order = compare(a, b, by); order != std::partial_ordering::equivalent) {
+            return order == std::partial_ordering::less;
+        }
+    }
+    return false;
+}
+
+Reason reasonFor(const WatchedPass& chosen, const WatchedPass& leftOut, const Reasons& reasons)
+{
+    const auto* const found = std::ranges::find_if(
+        reasons, [&](Reason by) { return compare(chosen, leftOut, by) == std::partial_ordering::less; });
+    return found == reasons.end() ? Reason::LowerNumber : *found;
+}
+
+bool overlap(const WatchedPass& a, const WatchedPass& b)
+{
+    return a.pass.aos.utc < b.pass.los.utc && b.pass.aos.utc < a.pass.los.utc;
+}
+
+bool fitBoth(const WatchedPass& a, const WatchedPass& b, Seconds lead)
+{
+    const bool isFirst = a.pass.aos.utc <= b.pass.aos.utc;
+    const passes::Pass& first = isFirst ? a.pass : b.pass;
+    const passes::Pass& second = isFirst ? b.pass : a.pass;
+    return !overlap(a, b) && Seconds(second.aos.utc - first.los.utc) >= lead;
+}
+
+}  // namespace
+
+// The most preferred pass first. What it leaves out cannot leave out others.
+NightPlan planNight(std::vector<WatchedPass> candidates, const PlanRules& rules)
+{
+    const Reasons reasons = reasonsOf(rules.policy);
+    std::ranges::sort(candidates,
+                      [&](const WatchedPass& a, const WatchedPass& b) { return isPreferred(a, b, reasons); });
+    NightPlan plan;
+    for (WatchedPass& one : candidates) {
+        const auto rival = std::ranges::find_if(
+            plan.chosen, [&](const WatchedPass& other) { return !fitBoth(one, other, rules.lead); });
+        if (rival == plan.chosen.end()) {
+            plan.chosen.push_back(std::move(one));
+        } else {
+            plan.conflicts.push_back({.leftOut = one,
+                                      .chosen = *rival,
+                                      .reason = reasonFor(*rival, one, reasons),
+                                      .overlaps = overlap(one, *rival)});
+        }
+    }
+    std::ranges::stable_sort(plan.chosen, {}, [](const WatchedPass& one) { return one.pass.aos.utc; });
+    std::ranges::stable_sort(plan.conflicts, {}, [](const Conflict& one) { return one.leftOut.pass.aos.utc; });
+    return plan;
+}
+
+}  // namespace boresight::schedule

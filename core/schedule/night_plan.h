@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/passes/pass.h"
+#include "core/schedule/watch_entry.h"
+
+#include <QString>
+
+#include <cstdint>
+#include <vector>
+
+// Which passes of a night are tracked, and which are not because another one is. The same passes give the same plan,
+// in whatever order they come. Pure, any thread.
+namespace boresight::schedule {
+
+struct WatchedPass
+{
+    std::int64_t number = 0;  // of the satellite in the catalogue
+    int priority = 1;         // 1 is the most important
+    QString name = {};
+    passes::Pass pass;
+
+    bool operator==(const WatchedPass&) const = default;
+};
+
+// Why one of two passes was chosen. The first that tells them apart counts.
+enum class Reason
+{
+    Priority,
+    Longer,
+    Earlier,
+    LowerNumber
+};
+
+struct Conflict
+{
+    WatchedPass leftOut;
+    WatchedPass chosen;
+    Reason reason = Reason::Priority;
+    bool overlaps = true;  // else the time between them is too short to be in place for the second
+
+    bool operator==(const Conflict&) const = default;
+};
+
+struct NightPlan
+{
+    std::vector<WatchedPass> chosen;  // in the order of their AOS
+    std::vector<Conflict> conflicts;  // in the order of the AOS of what was left out
+
+    bool operator==(const NightPlan&) const = default;
+};
+
+struct PlanRules
+{
+    OverlapPolicy policy = OverlapPolicy::Priority;
+    Seconds lead{60.0};  // from the end of one pass to the AOS of the next one, at least
+};
+
+// A pass that is already up when the plan begins needs no lead.
+[[nodiscard]] NightPlan planNight(std::vector<WatchedPass> candidates, const PlanRules& rules);
+
+}  // namespace boresight::schedule

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/schedule/night_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace boresight::schedule {
+
+// By the half angles: exact for directions that nearly agree, which those of a tracked pass do.
+Angle apart(const SkyPointing& a, const SkyPointing& b)
+{
+    const double up = std::sin((b.elevation - a.elevation).radians() / 2.0);
+    const double across = std::sin((b.azimuth - a.azimuth).radians() / 2.0);
+    const double square = up * up + std::cos(a.elevation.radians()) * std::cos(b.elevation.radians()) * across * across;
+    return Angle::fromDegrees(2.0 * std::asin(std::sqrt(std::clamp(square, 0.0, 1.0))) * 180.0 / std::numbers::pi);
+}
+
+double beamLoss(Angle distance, Angle beamWidth)
+{
+    const double widths = distance.degrees() / beamWidth.degrees();
+    return 40.0 * std::log10(2.0) * widths * widths;
+}
+
+int NightReport::done() const
+{
+    return static_cast<int>(
+        std::ranges::count_if(passes, [](const PassRecord& pass) { return pass.end == PassEnd::Set; }));
+}
+
+void PassTally::add(Angle error, Seconds during, Angle beamWidth)
+{
+    const double loss = beamLoss(error, beamWidth);
+    m_record.tracked += during;
+    m_record.within1dB += loss <= 1.0 ? during : Seconds(0.0);
+    m_record.within3dB += loss <= 3.0 ? during : Seconds(0.0);
+    m_record.peakError = std::max(m_record.peakError, error);
+    m_squares += error.degrees() * error.degrees() * during.count();
+}
+
+PassRecord PassTally::record() const
+{
+    PassRecord record = m_record;
+    const double seconds = record.tracked.count();
+    record.rmsError = Angle::fromDegrees(seconds > 0.0 ? std::sqrt(m_squares / seconds) : 0.0);
+    return record;
+}
+
+PassRecord PassTally::ended(PassEnd end, const QString& why) const
+{
+    PassRecord record = this->record();
+    record.end = end;
+    record.why = why;
+    return record;
+}
+
+}  // namespace boresight::schedule

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/units/sky.h"
+
+#include <QString>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+// How well each pass of a night was tracked: where the beam was, against where the satellite was. Pure, any thread.
+namespace boresight::schedule {
+
+// Between two directions, on the sky.
+[[nodiscard]] Angle apart(const SkyPointing& a, const SkyPointing& b);
+
+// What a beam loses at this distance from its middle, in dB. A Gaussian beam whose gain is half at half its width B:
+// 40 log10(2) (distance / B)^2, so 3.01 dB at B / 2, and 1 dB at 0.288 B.
+[[nodiscard]] double beamLoss(Angle distance, Angle beamWidth);
+
+enum class PassEnd
+{
+    Set,      // it was tracked until its end
+    Manual,   // somebody has taken the mount, or pressed STOP
+    Fault,    // or the connection was lost
+    Refused,  // the station did not begin to track it, or gave it up
+    Running
+};
+
+struct PassRecord
+{
+    std::int64_t number = 0;
+    QString name;
+    UtcTime aos{};
+    UtcTime los{};
+    Seconds tracked{0.0};  // with a measured beam, while the satellite is up
+    Seconds within1dB{0.0};
+    Seconds within3dB{0.0};
+    Angle rmsError;   // of the beam, on the sky
+    Angle peakError;  // of the same
+    PassEnd end = PassEnd::Running;
+    QString why;  // in words; empty: it has set
+
+    bool operator==(const PassRecord&) const = default;
+};
+
+struct NightReport
+{
+    std::vector<PassRecord> passes;  // in the order in which they began
+    int interventions = 0;           // acts of people that ended the schedule
+    int faults = 0;                  // that ended it
+
+    [[nodiscard]] int done() const;  // tracked until the end
+
+    bool operator==(const NightReport&) const = default;
+};
+
+// One pass while it is tracked: what is added in each tick.
+class PassTally
+{
+public:
+    PassTally() = default;
+    explicit PassTally(PassRecord begun) : m_record(std::move(begun)) {}
+
+    // The error was this for so long.
+    void add(Angle error, Seconds during, Angle beamWidth);
+    [[nodiscard]] PassRecord record() const;
+    [[nodiscard]] PassRecord ended(PassEnd end, const QString& why) const;
+
+private:
+    PassRecord m_record;
+    double m_squares = 0.0;  // deg² s
+};
+
+}  // namespace boresight::schedule

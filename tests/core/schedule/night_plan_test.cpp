@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/schedule/night_plan.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <random>
+
+namespace boresight::schedule {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+// From and to in seconds after the beginning of the plan.
+WatchedPass pass(std::int64_t number, int from, int to, int priority = 1)
+{
+    WatchedPass one{.number = number, .priority = priority, .pass = {}};
+    one.pass.aos.utc = UtcTime(std::chrono::seconds(from));
+    one.pass.los.utc = UtcTime(std::chrono::seconds(to));
+    return one;
+}
+
+std::vector<std::int64_t> chosen(const NightPlan& plan)
+{
+    std::vector<std::int64_t> numbers;
+    std::ranges::transform(plan.chosen, std::back_inserter(numbers), &WatchedPass::number);
+    return numbers;
+}
+
+NightPlan plan(const std::vector<WatchedPass>& passes, OverlapPolicy policy = OverlapPolicy::Priority)
+{
+    return planNight(passes, {.policy = policy, .lead = Seconds(60.0)});
+}
+
+// REQ-SCHEDULE-900: Of passes that overlap the policy chooses one: by priority, by length, or the one that begins
+// first. Each that is left out is listed with what was chosen, and why.
+TEST(NightPlan, ThePolicyChoosesOneOfThoseThatOverlap)
+{
+    const std::vector<WatchedPass> passes{pass(1, 0, 500, 2), pass(2, 300, 600, 1), pass(3, 550, 1200, 3)};
+    const NightPlan byPriority = plan(passes);
+    EXPECT_THAT(chosen(byPriority), ElementsAre(2));
+    ASSERT_THAT(byPriority.conflicts, SizeIs(2));
+    EXPECT_EQ(byPriority.conflicts[0],
+              (Conflict{.leftOut = passes[0], .chosen = passes[1], .reason = Reason::Priority, .overlaps = true}));
+    EXPECT_EQ(byPriority.conflicts[1].leftOut, passes[2]);
+
+    const NightPlan byLength = plan(passes, OverlapPolicy::Longest);
+    EXPECT_THAT(chosen(byLength), ElementsAre(3)) << "50 s after the first are too short a lead";
+    EXPECT_EQ(byLength.conflicts[0].reason, Reason::Longer);
+
+    const NightPlan byBeginning = plan(passes, OverlapPolicy::First);
+    EXPECT_THAT(chosen(byBeginning), ElementsAre(1));
+    EXPECT_EQ(byBeginning.conflicts[0].reason, Reason::Earlier);
+    EXPECT_FALSE(byBeginning.conflicts[1].overlaps);
+}
+
+// REQ-SCHEDULE-901: Where the policy does not tell two passes apart the next rule does, to the number of the satellite.
+// The order of the passes that are given changes nothing.
+TEST(NightPlan, ATieIsDecidedTheSameWayEachTime)
+{
+    EXPECT_EQ(plan({pass(1, 0, 400), pass(2, 100, 600)}).conflicts[0].reason, Reason::Longer);
+    EXPECT_EQ(plan({pass(1, 100, 500), pass(2, 0, 400)}).conflicts[0].reason, Reason::Earlier);
+    const NightPlan same = plan({pass(2, 0, 400), pass(1, 0, 400)});
+    EXPECT_THAT(chosen(same), ElementsAre(1));
+    EXPECT_EQ(same.conflicts[0].reason, Reason::LowerNumber);
+
+    std::mt19937 random(7);
+    std::vector<WatchedPass> night;
+    for (int i = 0; i < 60; ++i) {
+        const int from = static_cast<int>(random() % 40'000);
+        night.push_back(
+            pass(i, from, from + 200 + static_cast<int>(random() % 500), 1 + static_cast<int>(random() % 3)));
+    }
+    for (const OverlapPolicy policy : {OverlapPolicy::Priority, OverlapPolicy::Longest, OverlapPolicy::First}) {
+        const NightPlan first = plan(night, policy);
+        EXPECT_EQ(first.chosen.size() + first.conflicts.size(), night.size());
+        std::ranges::shuffle(night, random);
+        EXPECT_EQ(plan(night, policy), first);
+    }
+}
+
+// REQ-SCHEDULE-902: Two passes are both tracked when the mount has its lead between them. A shorter gap is a conflict.
+// A pass that is up when the plan begins needs no lead.
+TEST(NightPlan, TheMountIsInPlaceBeforeEachPass)
+{
+    EXPECT_THAT(chosen(plan({pass(1, 0, 400), pass(2, 460, 900)})), ElementsAre(1, 2));
+    const NightPlan close = plan({pass(1, 0, 400), pass(2, 459, 800)});
+    EXPECT_THAT(chosen(close), ElementsAre(1));
+    EXPECT_FALSE(close.conflicts[0].overlaps);
+    EXPECT_THAT(chosen(plan({pass(1, 0, 400), pass(2, 400, 800)})), ElementsAre(1)) << "back to back";
+
+    WatchedPass up = pass(5, 0, 100);
+    up.pass.isUpAtStart = true;
+    EXPECT_THAT(chosen(plan({up, pass(6, 160, 500)})), ElementsAre(5, 6));
+    EXPECT_THAT(plan({}).chosen, IsEmpty());
+}
+
+TEST(NightPlan, APassThatIsLeftOutKeepsBackNoOther)
+{
+    const NightPlan all = plan({pass(1, 0, 300, 1), pass(2, 250, 700, 2), pass(3, 650, 900, 3)});
+    EXPECT_THAT(chosen(all), ElementsAre(1, 3));
+}
+
+}  // namespace
+}  // namespace boresight::schedule
