@@ -103,7 +103,7 @@ const Rooms kSeenByTheWindow{"core/base",   "core/units",    "core/pointing", "c
                              "core/alarms", "core/messages", "core/elements", "core/orbit",
                              "core/passes", "core/gpredict", "core/schedule", "core/targets"};
 const Rooms kAboveTheDriver{"core/control", "core/sources", "core/motion", "core/mount",
-                            "core/north",   "core/tuning",  "core/witness"};
+                            "core/north",   "core/tuning",  "core/night",  "core/witness"};
 const Rooms kBelowPanels{"ui/kit", "ui/look", "ui/link", "ui/hold", "ui/sky"};
 
 TEST(Rooms, NoTwoKnowEachOther)

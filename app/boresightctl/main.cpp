@@ -22,7 +22,7 @@ constexpr std::array kSubcommands{
     &kSimulateCommand,          &kScanCommand,      &kDecodeCommand, &kCheckCommand, &kProfileCommand,
     &kConfirmDirectionsCommand, &kEphemerisCommand, &kPassesCommand, &kGotoCommand,  &kStopCommand,
     &kResetStopCommand,         &kParkCommand,      &kTrackCommand,  &kTakeCommand,  &kReleaseCommand,
-    &kSatellitesCommand,        &kStatusCommand};
+    &kSatellitesCommand,        &kScheduleCommand,  &kStatusCommand};
 constexpr std::size_t kNameWidth = 20;
 
 const Subcommand* findSubcommand(const std::string& name)

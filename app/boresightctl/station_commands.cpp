@@ -40,6 +40,10 @@ QString doneText(local::LocalCommand command)
         case local::LocalCommand::Stop:
         case local::LocalCommand::Track:
         case local::LocalCommand::Satellites:
+        case local::LocalCommand::ScheduleList:
+        case local::LocalCommand::ScheduleArm:
+        case local::LocalCommand::ScheduleDisarm:
+        case local::LocalCommand::ScheduleReport:
             break;
     }
     return QStringLiteral("STOP is latched. The mount slows down and holds. Nothing moves it until reset-stop.");

@@ -42,6 +42,7 @@ extern const Subcommand kStopCommand;
 extern const Subcommand kResetStopCommand;
 extern const Subcommand kTakeCommand;
 extern const Subcommand kReleaseCommand;
+extern const Subcommand kScheduleCommand;
 extern const Subcommand kParkCommand;
 extern const Subcommand kStatusCommand;
 extern const Subcommand kTrackCommand;

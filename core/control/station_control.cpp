@@ -253,6 +253,12 @@ Result<> StationControl::handle(const TuningRequest&, const Source& source)
     return operatorOnly(source);
 }
 
+// And the desk of the night.
+Result<> StationControl::handle(const ScheduleRequest&, const Source& source)
+{
+    return operatorOnly(source);
+}
+
 void StationControl::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
     if (before.mount.directions != after.mount.directions) {

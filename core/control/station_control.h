@@ -152,6 +152,7 @@ private:
     Result<> handle(const request::Reconnect& wanted, const Source& source);
     Result<> handle(const CalibrationRequest& wanted, const Source& source);
     Result<> handle(const TuningRequest& wanted, const Source& source);
+    Result<> handle(const ScheduleRequest& wanted, const Source& source);
 
     Result<> askSources(const Request& request, const Source& source);
 

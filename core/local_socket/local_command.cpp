@@ -21,6 +21,10 @@ constexpr std::array kWords{std::pair{LocalCommand::Take, "take"},
                             std::pair{LocalCommand::Stop, "stop"},
                             std::pair{LocalCommand::ResetStop, "reset-stop"},
                             std::pair{LocalCommand::Satellites, "satellites"},
+                            std::pair{LocalCommand::ScheduleList, "schedule-list"},
+                            std::pair{LocalCommand::ScheduleArm, "schedule-arm"},
+                            std::pair{LocalCommand::ScheduleDisarm, "schedule-disarm"},
+                            std::pair{LocalCommand::ScheduleReport, "schedule-report"},
                             std::pair{LocalCommand::Track, "track"}};
 const QByteArray kAgreed = "ok\n";
 const QByteArray kRefused = "error: ";
@@ -60,8 +64,9 @@ Result<LocalRequest> parseRequest(const QByteArray& line)
     const auto* const found = std::ranges::find_if(kWords, [&word](const auto& one) { return word == one.second; });
     const bool isTrack = found != kWords.end() && found->first == LocalCommand::Track;
     if (found == kWords.end() || isTrack == (word == text)) {
-        return failure(ErrorCode::InvalidInput, Text::tr("This is no command. The commands are take, release, stop, "
-                                                         "reset-stop, satellites and track TARGET."));
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("This is no command. The commands are take, release, stop, "
+                                "reset-stop, satellites, track TARGET and those of the schedule."));
     }
     return LocalRequest{.command = found->first, .target = isTrack ? text.mid(word.size()).trimmed() : QByteArray()};
 }

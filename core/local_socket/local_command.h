@@ -11,8 +11,8 @@
 #include <vector>
 
 // What a program of the same user may ask of a running station by its local socket: one line to the station, and back
-// "ok" with the lines of the answer, or "error: REASON". Both ends use this. Only `track` starts a motion. Pure, any
-// thread.
+// "ok" with the lines of the answer, or "error: REASON". Both ends use this. Of the commands only `track` and
+// `schedule-arm` lead to motions. Pure, any thread.
 namespace boresight::local {
 
 enum class LocalCommand
@@ -22,7 +22,11 @@ enum class LocalCommand
     Stop,
     ResetStop,
     Track,
-    Satellites
+    Satellites,
+    ScheduleList,  // the plan, as JSON
+    ScheduleArm,
+    ScheduleDisarm,
+    ScheduleReport  // of the passes so far, as JSON
 };
 
 struct LocalRequest
@@ -33,7 +37,8 @@ struct LocalRequest
     bool operator==(const LocalRequest&) const = default;
 };
 
-// The lines that follow "ok", each with its LF: the name of the target that is tracked, or the satellites. Else empty.
+// The lines that follow "ok", each with its LF: the name of the target that is tracked, the satellites,
+// or what is told of the schedule. Else empty.
 using LocalAnswer = Result<QByteArray>;
 
 // Of a command, without its LF.

@@ -255,6 +255,12 @@ struct UndoCalibration
 struct RedoCalibration
 {};
 
+// Those of the schedule. What it does is in StationStatus::schedule.
+struct ArmSchedule  // the mount tracks its passes, until somebody does anything else with it. Takes control
+{};
+struct DisarmSchedule  // what it moves ends, and the mount holds
+{};
+
 }  // namespace boresight::request
 
 namespace boresight {
@@ -268,6 +274,8 @@ using CalibrationRequest =
 
 using TuningRequest = std::variant<request::StartTuning, request::EndTuning>;
 
+using ScheduleRequest = std::variant<request::ArmSchedule, request::DisarmSchedule>;
+
 using Request =
     std::variant<request::PointSky, request::PointAxes, request::PointAxis, request::JudgeDirection, request::Jog,
                  request::Move, request::Step, request::Follow, request::Track, request::Nudge, request::ClearTrim,
@@ -278,7 +286,7 @@ using Request =
                  request::AssignBoard, request::SetGear, request::SwitchOff, request::ReleaseBus, request::TakeBus,
                  request::ChooseTurn, request::ProveCrashStop, request::EndProof, request::ReadGains, request::SetGain,
                  request::PutGainsBack, request::StoreGains, request::Trial, request::FollowAzel, TuningRequest,
-                 CalibrationRequest>;
+                 CalibrationRequest, ScheduleRequest>;
 
 // A request of the screen, numbered so that the answer finds the control that sent it.
 struct NumberedRequest

@@ -144,6 +144,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     }
     checkRegion(problems, profile);
     checkSupervision(problems, profile);
+    checkSchedule(problems, profile);
     checkSensor(problems, profile);
     checkPower(problems, profile);
     return problems;
@@ -156,6 +157,7 @@ std::vector<Problem> problemsOf(const Profile& profile)
     checkRows(problems, kHorizonKey, horizonSettings(), profile.limits.horizon);
     checkRows(problems, kKeepOutKey, keepOutSettings(), profile.limits.keepOuts);
     checkRows(problems, kPresetKey, presetSettings(), profile.presets);
+    checkRows(problems, kWatchKey, watchSettings(), profile.schedule.watch);
     for (Problem& problem : crossCheck(profile)) {
         problems.push_back(std::move(problem));
     }

@@ -8,6 +8,7 @@
 #include "core/profile/axis_driver.h"
 #include "core/profile/power_settings.h"
 #include "core/profile/sensor_settings.h"
+#include "core/schedule/watch_entry.h"
 #include "core/tracking/axis_profile.h"
 #include "core/units/sky.h"
 
@@ -175,6 +176,40 @@ struct AzelSettings
     bool operator==(const AzelSettings&) const = default;
 };
 
+// Whether the schedule arms itself after a start of the program.
+enum class Unattended
+{
+    Off,  // a person arms it
+    On    // as soon as the mount may be moved
+};
+
+// What the mount does between two passes of the schedule.
+enum class BetweenPasses
+{
+    Hold,
+    Unwind,
+    Park
+};
+
+enum class ParkAfter
+{
+    Off,
+    On  // when no pass follows for half an hour
+};
+
+// The passes that Boresight tracks by itself while the schedule is armed.
+struct ScheduleSettings
+{
+    std::vector<schedule::WatchEntry> watch;
+    schedule::OverlapPolicy policy = schedule::OverlapPolicy::Priority;
+    Seconds lead{90.0};  // the mount is sent to the beginning of a pass this long before it
+    BetweenPasses between = BetweenPasses::Unwind;
+    ParkAfter parkAfter = ParkAfter::On;
+    Unattended unattended = Unattended::Off;
+
+    bool operator==(const ScheduleSettings&) const = default;
+};
+
 // A feed that the Sun would melt, or a receiver that hears nothing beside it, is kept away from the Sun.
 enum class KeepAway
 {
@@ -336,6 +371,7 @@ struct Profile
     GpredictSettings gpredict;
     OrbitSettings orbit;
     AzelSettings azel;
+    ScheduleSettings schedule;
     SunSettings sun;
     JogSettings jog;
     RotctldSettings rotctld;

@@ -131,6 +131,17 @@ QString namesText(const std::vector<Row>& shown, const std::vector<Row>& others)
     return names.isEmpty() ? Text::tr("none") : names.join(QStringLiteral(", "));
 }
 
+QString watchText(const std::vector<schedule::WatchEntry>& shown, const std::vector<schedule::WatchEntry>& others)
+{
+    QStringList numbers;
+    for (const schedule::WatchEntry& entry : shown) {
+        const bool isListed = std::ranges::count(others, entry.number, &schedule::WatchEntry::number) > 0;
+        const bool isAlike = std::ranges::count(others, entry) > 0;
+        numbers << QString::number(entry.number) + (isListed && !isAlike ? u' ' + Text::tr("(different)") : QString());
+    }
+    return numbers.isEmpty() ? Text::tr("none") : numbers.join(QStringLiteral(", "));
+}
+
 std::vector<Item> makeItems()
 {
     std::vector<Item> items;
@@ -149,6 +160,9 @@ std::vector<Item> makeItems()
             items.push_back(listItem(
                 kPresetKey, presetSettings(), [](auto& p) -> auto& { return p.presets; }, &namesText<Preset>));
             items.push_back(siteItem());
+        } else if (setting.key == "schedule.unattended") {
+            items.push_back(listItem(
+                kWatchKey, watchSettings(), [](auto& p) -> auto& { return p.schedule.watch; }, &watchText));
         }
     }
     return items;

@@ -306,6 +306,7 @@ std::vector<Setting> makeSettings()
     addGpredict(list);
     addOrbit(list);
     addAzel(list);
+    addSchedule(list);
     addSun(list);
     addJog(list);
     addClients(list);

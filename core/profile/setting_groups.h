@@ -15,6 +15,7 @@ void addSite(std::vector<Setting>& list);
 void addGpredict(std::vector<Setting>& list);
 void addOrbit(std::vector<Setting>& list);
 void addAzel(std::vector<Setting>& list);
+void addSchedule(std::vector<Setting>& list);
 void addSun(std::vector<Setting>& list);
 void addSupervision(std::vector<Setting>& list);
 void addRecovery(std::vector<Setting>& list);
@@ -28,9 +29,10 @@ void addPower(std::vector<Setting>& list);
 [[nodiscard]] Result<> checkAddress(const std::string& text);
 [[nodiscard]] Result<> checkNetwork(const std::string& text);
 
-// Cross checks of the region, the Sun, the park place and the presets; of the sensor; of the
+// Cross checks of the region, the Sun, the park place and the presets; of the watch list; of the sensor; of the
 // received power.
 void checkRegion(std::vector<Problem>& problems, const Profile& profile);
+void checkSchedule(std::vector<Problem>& problems, const Profile& profile);
 void checkSensor(std::vector<Problem>& problems, const Profile& profile);
 void checkPower(std::vector<Problem>& problems, const Profile& profile);
 

@@ -65,7 +65,8 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_server(serverSettings(profile.rotctld), m_rotator, clock, this),
       m_shell({.ask = [this](const Request& request, const Source& by) { return askNow(request, by); },
                .mayShellCommand = [this] { return m_control.mayShellCommand(); },
-               .satellites = [this] { return m_elements.satellites(); }},
+               .satellites = [this] { return m_elements.satellites(); },
+               .schedule = [this] { return m_night.status(); }},
               m_log, clock, this),
       m_broker(m_profile, m_log, clock, this),
       m_sensor(m_profile, clock, m_log, m_control.alarms(), m_broker, this),
@@ -75,6 +76,10 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_calibrationFile(calibrationPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_calibration(m_control, m_profile, m_calibrationFile, clock, m_log),
       m_tuning(m_control, clock, m_log),
+      m_night(m_control, m_profile, clock, m_log,
+              [this](std::vector<passes::SatelliteSearch> searches, NightDesk::Found found) {
+                  m_passes.search(std::move(searches), std::move(found));
+              }),
       m_eventFile(stateDir, m_log, clock, this),
       m_tickTimer(this),
       m_updateTimer(this),
@@ -97,6 +102,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
     });
     connect(&m_updateTimer, &QTimer::timeout, this, &Station::publish);
     connect(&m_reopenTimer, &QTimer::timeout, this, &Station::openMount);
+    connect(&m_elements, &StationElements::changed, this, [this] { m_night.setSatellites(m_elements.satellites()); });
     connect(&m_power, &StationPower::received, this, [this](const power::Value& value) { m_calibration.take(value); });
     connect(&m_azel, &StationAzel::looked, this, [this](const azel::AzelReading& reading) { m_control.take(reading); });
     connect(&m_eventFile, &EventFile::failed, this,
@@ -224,6 +230,7 @@ void Station::tick()
     m_calibration.show(m_power.tick());
     m_calibration.tick();
     m_tuning.tick();
+    m_night.tick();
     m_control.tick();
     witness();
     m_mount->send();
@@ -314,9 +321,10 @@ void Station::hurry(const Request& request)
 
 Result<> Station::obey(const Request& request, const Source& by)
 {
-    return m_mount->admits(request).and_then([&] { return m_control.request(request, by); }).and_then([&] {
-        return carryOut(request);
-    });
+    return m_mount->admits(request)
+        .and_then([&] { return m_control.request(request, by); })
+        .and_then([&] { return carryOut(request, by); })
+        .map([&] { m_night.noticed(request, by); });
 }
 
 void Station::reload(const Result<profile::Profile>& read)
@@ -339,7 +347,7 @@ void Station::reload(const Result<profile::Profile>& read)
 }
 
 // What StationControl has admitted, but does not do itself.
-Result<> Station::carryOut(const Request& request)
+Result<> Station::carryOut(const Request& request, const Source& by)
 {
     if (const auto* const wanted = std::get_if<request::Disconnect>(&request)) {
         if (!m_server.disconnect(wanted->clientId, Text::tr("disconnected by the operator"))) {
@@ -355,6 +363,9 @@ Result<> Station::carryOut(const Request& request)
     }
     if (const auto* const wanted = std::get_if<TuningRequest>(&request)) {
         return m_tuning.carryOut(*wanted, drives(), m_calibration.moves());
+    }
+    if (const auto* const wanted = std::get_if<ScheduleRequest>(&request)) {
+        return m_night.carryOut(*wanted, by);
     }
     if (const auto* const wanted = std::get_if<request::Reconnect>(&request)) {
         return mayConnect(wanted->profile).map([&] { reconnect(wanted->profile); });
@@ -424,6 +435,7 @@ void Station::profileChanged(const profile::Profile& before)
     m_sensor.profileChanged(before, after);
     m_power.profileChanged(before, after);
     m_elements.profileChanged(before, after);
+    m_night.profileChanged(before, after);
     m_calibration.profileChanged(before, after);
 }
 
@@ -486,6 +498,7 @@ StationStatus Station::status() const
     m_calibration.fill(status);
     judgeCalibration(status);
     m_tuning.fill(status, m_calibration.moves());
+    m_night.fill(status);
     return status;
 }
 

@@ -9,6 +9,7 @@
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
 #include "core/mount/mount_connection.h"
+#include "core/night/night_desk.h"
 #include "core/north/calibration_desk.h"
 #include "core/profile/in_force.h"
 #include "core/profile/profile.h"
@@ -17,6 +18,7 @@
 #include "core/station/station_azel.h"
 #include "core/station/station_broker.h"
 #include "core/station/station_elements.h"
+#include "core/station/station_passes.h"
 #include "core/station/station_power.h"
 #include "core/station/station_rotator.h"
 #include "core/station/station_sensor.h"
@@ -109,7 +111,7 @@ private:
     [[nodiscard]] Result<> askNow(const Request& request, const Source& by);
     void hurry(const Request& request);
     [[nodiscard]] std::optional<DirectionVerdict> verdictOn(const Request& request) const;
-    [[nodiscard]] Result<> carryOut(const Request& request);
+    [[nodiscard]] Result<> carryOut(const Request& request, const Source& by);
     [[nodiscard]] std::optional<DrivesStatus> drives() const;
     void openServer();
     void refuseToStart();
@@ -137,6 +139,8 @@ private:
     CalibrationFile m_calibrationFile;
     CalibrationDesk m_calibration;
     TuningDesk m_tuning;
+    StationPasses m_passes{this};
+    NightDesk m_night;
     EventFile m_eventFile;
     QTimer m_tickTimer;
     QTimer m_updateTimer;

@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/elements/julian_date.h"
+#include "core/night/schedule_json.h"
 #include "core/targets/target_text.h"
 
 namespace boresight {
@@ -15,7 +16,6 @@ Source shellSource()
     return {.kind = SourceKind::Operator, .name = QStringLiteral("shell")};
 }
 
-// None of them moves the mount.
 Request requestOf(local::LocalCommand command)
 {
     switch (command) {
@@ -25,9 +25,15 @@ Request requestOf(local::LocalCommand command)
             return request::GiveAuthority{};
         case local::LocalCommand::ResetStop:
             return request::ResetStop{};
+        case local::LocalCommand::ScheduleArm:
+            return request::ArmSchedule{};
+        case local::LocalCommand::ScheduleDisarm:
+            return request::DisarmSchedule{};
         case local::LocalCommand::Stop:
         case local::LocalCommand::Track:
         case local::LocalCommand::Satellites:
+        case local::LocalCommand::ScheduleList:
+        case local::LocalCommand::ScheduleReport:
             break;
     }
     return request::Stop{};
@@ -63,6 +69,12 @@ local::LocalAnswer StationShell::obey(const local::LocalRequest& asked)
 {
     if (asked.command == local::LocalCommand::Satellites) {
         return satelliteLines();
+    }
+    if (asked.command == local::LocalCommand::ScheduleList) {
+        return planJson(*m_station.schedule()) + '\n';
+    }
+    if (asked.command == local::LocalCommand::ScheduleReport) {
+        return reportJson(m_station.schedule()->report) + '\n';
     }
     const auto request = [&]() -> local::LocalAnswer {
         return m_station.ask(requestOf(asked.command), shellSource()).map([] { return QByteArray(); });

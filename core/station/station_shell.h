@@ -26,6 +26,7 @@ public:
         std::function<Result<>(const Request&, const Source&)> ask;
         std::function<Result<>()> mayShellCommand;
         std::function<std::shared_ptr<const std::vector<orbit::ElementSet>>()> satellites;
+        std::function<std::shared_ptr<const ScheduleStatus>()> schedule;
     };
 
     // Log and clock outlive this.

@@ -673,6 +673,14 @@ até %1</translation>
         <source>Moon by WSJT-X</source>
         <translation>Lua pelo WSJT-X</translation>
     </message>
+    <message>
+        <source>Schedule of passes</source>
+        <translation>Agenda de passagens</translation>
+    </message>
+    <message>
+        <source>watch list</source>
+        <translation>lista da agenda</translation>
+    </message>
 </context>
 <context>
     <name>SkyBodies</name>
@@ -7485,10 +7493,6 @@ até %1</translation>
         <translation>%1 outras recusadas em %2 s. A última: %3</translation>
     </message>
     <message>
-        <source>This is no command. The commands are take, release, stop, reset-stop, satellites and track TARGET.</source>
-        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, satellites e track ALVO.</translation>
-    </message>
-    <message>
         <source>The list of satellites is not complete.</source>
         <translation>A lista de satélites não está completa.</translation>
     </message>
@@ -7707,6 +7711,170 @@ até %1</translation>
     <message>
         <source>&quot;%1&quot; is no known satellite, no body and no locator. The bodies are: %2.</source>
         <translation>&quot;%1&quot; não é um satélite conhecido, nem um corpo, nem um localizador. Os corpos são: %2.</translation>
+    </message>
+    <message>
+        <source>The schedule of passes is off: %1</source>
+        <translation>A agenda de passagens está desligada: %1</translation>
+    </message>
+    <message>
+        <source>Boresight begins no further pass by itself</source>
+        <translation>O Boresight não começa mais nenhuma passagem sozinho</translation>
+    </message>
+    <message>
+        <source>Arm the schedule again when the mount may move by itself</source>
+        <translation>Arme a agenda de novo quando a montagem puder mover-se sozinha</translation>
+    </message>
+    <message>
+        <source>This is no command. The commands are take, release, stop, reset-stop, satellites, track TARGET and those of the schedule.</source>
+        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, satellites, track ALVO e os da agenda.</translation>
+    </message>
+    <message>
+        <source>schedule</source>
+        <translation>agenda</translation>
+    </message>
+    <message>
+        <source>arms the schedule of passes</source>
+        <translation>arma a agenda de passagens</translation>
+    </message>
+    <message>
+        <source>%1 disarmed it</source>
+        <translation>%1 desarmou-a</translation>
+    </message>
+    <message>
+        <source>The watch list of the profile is empty.</source>
+        <translation>A lista de satélites da agenda no perfil está vazia.</translation>
+    </message>
+    <message>
+        <source>A calibration or a tuning run moves the mount. End it first.</source>
+        <translation>Uma calibração ou um ensaio de sintonia move a montagem. Termine-o primeiro.</translation>
+    </message>
+    <message>
+        <source>arms itself, because schedule.unattended is &quot;on&quot; in the profile</source>
+        <translation>arma-se sozinha, porque schedule.unattended está em &quot;on&quot; no perfil</translation>
+    </message>
+    <message>
+        <source>the schedule is off: %1</source>
+        <translation>a agenda está desligada: %1</translation>
+    </message>
+    <message>
+        <source>STOP of %1</source>
+        <translation>STOP de %1</translation>
+    </message>
+    <message>
+        <source>%1 has taken the mount</source>
+        <translation>%1 tomou a montagem</translation>
+    </message>
+    <message>
+        <source>a fault ended the motion</source>
+        <translation>uma falha terminou o movimento</translation>
+    </message>
+    <message>
+        <source>the mount does not answer</source>
+        <translation>a montagem não responde</translation>
+    </message>
+    <message>
+        <source>control was given to the clients</source>
+        <translation>o controlo foi dado aos clientes</translation>
+    </message>
+    <message>
+        <source>another command moved the mount</source>
+        <translation>outro comando moveu a montagem</translation>
+    </message>
+    <message>
+        <source>the station ended the tracking. The log says why</source>
+        <translation>a estação terminou o seguimento. O registo diz porquê</translation>
+    </message>
+    <message>
+        <source>no elements of %1</source>
+        <translation>não há elementos de %1</translation>
+    </message>
+    <message>
+        <source>the site of the mount is not set</source>
+        <translation>o local da montagem não está definido</translation>
+    </message>
+    <message>
+        <source>The elements of %1 are gone.</source>
+        <translation>Já não há elementos de %1.</translation>
+    </message>
+    <message>
+        <source>goes to the pass of %1 at %2</source>
+        <translation>vai para a passagem de %1 às %2</translation>
+    </message>
+    <message>
+        <source>the pass of %1 is left out: %2</source>
+        <translation>a passagem de %1 fica de fora: %2</translation>
+    </message>
+    <message>
+        <source>%1: tracked for %2 s, %3 s within 1 dB and %4 s within 3 dB of the beam, error %5° rms, %6° peak</source>
+        <translation>%1: seguido durante %2 s, %3 s dentro de 1 dB e %4 s dentro de 3 dB do feixe, erro %5° rms, %6° de pico</translation>
+    </message>
+    <message>
+        <source>Satellite</source>
+        <translation>Satélite</translation>
+    </message>
+    <message>
+        <source>Its number in the catalogue of NORAD.</source>
+        <translation>O seu número no catálogo NORAD.</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>Prioridade</translation>
+    </message>
+    <message>
+        <source>1 is the most important.</source>
+        <translation>1 é a mais importante.</translation>
+    </message>
+    <message>
+        <source>Its passes count from this elevation on.</source>
+        <translation>As suas passagens contam a partir desta elevação.</translation>
+    </message>
+    <message>
+        <source>Passes that overlap</source>
+        <translation>Passagens sobrepostas</translation>
+    </message>
+    <message>
+        <source>Which one is tracked: that of the more important satellite, the longer one, or the one that begins first.</source>
+        <translation>Qual delas é seguida: a do satélite mais importante, a mais longa, ou a que começa primeiro.</translation>
+    </message>
+    <message>
+        <source>In place before a pass</source>
+        <translation>No lugar antes de uma passagem</translation>
+    </message>
+    <message>
+        <source>The schedule sends the mount to the beginning of a pass this long before it.</source>
+        <translation>A agenda manda a montagem para o início de uma passagem este tempo antes dela.</translation>
+    </message>
+    <message>
+        <source>Between passes</source>
+        <translation>Entre passagens</translation>
+    </message>
+    <message>
+        <source>What the mount does after a pass while the schedule is armed.</source>
+        <translation>O que a montagem faz depois de uma passagem enquanto a agenda está armada.</translation>
+    </message>
+    <message>
+        <source>Park after the passes</source>
+        <translation>Estacionar depois das passagens</translation>
+    </message>
+    <message>
+        <source>Whether the schedule parks the mount when no pass follows for half an hour.</source>
+        <translation>Se a agenda estaciona a montagem quando não há outra passagem durante meia hora.</translation>
+    </message>
+    <message>
+        <source>Unattended</source>
+        <translation>Sem operador</translation>
+    </message>
+    <message>
+        <source>With &quot;off&quot; nothing moves after a start until a person arms the schedule. With &quot;on&quot; it arms itself once after each start, and the mount moves without anybody.</source>
+        <translation>Com &quot;off&quot; nada se move depois de um arranque até uma pessoa armar a agenda. Com &quot;on&quot; ela arma-se sozinha uma vez depois de cada arranque, e a montagem move-se sem ninguém.</translation>
+    </message>
+    <message>
+        <source>is needed</source>
+        <translation>é necessário</translation>
+    </message>
+    <message>
+        <source>is in the list twice</source>
+        <translation>está duas vezes na lista</translation>
     </message>
 </context>
 <context>

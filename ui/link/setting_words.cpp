@@ -39,6 +39,7 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"gpredict", QT_TRANSLATE_NOOP("SettingWords", "Gpredict")},
                              {"orbit", QT_TRANSLATE_NOOP("SettingWords", "Satellites")},
                              {"azel", QT_TRANSLATE_NOOP("SettingWords", "Moon by WSJT-X")},
+                             {"schedule", QT_TRANSLATE_NOOP("SettingWords", "Schedule of passes")},
                              {"sun", QT_TRANSLATE_NOOP("SettingWords", "Sun")},
                              {"jog", QT_TRANSLATE_NOOP("SettingWords", "Jog")},
                              {"rotctld", QT_TRANSLATE_NOOP("SettingWords", "rotctld server")},
@@ -64,6 +65,7 @@ constexpr Name kNames[] = {{"limits.azimuth_min_deg", QT_TRANSLATE_NOOP("Setting
                            {profile::kHorizonKey, QT_TRANSLATE_NOOP("SettingWords", "horizon")},
                            {profile::kKeepOutKey, QT_TRANSLATE_NOOP("SettingWords", "keep-outs")},
                            {profile::kPresetKey, QT_TRANSLATE_NOOP("SettingWords", "presets")},
+                           {profile::kWatchKey, QT_TRANSLATE_NOOP("SettingWords", "watch list")},
                            {"site", QT_TRANSLATE_NOOP("SettingWords", "site")}};
 
 class SettingWords

@@ -203,6 +203,19 @@ TEST(CrossCheck, RowsMakeSenseTogether)
                                   "keep_out[1].elevation_min_deg", "keep_out[2].azimuth_to_deg", "preset[3].name"}));
 }
 
+// REQ-SCHEDULE-904: The watch list of the profile has each satellite once, with its number. The schedule waits for a
+// person, and goes to a pass at least 60 s before it, unless the profile says otherwise.
+TEST(CrossCheck, TheWatchListHasEachSatelliteOnce)
+{
+    Profile profile;
+    EXPECT_EQ(profile.schedule.unattended, Unattended::Off);
+    EXPECT_EQ(findSetting("schedule.lead_s")->min, 60.0);
+    profile.schedule.watch = {{.number = 25544}, {.number = 33591}};
+    EXPECT_TRUE(crossCheck(profile).empty());
+    profile.schedule.watch = {{.number = 25544}, {}, {.number = 25544}};
+    EXPECT_EQ(keysOf(crossCheck(profile)), (std::vector<std::string>{"watch[2].norad", "watch[3].norad"}));
+}
+
 // REQ-PROFILE-06
 TEST(CrossCheck, ALockedMountSaysToWhom)
 {

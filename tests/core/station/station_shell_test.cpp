@@ -177,5 +177,21 @@ TEST(StationShell, TheStationWorksWithoutIt)
     EXPECT_FALSE(QFile::exists(runtime.filePath(QStringLiteral("boresight"))));
 }
 
+// REQ-SCHEDULE-916: The shell lists, arms, disarms and reports. Arming is judged and refused as for the operator.
+TEST(StationShell, HasTheSchedule)
+{
+    const QTemporaryDir runtime;
+    LinkedStation rig;
+    rig.station->serveShell(runtime.path());
+    rig.station->openAll();
+    rig.run(5);
+    const QString path = socketOf(rig.station->status(), runtime);
+    EXPECT_THAT(ask(path, "schedule-list\n"), HasSubstr("ok\n{\"armed\":false,"));
+    EXPECT_THAT(ask(path, "schedule-report\n"), HasSubstr("\"done\":0,"));
+    EXPECT_EQ(ask(path, "schedule-arm\n"), "error: The watch list of the profile is empty.\n");
+    EXPECT_EQ(ask(path, "schedule-disarm\n"), "ok\n");
+    EXPECT_EQ(rig.station->status().authority, Authority::Clients) << "nothing was taken";
+}
+
 }  // namespace
 }  // namespace boresight

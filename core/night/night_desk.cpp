@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/night/night_desk.h"
+
+#include "core/alarms/catalogue.h"
+#include "core/base/overloaded.h"
+#include "core/base/text.h"
+#include "core/base/time_of_day.h"
+#include "core/control/calibration_source.h"
+#include "core/targets/target.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace boresight {
+namespace {
+
+constexpr Seconds kShowPeriod{1.0};
+// A pass that was found again ends this much earlier or later at most.
+constexpr std::chrono::seconds kSamePass{30};
+// The control may end a pass this much earlier than the plan.
+constexpr std::chrono::seconds kAboutToSet{2};
+
+Site siteOf(const profile::SiteSettings& site)
+{
+    return {.latitude = site.latitude, .longitude = site.longitude, .heightMetres = site.heightMetres};
+}
+
+const orbit::ElementSet* find(const std::vector<orbit::ElementSet>& satellites, std::int64_t number)
+{
+    const auto found = std::ranges::find(satellites, number, &orbit::ElementSet::number);
+    return found == satellites.end() ? nullptr : &*found;
+}
+
+QString nameOfSatellite(const orbit::ElementSet& set)
+{
+    return set.name.empty() ? QString::number(set.number) : toQString(set.name);
+}
+
+// What only looks, or speaks for nobody who wants the mount.
+bool leavesTheMount(const Request& request)
+{
+    return std::holds_alternative<request::JudgeDirection>(request) ||
+           std::holds_alternative<request::AcknowledgeAlarms>(request) ||
+           std::holds_alternative<request::AcknowledgeAlarm>(request) ||
+           std::holds_alternative<request::SetReadOnly>(request) ||
+           std::holds_alternative<request::Disconnect>(request) ||
+           std::holds_alternative<request::TakeAuthority>(request) ||
+           std::holds_alternative<request::ApplyProfile>(request) ||
+           std::holds_alternative<request::ReadGains>(request) || std::holds_alternative<ScheduleRequest>(request);
+}
+
+}  // namespace
+
+const Source& scheduleSource()
+{
+    static const Source kSource{.kind = SourceKind::Operator,
+                                .clientId = std::numeric_limits<std::uint64_t>::max() - 2,
+                                .name = QStringLiteral("schedule")};
+    return kSource;
+}
+
+NightDesk::NightDesk(StationControl& control, const profile::InForce& profile, const Clock& clock, EventLog& log,
+                     Search search)
+    : m_control(control), m_profile(profile), m_clock(clock), m_log(log), m_search(std::move(search))
+{}
+
+Result<> NightDesk::carryOut(const ScheduleRequest& request, const Source& by)
+{
+    const Result<> done =
+        std::visit(Overloaded{[&](const request::ArmSchedule&) {
+                                  return arm(by, Severity::Advisory, Text::tr("arms the schedule of passes"));
+                              },
+                              [&](const request::DisarmSchedule&) -> Result<> {
+                                  m_policyUsed = true;
+                                  if (m_armed) {
+                                      holdNow();
+                                      disarm({.end = schedule::PassEnd::Manual,
+                                              .why = Text::tr("%1 disarmed it").arg(sourceText(by.name))});
+                                      m_control.alarms().clear(alarmEntry("schedule.disarmed"));  // as was wanted
+                                  }
+                                  return {};
+                              }},
+                   request);
+    show();
+    return done;
+}
+
+Result<> NightDesk::mayArm() const
+{
+    if (m_profile->schedule.watch.empty()) {
+        return failure(ErrorCode::Refused, Text::tr("The watch list of the profile is empty."));
+    }
+    if (!m_profile->site.known) {
+        return failure(ErrorCode::Refused, Text::tr("The site of the mount is not set. Enter it in the profile."));
+    }
+    if (m_control.obeys(calibrationSource()) || m_control.obeys(tuningSource())) {
+        return failure(ErrorCode::Busy, Text::tr("A calibration or a tuning run moves the mount. End it first."));
+    }
+    return m_control.mayPoint(scheduleSource());
+}
+
+Result<> NightDesk::arm(const Source& by, Severity severity, const QString& words)
+{
+    if (m_armed) {
+        return {};
+    }
+    return mayArm()
+        .and_then([&]() -> Result<> {
+            return m_control.authority() == Authority::Clients ? m_control.request(request::TakeAuthority{}, by)
+                                                               : Result<>{};
+        })
+        .map([&] {
+            m_policyUsed = true;
+            m_armed = true;
+            m_why.clear();
+            m_errand = m_control.errand();
+            m_handledUntil = {};
+            m_control.alarms().clear(alarmEntry("schedule.disarmed"));
+            m_log.add(severity, by.name, words);
+        });
+}
+
+void NightDesk::armByPolicy()
+{
+    if (!m_policyUsed && m_profile->schedule.unattended == profile::Unattended::On && mayArm()) {
+        [[maybe_unused]] const Result<> armed =
+            arm(scheduleSource(), Severity::Warning,
+                Text::tr("arms itself, because schedule.unattended is \"on\" in the profile"));
+    }
+}
+
+void NightDesk::disarm(const Interruption& by)
+{
+    m_armed = false;
+    m_why = by.why;
+    int& count = by.end == schedule::PassEnd::Manual ? m_report.interventions : m_report.faults;
+    ++count;
+    if (m_tracked) {
+        keep(m_tracked->tally().ended(by.end, by.why));
+        m_tracked.reset();
+    }
+    m_log.add(Severity::Warning, scheduleSource().name, Text::tr("the schedule is off: %1").arg(by.why));
+    m_control.alarms().raise(alarmEntry("schedule.disarmed"), {by.why});
+    show();
+}
+
+void NightDesk::noticed(const Request& request, const Source& by)
+{
+    if (leavesTheMount(request)) {
+        return;
+    }
+    m_policyUsed = true;
+    if (m_armed) {
+        disarm({.end = schedule::PassEnd::Manual,
+                .why = std::holds_alternative<request::Stop>(request)
+                           ? Text::tr("STOP of %1").arg(sourceText(by.name))
+                           : Text::tr("%1 has taken the mount").arg(sourceText(by.name))});
+    }
+}
+
+void NightDesk::setSatellites(const Satellites& satellites)
+{
+    m_satellites = satellites;
+    m_searched.reset();
+}
+
+void NightDesk::profileChanged(const profile::Profile& before, const profile::Profile& after)
+{
+    if (before.schedule != after.schedule || before.site != after.site) {
+        m_searched.reset();
+    }
+}
+
+void NightDesk::tick()
+{
+    lookForPasses();
+    armByPolicy();
+    if (m_armed) {
+        if (const auto by = interruption()) {
+            disarm(*by);
+        } else {
+            move();
+        }
+    }
+    if (m_clock.now() - m_shownAt >= kShowPeriod) {
+        show();
+    }
+}
+
+// What noticed() was not told: what comes from a client, a calibration, or the mount itself.
+std::optional<NightDesk::Interruption> NightDesk::interruption() const
+{
+    const auto because = [](schedule::PassEnd end, const QString& why) {
+        return std::optional(Interruption{.end = end, .why = why});
+    };
+    switch (m_control.state()) {
+        case StationState::Stopped:
+            return because(schedule::PassEnd::Manual, Text::tr("STOP is latched"));
+        case StationState::Fault:
+            return because(schedule::PassEnd::Fault, Text::tr("a fault ended the motion"));
+        case StationState::Disconnected:
+            return because(schedule::PassEnd::Fault, Text::tr("the mount does not answer"));
+        default:
+            break;
+    }
+    if (m_control.authority() == Authority::Clients) {
+        return because(schedule::PassEnd::Manual, Text::tr("control was given to the clients"));
+    }
+    if (m_control.errand() != m_errand) {
+        return because(schedule::PassEnd::Manual, Text::tr("another command moved the mount"));
+    }
+    const bool isOver = m_tracked && m_clock.utc() + kAboutToSet >= m_tracked->ends();
+    if (m_tracked && !isOver && !m_control.obeys(scheduleSource())) {
+        return because(schedule::PassEnd::Refused, Text::tr("the station ended the tracking. The log says why"));
+    }
+    return std::nullopt;
+}
+
+// A pass that is tracked stays as it was planned.
+void NightDesk::lookForPasses()
+{
+    const SteadyTime now = m_clock.now();
+    if (m_tracked || (m_searched && now - *m_searched < kRenewed)) {
+        return;
+    }
+    m_searched = now;
+    std::vector<schedule::WatchedPass> known;
+    std::vector<passes::SatelliteSearch> searches;
+    QStringList missing;
+    const UtcTime utc = m_clock.utc();
+    for (const schedule::WatchEntry& entry : m_profile->schedule.watch) {
+        const orbit::ElementSet* const set = find(*m_satellites, entry.number);
+        if (set == nullptr) {
+            missing << QString::number(entry.number);
+            continue;
+        }
+        known.push_back(
+            {.number = entry.number, .priority = entry.priority, .name = nameOfSatellite(*set), .pass = {}});
+        searches.push_back({.orbit = orbit::Sgp4(*set),
+                            .search = {.site = siteOf(m_profile->site),
+                                       .from = utc,
+                                       .to = utc + kPlanned,
+                                       .minimumElevation = entry.leastElevation,
+                                       .isClear = {}}});
+    }
+    m_missing = missing.isEmpty() ? QString() : Text::tr("no elements of %1").arg(missing.join(QStringLiteral(", ")));
+    if (!m_profile->site.known) {
+        searches.clear();
+        known.clear();
+        m_missing = Text::tr("the site of the mount is not set");
+    }
+    m_search(std::move(searches), [this, known, number = ++m_searches](const std::vector<passes::PassList>& found) {
+        if (number == m_searches) {
+            plan(known, found);
+        }
+    });
+}
+
+void NightDesk::plan(const std::vector<schedule::WatchedPass>& known, const std::vector<passes::PassList>& found)
+{
+    std::vector<schedule::WatchedPass> candidates;
+    for (std::size_t i = 0; i < std::min(known.size(), found.size()); ++i) {
+        for (const passes::Pass& pass : found[i].passes) {
+            candidates.push_back(known[i]);
+            candidates.back().pass = pass;
+        }
+    }
+    m_plan = planNight(std::move(candidates), {.policy = m_profile->schedule.policy, .lead = m_profile->schedule.lead});
+    show();
+}
+
+const schedule::WatchedPass* NightDesk::next() const
+{
+    const UtcTime over = std::max(m_clock.utc(), m_handledUntil + kSamePass);
+    const auto found =
+        std::ranges::find_if(m_plan.chosen, [&](const schedule::WatchedPass& one) { return one.pass.los.utc > over; });
+    return found == m_plan.chosen.end() ? nullptr : &*found;
+}
+
+void NightDesk::move()
+{
+    const UtcTime utc = m_clock.utc();
+    if (m_tracked) {
+        m_tracked->look(m_control.direction(), utc, m_clock.now(), m_profile->mount.beamWidth);
+        if (utc >= m_tracked->ends() || !m_control.obeys(scheduleSource())) {
+            finish();
+        }
+        return;
+    }
+    const schedule::WatchedPass* const pass = next();
+    if (pass != nullptr && Seconds(pass->pass.aos.utc - utc) <= m_profile->schedule.lead) {
+        begin(*pass);
+    }
+}
+
+void NightDesk::begin(const schedule::WatchedPass& pass)
+{
+    const orbit::ElementSet* const set = find(*m_satellites, pass.number);
+    TrackedPass tracked(pass, set != nullptr ? *set : orbit::ElementSet{}, siteOf(m_profile->site), m_clock.now());
+    const Result<> begun =
+        set != nullptr ? ask(request::Track{targets::satelliteTarget(*set)})
+                       : failure(ErrorCode::NotAvailable, Text::tr("The elements of %1 are gone.").arg(pass.name));
+    m_handledUntil = pass.pass.los.utc;
+    if (begun) {
+        m_log.add(Severity::Advisory, scheduleSource().name,
+                  Text::tr("goes to the pass of %1 at %2").arg(pass.name, timeOfDayText(pass.pass.aos.utc)));
+        m_tracked.emplace(std::move(tracked));
+    } else {
+        m_log.add(Severity::Warning, scheduleSource().name,
+                  Text::tr("the pass of %1 is left out: %2").arg(pass.name, begun.error().text));
+        keep(tracked.tally().ended(schedule::PassEnd::Refused, begun.error().text));
+    }
+    show();
+}
+
+void NightDesk::finish()
+{
+    keep(m_tracked->tally().ended(schedule::PassEnd::Set, {}));
+    m_tracked.reset();
+    holdNow();
+    restBetween();
+    show();
+}
+
+// What others move is left to them, and so is the control.
+void NightDesk::holdNow()
+{
+    if (m_control.obeys(scheduleSource())) {
+        [[maybe_unused]] const Result<> held = ask(request::Hold{});
+    }
+}
+
+// Where the mount waits, if it may. What is refused here leaves it holding.
+void NightDesk::restBetween()
+{
+    const profile::ScheduleSettings& wanted = m_profile->schedule;
+    const schedule::WatchedPass* const after = next();
+    const bool isLong = after == nullptr || after->pass.aos.utc - m_clock.utc() > kLongPause;
+    const bool parks =
+        wanted.between == profile::BetweenPasses::Park || (isLong && wanted.parkAfter == profile::ParkAfter::On);
+    if (parks) {
+        [[maybe_unused]] const Result<> parked = ask(request::Park{});
+    } else if (wanted.between == profile::BetweenPasses::Unwind) {
+        [[maybe_unused]] const Result<> unwound = ask(request::Unwind{});
+    }
+}
+
+Result<> NightDesk::ask(const Request& request)
+{
+    const Result<> answer = m_control.request(request, scheduleSource());
+    m_errand = m_control.errand();
+    return answer;
+}
+
+void NightDesk::keep(const schedule::PassRecord& record)
+{
+    m_report.passes.push_back(record);
+    m_log.add(
+        Severity::Advisory, scheduleSource().name,
+        Text::tr("%1: tracked for %2 s, %3 s within 1 dB and %4 s within 3 dB of the beam, error %5° rms, %6° peak")
+            .arg(record.name)
+            .arg(record.tracked.count(), 0, 'f', 0)
+            .arg(record.within1dB.count(), 0, 'f', 0)
+            .arg(record.within3dB.count(), 0, 'f', 0)
+            .arg(record.rmsError.degrees(), 0, 'f', 3)
+            .arg(record.peakError.degrees(), 0, 'f', 3));
+}
+
+void NightDesk::show()
+{
+    m_shownAt = m_clock.now();
+    ScheduleStatus status{.armed = m_armed, .why = m_armed ? QString() : m_why, .plan = m_plan, .report = m_report};
+    if (!m_missing.isEmpty()) {
+        status.why += (status.why.isEmpty() ? QString() : QStringLiteral("; ")) + m_missing;
+    }
+    if (m_tracked) {
+        status.tracked = m_tracked->pass().number;
+        status.report.passes.push_back(m_tracked->tally().record());
+    }
+    m_shown = std::make_shared<const ScheduleStatus>(std::move(status));
+}
+
+}  // namespace boresight

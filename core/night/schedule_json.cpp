@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/night/schedule_json.h"
+
+#include <QDateTime>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace boresight {
+namespace {
+
+constexpr std::size_t kMostRows = 100;
+constexpr double kTenths = 10.0;
+constexpr double kThousandths = 1000.0;
+
+QString utcSecondText(UtcTime utc)
+{
+    const auto ms = std::chrono::round<std::chrono::milliseconds>(utc.time_since_epoch());
+    return QDateTime::fromMSecsSinceEpoch(ms.count(), Qt::UTC).toString(QStringLiteral("yyyy-MM-ddTHH:mm:ssZ"));
+}
+
+double roundedTo(double value, double parts)
+{
+    return std::round(value * parts) / parts;
+}
+
+QString reasonWord(schedule::Reason reason)
+{
+    constexpr std::array kWords{"priority", "longer", "earlier", "number"};
+    return QLatin1String(kWords.at(static_cast<std::size_t>(reason)));
+}
+
+QString endWord(schedule::PassEnd end)
+{
+    constexpr std::array kWords{"done", "manual", "fault", "refused", "running"};
+    return QLatin1String(kWords.at(static_cast<std::size_t>(end)));
+}
+
+QJsonObject passObject(const schedule::WatchedPass& one)
+{
+    return {{QStringLiteral("norad"), qint64{one.number}},
+            {QStringLiteral("name"), one.name},
+            {QStringLiteral("priority"), one.priority},
+            {QStringLiteral("aos_utc"), utcSecondText(one.pass.aos.utc)},
+            {QStringLiteral("los_utc"), utcSecondText(one.pass.los.utc)},
+            {QStringLiteral("max_el"), roundedTo(one.pass.tca.direction.elevation.degrees(), kTenths)}};
+}
+
+QJsonObject conflictObject(const schedule::Conflict& one)
+{
+    return {{QStringLiteral("left_out"), passObject(one.leftOut)},
+            {QStringLiteral("chosen"), passObject(one.chosen)},
+            {QStringLiteral("by"), reasonWord(one.reason)},
+            {QStringLiteral("overlap"), one.overlaps}};
+}
+
+QJsonObject recordObject(const schedule::PassRecord& pass)
+{
+    return {{QStringLiteral("norad"), qint64{pass.number}},
+            {QStringLiteral("name"), pass.name},
+            {QStringLiteral("aos_utc"), utcSecondText(pass.aos)},
+            {QStringLiteral("los_utc"), utcSecondText(pass.los)},
+            {QStringLiteral("tracked_s"), roundedTo(pass.tracked.count(), kTenths)},
+            {QStringLiteral("within_1db_s"), roundedTo(pass.within1dB.count(), kTenths)},
+            {QStringLiteral("within_3db_s"), roundedTo(pass.within3dB.count(), kTenths)},
+            {QStringLiteral("rms_deg"), roundedTo(pass.rmsError.degrees(), kThousandths)},
+            {QStringLiteral("peak_deg"), roundedTo(pass.peakError.degrees(), kThousandths)},
+            {QStringLiteral("end"), endWord(pass.end)},
+            {QStringLiteral("why"), pass.why}};
+}
+
+QByteArray jsonLine(const QJsonObject& object)
+{
+    return QJsonDocument(object).toJson(QJsonDocument::Compact);
+}
+
+}  // namespace
+
+QByteArray planJson(const ScheduleStatus& status)
+{
+    QJsonArray chosen;
+    for (std::size_t i = 0; i < std::min(kMostRows, status.plan.chosen.size()); ++i) {
+        chosen.append(passObject(status.plan.chosen[i]));
+    }
+    QJsonArray conflicts;
+    for (std::size_t i = 0; i < std::min(kMostRows, status.plan.conflicts.size()); ++i) {
+        conflicts.append(conflictObject(status.plan.conflicts[i]));
+    }
+    return jsonLine({{QStringLiteral("armed"), status.armed},
+                     {QStringLiteral("why"), status.why},
+                     {QStringLiteral("tracked"), status.tracked ? QJsonValue(qint64{*status.tracked}) : QJsonValue()},
+                     {QStringLiteral("passes"), chosen},
+                     {QStringLiteral("conflicts"), conflicts}});
+}
+
+QByteArray reportJson(const schedule::NightReport& report)
+{
+    QJsonArray passes;
+    const std::size_t count = report.passes.size();
+    for (std::size_t i = count - std::min(kMostRows, count); i < count; ++i) {
+        passes.append(recordObject(report.passes[i]));
+    }
+    return jsonLine({{QStringLiteral("done"), report.done()},
+                     {QStringLiteral("interventions"), report.interventions},
+                     {QStringLiteral("faults"), report.faults},
+                     {QStringLiteral("passes"), passes}});
+}
+
+}  // namespace boresight

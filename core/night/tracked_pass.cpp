@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/night/tracked_pass.h"
+
+#include "core/elements/julian_date.h"
+
+namespace boresight {
+
+TrackedPass::TrackedPass(const schedule::WatchedPass& pass, const orbit::ElementSet& elements, const Site& site,
+                         SteadyTime now)
+    : m_pass(pass),
+      m_orbit(elements),
+      m_observer(site),
+      m_tally(
+          {.number = pass.number, .name = pass.name, .aos = pass.pass.aos.utc, .los = pass.pass.los.utc, .why = {}}),
+      m_last(now)
+{}
+
+void TrackedPass::look(const std::optional<SkyPointing>& beam, UtcTime utc, SteadyTime now, Angle beamWidth)
+{
+    const Seconds during = now - m_last;
+    m_last = now;
+    if (!beam || utc < m_pass.pass.aos.utc) {
+        return;
+    }
+    const orbit::JulianDate date = orbit::julianDate(utc);
+    if (const orbit::OrbitResult state = m_orbit.propagate(date)) {
+        const SkyPointing satellite = m_observer.look(orbit::groundState(*state, date)).direction;
+        m_tally.add(schedule::apart(*beam, satellite), during, beamWidth);
+    }
+}
+
+}  // namespace boresight

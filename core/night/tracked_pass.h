@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/elements/element_set.h"
+#include "core/orbit/sgp4.h"
+#include "core/orbit/topocentric.h"
+#include "core/schedule/night_plan.h"
+#include "core/schedule/night_report.h"
+
+#include <optional>
+
+// The pass that the schedule tracks, or waits for: where its satellite is, and how well the beam follows. Pure.
+namespace boresight {
+
+class TrackedPass
+{
+public:
+    TrackedPass(const schedule::WatchedPass& pass, const orbit::ElementSet& elements, const Site& site, SteadyTime now);
+
+    [[nodiscard]] const schedule::WatchedPass& pass() const { return m_pass; }
+    [[nodiscard]] UtcTime ends() const { return m_pass.pass.los.utc; }
+    // Where the beam is in this tick, if that is known. Before the AOS it does not count.
+    void look(const std::optional<SkyPointing>& beam, UtcTime utc, SteadyTime now, Angle beamWidth);
+    [[nodiscard]] const schedule::PassTally& tally() const { return m_tally; }
+
+private:
+    schedule::WatchedPass m_pass;
+    orbit::Sgp4 m_orbit;
+    orbit::Observer m_observer;
+    schedule::PassTally m_tally;
+    SteadyTime m_last;
+};
+
+}  // namespace boresight

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A night of the schedule on a mount of ideal drives, in hand-turned time.
+#include "core/night/night_desk.h"
+
+#include "core/alarms/catalogue.h"
+#include "core/elements/julian_date.h"
+#include "tests/core/control/station_rig.h"
+#include "tests/fakes/text_of.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace boresight {
+namespace {
+
+using testing::HasSubstr;
+using testing::SizeIs;
+
+const Site kNightSite{.latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
+
+profile::Profile watching(std::vector<schedule::WatchEntry> list)
+{
+    profile::Profile profile;
+    profile.site = {.known = true,
+                    .latitude = kNightSite.latitude,
+                    .longitude = kNightSite.longitude,
+                    .heightMetres = kNightSite.heightMetres};
+    profile.schedule.watch = std::move(list);
+    return profile;
+}
+
+// In a circular orbit, above 10° for the first time so long after now.
+orbit::ElementSet risingAfter(int number, UtcTime now, std::chrono::minutes wait)
+{
+    for (int node = 0; node < 360; node += 4) {
+        for (int anomaly = 0; anomaly < 360; anomaly += 4) {
+            const orbit::ElementSet elements{.name = "SAT " + std::to_string(number),
+                                             .number = number,
+                                             .epoch = orbit::julianDate(now),
+                                             .revolutionsPerDay = 15.5,
+                                             .eccentricity = 1e-4,
+                                             .inclination = 51.6_deg,
+                                             .ascendingNode = Angle::fromDegrees(node),
+                                             .meanAnomaly = Angle::fromDegrees(anomaly),
+                                             .bstar = 1e-5};
+            const passes::PassList list =
+                passes::findPasses(orbit::Sgp4(elements), {.site = kNightSite,
+                                                           .from = now,
+                                                           .to = now + std::chrono::minutes(60),
+                                                           .minimumElevation = 10_deg,
+                                                           .isClear = {}});
+            if (list.passes.empty()) {
+                continue;
+            }
+            const passes::Pass& pass = list.passes.front();
+            if (std::chrono::abs(pass.aos.utc - now - wait) < std::chrono::minutes(1) &&
+                pass.duration() > Seconds(300.0) && pass.tca.direction.elevation < 70_deg) {
+                return elements;
+            }
+        }
+    }
+    ADD_FAILURE() << "no orbit has such a pass";
+    return {};
+}
+
+std::vector<orbit::ElementSet> satellitesAt(UtcTime now)
+{
+    std::vector<orbit::ElementSet> sets;
+    for (int i = 0; i < 3; ++i) {
+        sets.push_back(risingAfter(90'001 + i, now, std::chrono::minutes(4 + 10 * i)));
+    }
+    return sets;
+}
+
+class NightDeskTest : public ::testing::Test
+{
+protected:
+    explicit NightDeskTest(profile::Profile profile = watching({{.number = 90'001, .priority = 2},
+                                                                {.number = 90'002, .priority = 1},
+                                                                {.number = 90'003, .priority = 3}}))
+        : rig(profile)
+    {
+        desk.setSatellites(std::make_shared<const std::vector<orbit::ElementSet>>(satellitesAt(now())));
+        run(Seconds(1.2));
+    }
+
+    [[nodiscard]] UtcTime now() const { return rig.clock.utc(); }
+    void tick()
+    {
+        desk.tick();
+        rig.tick();
+    }
+    void run(Seconds time)
+    {
+        for (int i = 0; i < static_cast<int>(time / StationRig::kTick); ++i) {
+            tick();
+        }
+    }
+    void runUntil(UtcTime utc)
+    {
+        while (now() < utc) {
+            tick();
+        }
+    }
+    [[nodiscard]] ScheduleStatus status() const
+    {
+        StationStatus all;
+        desk.fill(all);
+        return *all.schedule;
+    }
+    std::string arm(const Source& by = kOperator) { return answer(request::ArmSchedule{}, by); }
+    std::string answer(const ScheduleRequest& wanted, const Source& by = kOperator)
+    {
+        const Result<> done = rig.ask(wanted, by).and_then([&] { return desk.carryOut(wanted, by); });
+        return done ? std::string() : textOf(done.error());
+    }
+    // As the station hands it on.
+    void operatorAsks(const Request& wanted)
+    {
+        ASSERT_TRUE(rig.ask(wanted));
+        desk.noticed(wanted, kOperator);
+    }
+    [[nodiscard]] schedule::WatchedPass first() const { return status().plan.chosen.front(); }
+    [[nodiscard]] bool logged(const char* words) const
+    {
+        return std::ranges::any_of(rig.log.since(0, EventLog::kCapacity),
+                                   [&](const LogEntry& line) { return line.text.contains(QLatin1String(words)); });
+    }
+    void toTheMiddleOfAPass()
+    {
+        ASSERT_EQ(arm(), "");
+        ASSERT_FALSE(status().plan.chosen.empty());
+        runUntil(first().pass.tca.utc);
+        ASSERT_TRUE(status().tracked);
+    }
+
+    StationRig rig;
+    NightDesk desk{rig.control, rig.inForce, rig.clock, rig.log,
+                   [](const std::vector<passes::SatelliteSearch>& searches, const NightDesk::Found& found) {
+                       found(passes::findPasses(searches));
+                   }};
+};
+
+// REQ-SCHEDULE-910: While it is armed the schedule sends the mount to each chosen pass, tracks it from AOS to LOS, and
+// goes on to the next. The cable is never at its end. The report has each pass.
+TEST_F(NightDeskTest, ANightOfSeveralPassesIsTracked)
+{
+    const std::vector<schedule::WatchedPass> plan = status().plan.chosen;
+    ASSERT_GE(plan.size(), 3U);
+    ASSERT_EQ(arm(), "");
+    for (std::size_t i = 0; i < 3; ++i) {
+        runUntil(plan[i].pass.aos.utc - std::chrono::seconds(1));
+        EXPECT_EQ(status().tracked, plan[i].number);
+        EXPECT_TRUE(rig.control.onTarget(0.2_deg)) << "it is in place before the pass";
+        const std::uint64_t lines = rig.log.lastNumber();
+        while (now() < plan[i].pass.los.utc) {
+            tick();
+            ASSERT_FALSE(rig.control.limitedReason().contains(QLatin1String("travel")));
+        }
+        for (const LogEntry& line : rig.log.since(lines, EventLog::kCapacity)) {
+            EXPECT_FALSE(line.text.contains(QLatin1String("turns back"))) << line.text.toStdString();
+        }
+        run(Seconds(2.0));
+        EXPECT_FALSE(status().tracked);
+    }
+    const schedule::NightReport report = status().report;
+    ASSERT_THAT(report.passes, SizeIs(3));
+    EXPECT_EQ(report.done(), 3);
+    EXPECT_EQ(report.interventions + report.faults, 0);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const schedule::PassRecord& pass = report.passes[i];
+        const double lasts = Seconds(plan[i].pass.duration()).count();
+        EXPECT_EQ(pass.number, plan[i].number);
+        EXPECT_NEAR(pass.tracked.count(), lasts, 1.0);
+        EXPECT_NEAR(pass.within1dB.count(), lasts, 1.0);
+        EXPECT_NEAR(pass.within3dB.count(), lasts, 1.0);
+        EXPECT_LT(pass.rmsError, 0.3_deg);
+        EXPECT_LE(pass.rmsError, pass.peakError);
+        EXPECT_EQ(pass.end, schedule::PassEnd::Set);
+    }
+}
+
+// REQ-SCHEDULE-911: After a start the schedule is off, and nothing moves, also when a pass begins. Only the operator
+// arms it. It is not armed without a watch list or a site.
+TEST_F(NightDeskTest, NothingMovesUntilItIsArmed)
+{
+    EXPECT_FALSE(status().armed);
+    const double azimuth = rig.azimuthDegrees();
+    runUntil(first().pass.aos.utc + std::chrono::seconds(30));
+    EXPECT_NEAR(rig.azimuthDegrees(), azimuth, 0.01);
+    EXPECT_NE(arm(kClient), "");
+    EXPECT_EQ(rig.state(), StationState::Standby);
+    profile::Profile none = rig.profile;
+    none.schedule.watch.clear();
+    rig.setProfile(none);
+    EXPECT_EQ(arm(), "The watch list of the profile is empty.");
+}
+
+// REQ-SCHEDULE-912: STOP in a pass disarms the schedule: an alarm and a line of the log say so. Nothing moves after the
+// reset of STOP, also not for the next pass.
+TEST_F(NightDeskTest, StopDisarms)
+{
+    toTheMiddleOfAPass();
+    operatorAsks(request::Stop{});
+    EXPECT_FALSE(status().armed);
+    EXPECT_TRUE(rig.alarms.active(alarmEntry("schedule.disarmed")));
+    EXPECT_TRUE(logged("the schedule is off: STOP of operator"));
+    const schedule::NightReport report = status().report;
+    ASSERT_THAT(report.passes, SizeIs(1));
+    EXPECT_EQ(report.passes[0].end, schedule::PassEnd::Manual);
+    EXPECT_EQ(report.interventions, 1);
+    run(Seconds(5.0));
+    ASSERT_TRUE(rig.ask(request::ResetStop{}));
+    const double azimuth = rig.azimuthDegrees();
+    runUntil(status().plan.chosen[1].pass.aos.utc + std::chrono::seconds(10));
+    EXPECT_NEAR(rig.azimuthDegrees(), azimuth, 0.01);
+}
+
+// REQ-SCHEDULE-913: Any manual act disarms: a motion, Hold, control that is given away, STOP of a client. Armed again,
+// the schedule goes on. A pass that is under way is then tracked for the rest.
+TEST_F(NightDeskTest, AnyManualActDisarms)
+{
+    const std::vector<std::function<void()>> acts{
+        [&] { operatorAsks(request::Hold{}); },
+        [&] { operatorAsks(request::PointAxes{{.azimuth = 10_deg, .elevation = 20_deg}}); },
+        [&] { operatorAsks(request::Jog{{.azimuth = 1_deg_s, .elevation = {}}}); },
+        [&] {
+            ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
+            run(Seconds(0.5));
+            EXPECT_EQ(rig.control.authority(), Authority::Clients) << "it does not take it back";
+        },
+        [&] { ASSERT_TRUE(rig.ask(request::Stop{}, kClient)); },
+    };
+    toTheMiddleOfAPass();
+    int count = 0;
+    for (const auto& act : acts) {
+        act();
+        run(Seconds(1.0));
+        EXPECT_FALSE(status().armed);
+        EXPECT_EQ(status().report.interventions, ++count);
+        rig.settle();
+        (void)rig.ask(request::ResetStop{});
+        EXPECT_EQ(arm(), "");
+        EXPECT_FALSE(rig.alarms.active(alarmEntry("schedule.disarmed")));
+        run(Seconds(2.0));
+        EXPECT_TRUE(status().tracked);
+    }
+}
+
+// REQ-SCHEDULE-914: Disarming by the operator ends the pass, the mount holds, and there is no alarm.
+TEST_F(NightDeskTest, TheOperatorDisarmsIt)
+{
+    toTheMiddleOfAPass();
+    EXPECT_EQ(answer(request::DisarmSchedule{}), "");
+    EXPECT_FALSE(status().armed);
+    EXPECT_FALSE(rig.alarms.active(alarmEntry("schedule.disarmed")));
+    rig.settle();
+    EXPECT_EQ(rig.state(), StationState::Hold);
+}
+
+class UnattendedNight : public NightDeskTest
+{
+protected:
+    static profile::Profile unattended()
+    {
+        profile::Profile profile = watching({{.number = 90'001}});
+        profile.schedule.unattended = profile::Unattended::On;
+        return profile;
+    }
+    UnattendedNight() : NightDeskTest(unattended()) {}
+};
+
+// REQ-SCHEDULE-915: The policy of the profile arms the schedule once after a start, with a line of the log. What
+// somebody has disarmed stays off.
+TEST_F(UnattendedNight, ThePolicyOfTheProfileArmsItOnce)
+{
+    EXPECT_TRUE(status().armed);
+    EXPECT_TRUE(logged("arms itself, because schedule.unattended is \"on\""));
+    operatorAsks(request::Hold{});
+    run(Seconds(2.0));
+    EXPECT_FALSE(status().armed);
+}
+
+}  // namespace
+}  // namespace boresight
