@@ -29,7 +29,8 @@ enum class Action
     Hold,   // also leaves PARKED; where nothing is left to hold the screen does not offer it, but it is never refused
     Point,  // to an angle: needs the wrap of both axes
     Track,
-    FollowAzel,  // the Moon of WSJT-X
+    FollowAzel,   // the Moon of WSJT-X
+    ArmSchedule,  // of passes
     Park,
     Home,
     Unwind,

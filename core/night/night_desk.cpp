@@ -86,6 +86,14 @@ Result<> NightDesk::carryOut(const ScheduleRequest& request, const Source& by)
     return done;
 }
 
+void NightDesk::fill(StationStatus& status) const
+{
+    status.schedule = m_shown;
+    if (const Result<> may = mayArm(); !may) {
+        status.permissions.refuse(Action::ArmSchedule, may.error().text);
+    }
+}
+
 Result<> NightDesk::mayArm() const
 {
     if (m_profile->schedule.watch.empty()) {

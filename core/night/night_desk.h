@@ -54,7 +54,7 @@ public:
 
     [[nodiscard]] const std::shared_ptr<const ScheduleStatus>& status() const { return m_shown; }
     // Its part of the station's.
-    void fill(StationStatus& status) const { status.schedule = m_shown; }
+    void fill(StationStatus& status) const;
 
 private:
     struct Interruption

@@ -3,6 +3,9 @@
 
 #include "core/base/text.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace boresight::targets {
 
 Target satelliteTarget(const orbit::ElementSet& elements)
@@ -14,6 +17,13 @@ Target satelliteTarget(const orbit::ElementSet& elements)
 Target objectTarget(const ephemeris::NamedObject& object)
 {
     return {.name = Text::of(object.name), .kind = object.object};
+}
+
+std::vector<Target> objectTargets()
+{
+    std::vector<Target> all;
+    std::ranges::transform(ephemeris::namedObjects(), std::back_inserter(all), &objectTarget);
+    return all;
 }
 
 bool isSun(const Target& target)

@@ -9,6 +9,7 @@
 #include <QString>
 
 #include <variant>
+#include <vector>
 
 // What a mount can be sent to and kept on: a satellite by its elements, what stands in the sky by itself, a direction
 // that stays, or a position on or above the Earth. Pure value, any thread. Where it stands: target_path.h.
@@ -44,6 +45,8 @@ struct Target
 [[nodiscard]] Target satelliteTarget(const orbit::ElementSet& elements);
 // Sun, Moon, a planet or a radio source, by its name in the language of the program.
 [[nodiscard]] Target objectTarget(const ephemeris::NamedObject& object);
+// All of these: Sun and Moon, the planets, the radio sources.
+[[nodiscard]] std::vector<Target> objectTargets();
 
 // The Sun, which a profile may forbid.
 [[nodiscard]] bool isSun(const Target& target);

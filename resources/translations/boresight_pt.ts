@@ -11989,6 +11989,30 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <source>Coming passes of satellites (Ctrl+T)</source>
         <translation>Próximas passagens de satélites (Ctrl+T)</translation>
     </message>
+    <message>
+        <source>Passes of satellites</source>
+        <translation>Passagens de satélites</translation>
+    </message>
+    <message>
+        <source>Coming</source>
+        <translation>Próximas</translation>
+    </message>
+    <message>
+        <source>Schedule</source>
+        <translation>Agenda</translation>
+    </message>
+    <message>
+        <source>The passes that the mount tracks by itself</source>
+        <translation>As passagens que a montagem segue sozinha</translation>
+    </message>
+    <message>
+        <source>Moon, Sun, others</source>
+        <translation>Lua e outros</translation>
+    </message>
+    <message>
+        <source>Moon, Sun, planets, radio sources, places, and the Moon of WSJT-X</source>
+        <translation>Lua, Sol, planetas, fontes de rádio, lugares e a Lua do WSJT-X</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::PassPicture</name>
@@ -13442,6 +13466,130 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
     </message>
 </context>
 <context>
+    <name>boresight::ui::SchedulePage</name>
+    <message>
+        <source>No pass within a day.</source>
+        <translation>Nenhuma passagem nas próximas 24 horas.</translation>
+    </message>
+    <message>
+        <source>Next: %1 at %2Z, in %3.</source>
+        <translation>A seguir: %1 às %2Z, daqui a %3.</translation>
+    </message>
+    <message>
+        <source>Since the start: %1 of %2 passes tracked to the end.</source>
+        <translation>Desde o início: %1 de %2 passagens seguidas até ao fim.</translation>
+    </message>
+    <message>
+        <source>Armed. The mount moves by itself for each pass.</source>
+        <translation>Armada. A montagem move-se sozinha em cada passagem.</translation>
+    </message>
+    <message>
+        <source>Off. Nothing moves by itself.</source>
+        <translation>Desligada. Nada se move sozinho.</translation>
+    </message>
+    <message>
+        <source>Schedule of passes</source>
+        <translation>Agenda de passagens</translation>
+    </message>
+    <message>
+        <source>State of the schedule</source>
+        <translation>Estado da agenda</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>Arm schedule</source>
+        <translation>Armar agenda</translation>
+    </message>
+    <message>
+        <source>Disarm</source>
+        <translation>Desarmar</translation>
+    </message>
+    <message>
+        <source>End the schedule. The mount holds</source>
+        <translation>Termina a agenda. A montagem fica parada</translation>
+    </message>
+    <message>
+        <source>Track each listed pass. The mount moves by itself until the schedule is disarmed</source>
+        <translation>Segue cada passagem da lista. A montagem move-se sozinha até a agenda ser desarmada</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::ScheduleTable</name>
+    <message>
+        <source>left out, too close to %1</source>
+        <translation>fica de fora, demasiado perto de %1</translation>
+    </message>
+    <message>
+        <source>left out, %1 is more important</source>
+        <translation>fica de fora, %1 é mais importante</translation>
+    </message>
+    <message>
+        <source>left out, %1 is up longer</source>
+        <translation>fica de fora, %1 está mais tempo visível</translation>
+    </message>
+    <message>
+        <source>left out, %1 rises first</source>
+        <translation>fica de fora, %1 nasce primeiro</translation>
+    </message>
+    <message>
+        <source>left out, %1 has the lower number</source>
+        <translation>fica de fora, %1 tem o número menor</translation>
+    </message>
+    <message>
+        <source>tracked now</source>
+        <translation>em seguimento</translation>
+    </message>
+    <message>
+        <source>tracked, error %1 rms</source>
+        <translation>seguida, erro %1 rms</translation>
+    </message>
+    <message>
+        <source>lost: %1</source>
+        <translation>perdida: %1</translation>
+    </message>
+    <message>
+        <source>Begins (UTC)</source>
+        <translation>Começa (UTC)</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Acaba</translation>
+    </message>
+    <message>
+        <source>Satellite</source>
+        <translation>Satélite</translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>O quê</translation>
+    </message>
+    <message>
+        <source>%1
+measured for %2 s
+within 1 dB of the beam %3 s, within 3 dB %4 s
+error %5 rms, %6 at most</source>
+        <translation>%1
+medida durante %2 s
+a menos de 1 dB do feixe %3 s, a menos de 3 dB %4 s
+erro %5 rms, %6 no máximo</translation>
+    </message>
+    <message>
+        <source>in %1</source>
+        <translation>daqui a %1</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>visível</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::SensorDetails</name>
     <message>
         <source>wrong checksum</source>
@@ -14445,6 +14593,96 @@ Em comparação com a montagem em uso:
     </message>
 </context>
 <context>
+    <name>boresight::ui::TargetTable</name>
+    <message>
+        <source>Target</source>
+        <translation>Alvo</translation>
+    </message>
+    <message>
+        <source>Azimuth</source>
+        <translation>Azimute</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Elevação</translation>
+    </message>
+    <message>
+        <source>Next (UTC)</source>
+        <translation>A seguir (UTC)</translation>
+    </message>
+    <message>
+        <source>not up within a day</source>
+        <translation>não nasce nas próximas 24 horas</translation>
+    </message>
+    <message>
+        <source>rises %1, in %2</source>
+        <translation>nasce às %1, daqui a %2</translation>
+    </message>
+    <message>
+        <source>sets %1, in %2</source>
+        <translation>põe-se às %1, daqui a %2</translation>
+    </message>
+    <message>
+        <source>up all day</source>
+        <translation>sempre visível</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::TargetsPage</name>
+    <message>
+        <source>Targets in the sky</source>
+        <translation>Alvos no céu</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>Track selected</source>
+        <translation>Seguir o escolhido</translation>
+    </message>
+    <message>
+        <source>Follow the selected target until it sets</source>
+        <translation>Segue o alvo escolhido até se pôr</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>Seguir</translation>
+    </message>
+    <message>
+        <source>Follow the typed target, or go there if it stays</source>
+        <translation>Segue o alvo escrito, ou vai até ele se estiver parado</translation>
+    </message>
+    <message>
+        <source>Another target</source>
+        <translation>Outro alvo</translation>
+    </message>
+    <message>
+        <source>Locator, name of a satellite, azel 120,30</source>
+        <translation>Locator, nome de um satélite, azel 120,30</translation>
+    </message>
+    <message>
+        <source>A satellite: 25544, iss
+A locator, by the short or the long path: IM58kr, IM58kr long
+A direction: azel 120.5,30
+A place among the stars, J2000: radec 12:30:49.4,12:23:28
+A position, degrees and metres: place 38.757,-9.117,1200</source>
+        <translation>Um satélite: 25544, iss
+Um locator, pelo caminho curto ou longo: IM58kr, IM58kr long
+Uma direção: azel 120.5,30
+Um lugar entre as estrelas, J2000: radec 12:30:49.4,12:23:28
+Uma posição, graus e metros: place 38.757,-9.117,1200</translation>
+    </message>
+    <message>
+        <source>The site is not set. Enter it on the page Profile, or in the guide.</source>
+        <translation>O local não está definido. Introduza-o na página Perfil ou no guia.</translation>
+    </message>
+    <message>
+        <source>Type a target first.</source>
+        <translation>Escreva primeiro um alvo.</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::TermModel</name>
     <message>
         <source>Term</source>
@@ -14755,6 +14993,84 @@ Em comparação com a montagem em uso:
 (hold)</source>
         <translation>Desenrolar ↻
 (segurar)</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::WatchButton</name>
+    <message>
+        <source>Add to schedule</source>
+        <translation>Juntar à agenda</translation>
+    </message>
+    <message>
+        <source>Remove from schedule</source>
+        <translation>Tirar da agenda</translation>
+    </message>
+    <message>
+        <source>The schedule leaves out this satellite from now on</source>
+        <translation>A agenda deixa este satélite de fora a partir de agora</translation>
+    </message>
+    <message>
+        <source>While the schedule is armed, the mount tracks each pass of this satellite</source>
+        <translation>Enquanto a agenda está armada, a montagem segue cada passagem deste satélite</translation>
+    </message>
+    <message>
+        <source>Select a pass first.</source>
+        <translation>Escolha primeiro uma passagem.</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::WatchEditor</name>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Definir</translation>
+    </message>
+    <message>
+        <source>Put priority and lowest elevation of this satellite into the profile</source>
+        <translation>Põe a prioridade e a elevação mínima deste satélite no perfil</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Tirar</translation>
+    </message>
+    <message>
+        <source>Take this satellite out of the schedule</source>
+        <translation>Tira este satélite da agenda</translation>
+    </message>
+    <message>
+        <source>Watched satellite</source>
+        <translation>Satélite da agenda</translation>
+    </message>
+    <message>
+        <source>Priority of the satellite</source>
+        <translation>Prioridade do satélite</translation>
+    </message>
+    <message>
+        <source>1 is the most important.</source>
+        <translation>1 é a mais importante.</translation>
+    </message>
+    <message>
+        <source>Lowest elevation of the satellite</source>
+        <translation>Elevação mínima do satélite</translation>
+    </message>
+    <message>
+        <source>Its passes count from this elevation on.</source>
+        <translation>As passagens contam a partir desta elevação.</translation>
+    </message>
+    <message>
+        <source>priority</source>
+        <translation>prioridade</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>desde</translation>
+    </message>
+    <message>
+        <source>No satellite is watched. Add one on the page Coming.</source>
+        <translation>A agenda não tem satélites. Junte um na página Próximas.</translation>
     </message>
 </context>
 </TS>

@@ -9,11 +9,11 @@
 #include "ui/kit/read_table.h"
 #include "ui/kit/value_label.h"
 #include "ui/look/paint.h"
-#include "ui/passes/azel_box.h"
 #include "ui/passes/clear_sky.h"
 #include "ui/passes/pass_picture.h"
 #include "ui/passes/pass_table.h"
 #include "ui/passes/pass_words.h"
+#include "ui/passes/watch_button.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -41,7 +41,7 @@ Site siteOf(const profile::SiteSettings& site)
 
 }  // namespace
 
-PassesPanel::PassesPanel(RequestDesk& desk, QWidget* parent)
+PassesPanel::PassesPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent)
     : QWidget(parent),
       m_searcher(new PassSearcher(this)),
       m_passes(new PassTable(this)),
@@ -56,7 +56,7 @@ PassesPanel::PassesPanel(RequestDesk& desk, QWidget* parent)
       m_track(new CommandButton(tr("Track"),
                                 tr("Go to where the satellite rises and follow it until it sets. Then the mount holds"),
                                 desk, *m_refused, this)),
-      m_azel(new AzelBox(desk, this))
+      m_watch(new WatchButton(draft, desk, *m_refused, this))
 {
     build();
     connect(m_searcher, &PassSearcher::found, this, &PassesPanel::showBook);
@@ -94,7 +94,6 @@ void PassesPanel::build()
     column->addLayout(notes);
     column->addWidget(m_table, 1);
     column->addWidget(makeSelection());
-    column->addWidget(m_azel);
     QHeaderView* const header = m_table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::Fixed);
     header->setSectionResizeMode(PassTable::Satellite, QHeaderView::Stretch);
@@ -148,7 +147,12 @@ QWidget* PassesPanel::makeSelection()
     words->addWidget(m_refused);
     row->addWidget(m_picture);
     row->addLayout(words, 1);
-    row->addWidget(m_track, 0, Qt::AlignBottom);
+    auto* const buttons = new QVBoxLayout;
+    buttons->setSpacing(kGrid);
+    buttons->addStretch(1);
+    buttons->addWidget(m_watch);
+    buttons->addWidget(m_track);
+    row->addLayout(buttons);
     return box;
 }
 
@@ -158,12 +162,12 @@ void PassesPanel::showStatus(const StationStatus& status)
         std::chrono::floor<std::chrono::seconds>(status.utc) != std::chrono::floor<std::chrono::seconds>(m_now);
     m_now = status.utc;
     searchAgain(status);
-    m_azel->showStatus(status);
     if (isNextSecond) {
         m_passes->tick(m_now);
         showSelected();
     }
     m_track->setBlocked(!m_selected ? tr("Select a pass first.") : status.permissions.reason(Action::Track));
+    m_watch->show(m_selected ? std::optional(m_selected->number) : std::nullopt, status.profile->schedule.watch);
     if (!m_searcher->isSearching()) {
         showNote(status);
     }

@@ -15,23 +15,24 @@ class QPushButton;
 class QTableView;
 
 // The coming passes of the satellites whose elements the station knows: a table to search, and of the selected pass its
-// way over the sky, its facts and Track. They are searched for beside the gui thread, for a day ahead, and again when
-// the elements, the site or the limits change. Gui thread.
+// way over the sky, its facts, Track, and whether the satellite is in the schedule. They are searched for beside the
+// gui thread, for a day ahead, and again when the elements, the site or the limits change. Gui thread.
 namespace boresight::ui {
 
-class AzelBox;
 class CommandButton;
 class PassPicture;
 class PassTable;
+class ProfileDraft;
 class RequestDesk;
 class ValueLabel;
+class WatchButton;
 
 class PassesPanel : public QWidget
 {
     Q_OBJECT
 
 public:
-    PassesPanel(RequestDesk& desk, QWidget* parent = nullptr);
+    PassesPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
 
@@ -82,7 +83,7 @@ private:
     ValueLabel* m_facts;
     ValueLabel* m_refused;
     CommandButton* m_track;
-    AzelBox* m_azel;
+    WatchButton* m_watch;
     Search m_last;
     UtcTime m_now{};
     std::optional<Selected> m_selected;

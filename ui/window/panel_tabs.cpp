@@ -16,6 +16,8 @@
 #include "ui/look/glyph.h"
 #include "ui/north/calibration_panel.h"
 #include "ui/passes/passes_panel.h"
+#include "ui/passes/schedule_page.h"
+#include "ui/passes/targets_page.h"
 #include "ui/profile/profile_page.h"
 #include "ui/tuning/tuning_panel.h"
 
@@ -32,7 +34,9 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
                      QWidget* parent)
     : QTabWidget(parent),
       m_jog(new JogPanel(clock, draft, desk, this)),
-      m_passes(new PassesPanel(desk, this)),
+      m_passes(new PassesPanel(draft, desk, this)),
+      m_schedule(new SchedulePage(draft, desk, this)),
+      m_targets(new TargetsPage(desk, this)),
       m_charts(new ChartsPanel(clock, this)),
       m_limits(new LimitsPanel(draft, desk, this)),
       m_clients(new ClientsPanel(draft, desk, this)),
@@ -43,21 +47,24 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
       m_tuning(new TuningPanel(desk, this)),
       m_profile(new ProfilePage(draft, desk, settings.configDir, this)),
       m_north(new CalibrationPanel(clock, desk, draft, this)),
-      m_turn(new TurnPage(desk, this))
+      m_turn(new TurnPage(desk, this)),
+      m_passesTabs(makeGroup(tr("Passes of satellites"))),
+      m_mountTabs(makeGroup(tr("The mount itself")))
 {
     setFont(fonts::label());
     setAccessibleName(tr("Panels"));
     tabBar()->setAccessibleName(tr("Panels"));
     addPanel(*this, *m_jog, tr("Jog"), tr("Jog panel (Ctrl+1)"), Qt::Key_1);
-    addPanel(*this, *m_passes, tr("Passes"), tr("Coming passes of satellites (Ctrl+T)"), Qt::Key_T);
+    addTab(m_passesTabs, tr("Passes"));
     addPanel(*this, *m_charts, tr("Charts"), tr("Position, error and drive over time (Ctrl+2)"), Qt::Key_2);
     addPanel(*this, *m_limits, tr("Limits"), tr("Limits, horizon and keep-outs (Ctrl+3)"), Qt::Key_3);
     addPanel(*this, *m_clients, tr("Clients"), tr("rotctld clients, and which of them has control (Ctrl+4)"),
              Qt::Key_4);
     addPanel(*this, *m_log, tr("Log"), tr("Log panel (Ctrl+5)"), Qt::Key_5);
-    m_mountTabs = makeMountTabs();
     addTab(m_mountTabs, tr("Mount"));
     addPanel(*this, *m_north, tr("North"), tr("Finding north: sensor, swing, Sun and Moon (Ctrl+9)"), Qt::Key_9);
+    fillPassesTabs();
+    fillMountTabs();
     addTurnPage();
     addIcons();
     keepHeightOfShownPage(*this);
@@ -71,9 +78,10 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
 
 void PanelTabs::addIcons()
 {
-    const std::pair<QWidget*, Glyph> icons[] = {
-        {m_jog, Glyph::Jog},         {m_passes, Glyph::Passes}, {m_charts, Glyph::Charts},   {m_limits, Glyph::Limits},
-        {m_clients, Glyph::Clients}, {m_log, Glyph::Log},       {m_mountTabs, Glyph::Mount}, {m_north, Glyph::North}};
+    const std::pair<QWidget*, Glyph> icons[] = {{m_jog, Glyph::Jog},         {m_passesTabs, Glyph::Passes},
+                                                {m_charts, Glyph::Charts},   {m_limits, Glyph::Limits},
+                                                {m_clients, Glyph::Clients}, {m_log, Glyph::Log},
+                                                {m_mountTabs, Glyph::Mount}, {m_north, Glyph::North}};
     for (const auto& [panel, glyph] : icons) {
         setTabIcon(indexOf(panel), glyphIcon(glyph));
     }
@@ -103,20 +111,36 @@ void PanelTabs::addTurnPage()
     tabBar()->setTabTextColor(tab, currentTheme().warning);
 }
 
-QTabWidget* PanelTabs::makeMountTabs()
+// Pages behind one tab.
+QTabWidget* PanelTabs::makeGroup(const QString& name)
 {
     auto* const tabs = new QTabWidget(this);
     tabs->setFont(fonts::label());
-    tabs->setAccessibleName(tr("The mount itself"));
-    tabs->tabBar()->setAccessibleName(tr("The mount itself"));
+    tabs->setAccessibleName(name);
+    tabs->tabBar()->setAccessibleName(name);
     tabs->setDocumentMode(true);
-    addPanel(*tabs, *m_drives, tr("Drives"), tr("Drives, bus and crash-stop test (Ctrl+6)"), Qt::Key_6);
-    tabs->setTabToolTip(tabs->addTab(m_readings, tr("Readings")), tr("What the drives report now"));
-    addPanel(*tabs, *m_protection, tr("Protection"), tr("Safety settings of the drives (Ctrl+7)"), Qt::Key_7);
-    tabs->setTabToolTip(tabs->addTab(m_tuning, tr("Tuning")), tr("Measure the axes and tune the gains of the drives"));
-    addPanel(*tabs, *m_profile, tr("Profile"), tr("All settings, and the stored mounts (Ctrl+8)"), Qt::Key_8);
-    keepHeightOfShownPage(*tabs);
     return tabs;
+}
+
+void PanelTabs::fillPassesTabs()
+{
+    addPanel(*m_passesTabs, *m_passes, tr("Coming"), tr("Coming passes of satellites (Ctrl+T)"), Qt::Key_T);
+    m_passesTabs->setTabToolTip(m_passesTabs->addTab(m_schedule, tr("Schedule")),
+                                tr("The passes that the mount tracks by itself"));
+    m_passesTabs->setTabToolTip(m_passesTabs->addTab(m_targets, tr("Moon, Sun, others")),
+                                tr("Moon, Sun, planets, radio sources, places, and the Moon of WSJT-X"));
+    keepHeightOfShownPage(*m_passesTabs);
+}
+
+void PanelTabs::fillMountTabs()
+{
+    addPanel(*m_mountTabs, *m_drives, tr("Drives"), tr("Drives, bus and crash-stop test (Ctrl+6)"), Qt::Key_6);
+    m_mountTabs->setTabToolTip(m_mountTabs->addTab(m_readings, tr("Readings")), tr("What the drives report now"));
+    addPanel(*m_mountTabs, *m_protection, tr("Protection"), tr("Safety settings of the drives (Ctrl+7)"), Qt::Key_7);
+    m_mountTabs->setTabToolTip(m_mountTabs->addTab(m_tuning, tr("Tuning")),
+                               tr("Measure the axes and tune the gains of the drives"));
+    addPanel(*m_mountTabs, *m_profile, tr("Profile"), tr("All settings, and the stored mounts (Ctrl+8)"), Qt::Key_8);
+    keepHeightOfShownPage(*m_mountTabs);
 }
 
 void PanelTabs::addPanel(QTabWidget& tabs, QWidget& panel, const QString& text, const QString& help, Qt::Key key)
@@ -208,8 +232,8 @@ void PanelTabs::bringUp(int key)
 WindowLayout PanelTabs::arrangement() const
 {
     const int mountPanel = keyOf(m_mountTabs->currentWidget());
-    const bool inMount = currentWidget() == m_mountTabs;
-    return {.panel = inMount ? mountPanel : keyOf(currentWidget()),
+    const auto* const group = qobject_cast<const QTabWidget*>(currentWidget());
+    return {.panel = keyOf(group != nullptr ? group->currentWidget() : currentWidget()),
             .mountPanel = mountPanel,
             .charts = m_charts->charts().choice()};
 }
@@ -234,6 +258,8 @@ void PanelTabs::showStatus(const StationStatus& status)
 {
     m_jog->showStatus(status);
     m_passes->showStatus(status);
+    m_schedule->showStatus(status);
+    m_targets->showStatus(status);
     m_charts->charts().showStatus(status);
     m_limits->showStatus(status);
     m_clients->showStatus(status);

@@ -30,6 +30,8 @@ class ProfilePage;
 class ProtectionPanel;
 class ReadingsTable;
 class RequestDesk;
+class SchedulePage;
+class TargetsPage;
 class TuningPanel;
 class TurnPage;
 
@@ -67,7 +69,9 @@ private:
     void fitTabs();
     void addPanel(QTabWidget& tabs, QWidget& panel, const QString& text, const QString& help, Qt::Key key);
     void bringUpByKey(QWidget& panel);
-    [[nodiscard]] QTabWidget* makeMountTabs();
+    [[nodiscard]] QTabWidget* makeGroup(const QString& name);
+    void fillPassesTabs();
+    void fillMountTabs();
     void addTurnPage();
     void showMountTabs(const StationStatus& status);
     void showQuestion(const StationStatus& status);
@@ -77,6 +81,8 @@ private:
     std::map<int, QWidget*> m_keys;  // panels by the digit of their key
     JogPanel* m_jog;
     PassesPanel* m_passes;
+    SchedulePage* m_schedule;
+    TargetsPage* m_targets;
     ChartsPanel* m_charts;
     LimitsPanel* m_limits;
     ClientsPanel* m_clients;
@@ -88,7 +94,8 @@ private:
     ProfilePage* m_profile;
     CalibrationPanel* m_north;
     TurnPage* m_turn;
-    QTabWidget* m_mountTabs = nullptr;
+    QTabWidget* m_passesTabs;
+    QTabWidget* m_mountTabs;
     std::optional<Axis> m_asking;  // the question that was brought to the front
 };
 

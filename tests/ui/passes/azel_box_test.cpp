@@ -2,13 +2,19 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/kit/command_button.h"
 
+#include <QTabWidget>
+
 namespace boresight::ui {
 namespace {
 
 class AzelBoxTest : public WindowFixture
 {
 protected:
-    AzelBoxTest() { openPanel('T'); }
+    AzelBoxTest()
+    {
+        openPanel('T');
+        named<QTabWidget>("Passes of satellites")->setCurrentIndex(2);
+    }
 
     static StationStatus withFile()
     {

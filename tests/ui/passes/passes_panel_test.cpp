@@ -168,5 +168,26 @@ TEST_F(PassesPanelTest, APassThatIsOverLeavesTheTable)
     EXPECT_GT(model.pass(0).pass.los.utc, status.utc);
 }
 
+// REQ-SCHEDULE-953: The satellite of the selected pass is added to the watched ones of the profile, and removed again.
+TEST_F(PassesPanelTest, AddsTheSatelliteToTheScheduleAndRemovesIt)
+{
+    StationStatus status = withSatellites();
+    giveFound(status);
+    auto* const watch = named<CommandButton>("Add to schedule");
+    QTest::mouseClick(watch, Qt::LeftButton);
+    ASSERT_EQ(asked<request::ApplyProfile>().size(), 1U);
+    const profile::Profile watching = asked<request::ApplyProfile>().back().profile;
+    ASSERT_EQ(watching.schedule.watch.size(), 1U);
+    EXPECT_EQ(watching.schedule.watch.front().leastElevation, 10_deg);
+    status.profile = std::make_shared<const profile::Profile>(watching);
+    StationUpdate applied = samples::update(status);
+    applied.answers.push_back({.requestId = requests.back().id});
+    give(applied);
+    EXPECT_EQ(watch->text().toStdString(), "Remove from schedule");
+    QTest::mouseClick(watch, Qt::LeftButton);
+    ASSERT_EQ(asked<request::ApplyProfile>().size(), 2U);
+    EXPECT_TRUE(asked<request::ApplyProfile>().back().profile.schedule.watch.empty());
+}
+
 }  // namespace
 }  // namespace boresight::ui

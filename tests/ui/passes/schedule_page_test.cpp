@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/passes/schedule_page.h"
+
+#include "tests/ui/window_fixture.h"
+#include "ui/kit/command_button.h"
+#include "ui/passes/schedule_table.h"
+
+#include <QComboBox>
+#include <QSpinBox>
+#include <QTabWidget>
+#include <QTableView>
+
+namespace boresight::ui {
+namespace {
+
+using schedule::WatchedPass;
+
+class SchedulePageTest : public WindowFixture
+{
+protected:
+    SchedulePageTest()
+    {
+        openPanel('T');
+        named<QTabWidget>("Passes of satellites")->setCurrentIndex(1);
+    }
+
+    static WatchedPass passOf(const char* name, int number, UtcTime aos, std::chrono::minutes length)
+    {
+        passes::Pass pass;
+        pass.aos.utc = aos;
+        pass.los.utc = aos + length;
+        pass.tca.direction.elevation = 38_deg;
+        return {.number = number, .name = QString::fromLatin1(name), .pass = pass};
+    }
+    // One that is over, one to come, one left out.
+    static StationStatus withPlan()
+    {
+        using std::chrono::minutes;
+        StationStatus status = samples::idle();
+        status.permissions = Permissions::all();
+        profile::Profile profile = *status.profile;
+        profile.schedule.watch = {{.number = 25544, .priority = 1}, {.number = 33591, .priority = 2}};
+        status.profile = std::make_shared<const profile::Profile>(profile);
+        ScheduleStatus schedule;
+        const WatchedPass next = passOf("ISS", 25544, status.utc + minutes(12), minutes(10));
+        schedule.plan.chosen = {passOf("NOAA 19", 33591, status.utc - minutes(30), minutes(10)), next};
+        schedule.plan.conflicts = {{.leftOut = passOf("NOAA 19", 33591, status.utc + minutes(15), minutes(10)),
+                                    .chosen = next,
+                                    .reason = schedule::Reason::Priority}};
+        schedule.report.passes = {{.number = 33591,
+                                   .name = QStringLiteral("NOAA 19"),
+                                   .aos = status.utc - minutes(30),
+                                   .los = status.utc - minutes(20),
+                                   .tracked = Seconds(600.0),
+                                   .within1dB = Seconds(590.0),
+                                   .within3dB = Seconds(600.0),
+                                   .rmsError = 0.03_deg,
+                                   .peakError = 0.2_deg,
+                                   .end = schedule::PassEnd::Set,
+                                   .why = {}}};
+        status.schedule = std::make_shared<const ScheduleStatus>(schedule);
+        return status;
+    }
+    void show(const StationStatus& status) { give(samples::update(status)); }
+    QTableView& table() { return *named<QTableView>("Schedule of passes"); }
+    std::string cell(int row, ScheduleTable::Column column, int role = Qt::DisplayRole)
+    {
+        return table().model()->index(row, column).data(role).toString().toStdString();
+    }
+};
+
+// REQ-SCHEDULE-950: The page Schedule shows the night in the order of time: what is over and how it was tracked, what
+// is to come, and what is left out with the reason. It says whether the schedule is armed.
+TEST_F(SchedulePageTest, ShowsTheNightInTheOrderOfTime)
+{
+    show(withPlan());
+    ASSERT_EQ(table().model()->rowCount(), 3);
+    EXPECT_EQ(cell(0, ScheduleTable::What), "tracked, error 0.03° rms");
+    EXPECT_EQ(cell(0, ScheduleTable::What, Qt::ToolTipRole),
+              "tracked, error 0.03° rms\nmeasured for 600 s\nwithin 1 dB of the beam 590 s, within 3 dB 600 s\n"
+              "error 0.03° rms, 0.20° at most");
+    EXPECT_EQ(cell(1, ScheduleTable::Satellite), "ISS");
+    EXPECT_EQ(cell(1, ScheduleTable::What), "in 12 min");
+    EXPECT_EQ(cell(2, ScheduleTable::What), "left out, ISS is more important");
+    const QString state = text("State of the schedule");
+    EXPECT_TRUE(state.startsWith(QStringLiteral("Off. Nothing moves by itself. Next: ISS at"))) << state.toStdString();
+    EXPECT_TRUE(state.endsWith(QStringLiteral("1 of 1 passes tracked to the end."))) << state.toStdString();
+}
+
+// REQ-SCHEDULE-951: Arm and Disarm are one button, blocked with the reason of the station. Disarm is never blocked.
+TEST_F(SchedulePageTest, ArmsAndDisarms)
+{
+    StationStatus status = withPlan();
+    show(status);
+    auto* const arm = named<CommandButton>("Arm schedule");
+    QTest::mouseClick(arm, Qt::LeftButton);
+    ASSERT_EQ(asked<ScheduleRequest>().size(), 1U);
+    EXPECT_TRUE(std::holds_alternative<request::ArmSchedule>(asked<ScheduleRequest>().back()));
+
+    ScheduleStatus armed = *status.schedule;
+    armed.armed = true;
+    status.schedule = std::make_shared<const ScheduleStatus>(armed);
+    status.permissions.refuse(Action::ArmSchedule, QStringLiteral("STOP is latched."));
+    show(status);
+    EXPECT_TRUE(text("State of the schedule").startsWith(QStringLiteral("Armed. The mount moves by itself")));
+    EXPECT_TRUE(arm->isEnabled());
+    QTest::mouseClick(arm, Qt::LeftButton);
+    ASSERT_EQ(asked<ScheduleRequest>().size(), 2U);
+    EXPECT_TRUE(std::holds_alternative<request::DisarmSchedule>(asked<ScheduleRequest>().back()));
+
+    armed.armed = false;
+    armed.why = QStringLiteral("STOP of operator");
+    status.schedule = std::make_shared<const ScheduleStatus>(armed);
+    show(status);
+    EXPECT_FALSE(arm->isEnabled());
+    EXPECT_TRUE(text("State of the schedule").contains(QStringLiteral("STOP of operator.")));
+}
+
+// REQ-SCHEDULE-952: Priority and lowest elevation of a watched satellite are set in the profile, and it is removed
+// there.
+TEST_F(SchedulePageTest, ChangesAndRemovesAWatchedSatellite)
+{
+    show(withPlan());
+    named<QComboBox>("Watched satellite")->setCurrentIndex(1);
+    auto* const priority = named<QSpinBox>("Priority of the satellite");
+    EXPECT_EQ(priority->value(), 2);
+    priority->setValue(5);
+    show(withPlan());
+    EXPECT_EQ(priority->value(), 5) << "typed, and not set yet";
+    QTest::mouseClick(named<CommandButton>("Set"), Qt::LeftButton);
+    ASSERT_EQ(asked<request::ApplyProfile>().size(), 1U);
+    EXPECT_EQ(asked<request::ApplyProfile>().back().profile.schedule.watch[1].priority, 5);
+}
+
+TEST_F(SchedulePageTest, WithoutASatelliteItSaysWhereToAddOne)
+{
+    show(samples::idle());
+    EXPECT_FALSE(named<CommandButton>("Set")->isEnabled());
+    EXPECT_FALSE(named<QComboBox>("Watched satellite")->isEnabled());
+}
+
+}  // namespace
+}  // namespace boresight::ui

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/passes/targets_page.h"
+
+#include "tests/ui/window_fixture.h"
+#include "ui/kit/command_button.h"
+#include "ui/passes/target_table.h"
+
+#include <QLineEdit>
+#include <QTabWidget>
+#include <QTableView>
+
+namespace boresight::ui {
+namespace {
+
+class TargetsPageTest : public WindowFixture
+{
+protected:
+    TargetsPageTest()
+    {
+        openPanel('T');
+        named<QTabWidget>("Passes of satellites")->setCurrentIndex(2);
+    }
+
+    static StationStatus atSite()
+    {
+        StationStatus status = samples::idle();
+        status.permissions = Permissions::all();
+        profile::Profile profile = *status.profile;
+        profile.site = {.known = true, .latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
+        status.profile = std::make_shared<const profile::Profile>(profile);
+        status.satellites = std::make_shared<const std::vector<orbit::ElementSet>>();
+        return status;
+    }
+    void show(const StationStatus& status) { give(samples::update(status)); }
+    QTableView& table() { return *named<QTableView>("Targets in the sky"); }
+    QString cell(int row, TargetTable::Column column) { return table().model()->index(row, column).data().toString(); }
+    [[nodiscard]] QString trackedLast() { return asked<request::Track>().back().target.name; }
+};
+
+// REQ-TARGETS-950: Sun, Moon, planets and radio sources are listed with where they stand over the site now and when
+// they rise or set, and the selected one is tracked. Without a site only their names are shown.
+TEST_F(TargetsPageTest, ListsWhereEachStandsAndTracksTheSelectedOne)
+{
+    StationStatus status = atSite();
+    show(status);
+    ASSERT_EQ(table().model()->rowCount(), 14);
+    targets::TargetPath path(targets::objectTargets()[1], {38.757_deg, -9.117_deg, 80.0});
+    EXPECT_NEAR(cell(1, TargetTable::Azimuth).chopped(1).toDouble(), path.at(status.utc)->azimuth.degrees(), 0.06);
+    for (int row = 0; row < 14; ++row) {
+        const bool isUp = !cell(row, TargetTable::Elevation).startsWith(QLatin1Char('-'));
+        const QString next = cell(row, TargetTable::Next);
+        EXPECT_TRUE(next.startsWith(isUp ? QStringLiteral("sets") : QStringLiteral("rises")) ||
+                    next == (isUp ? QStringLiteral("up all day") : QStringLiteral("not up within a day")))
+            << next.toStdString();
+    }
+    table().selectRow(4);
+    QTest::mouseClick(named<CommandButton>("Track selected"), Qt::LeftButton);
+    EXPECT_EQ(trackedLast(), cell(4, TargetTable::Name));
+
+    profile::Profile nowhere = *status.profile;
+    nowhere.site.known = false;
+    status.profile = std::make_shared<const profile::Profile>(nowhere);
+    show(status);
+    EXPECT_EQ(cell(1, TargetTable::Azimuth), QString());
+    EXPECT_FALSE(named<CommandButton>("Track selected")->isEnabled());
+}
+
+// REQ-TARGETS-951: A typed target is tracked by the same words as boresightctl track takes. What makes no sense is
+// refused with the reason, and nothing is asked.
+TEST_F(TargetsPageTest, TracksWhatIsTyped)
+{
+    show(atSite());
+    auto* const typed = named<QLineEdit>("Another target");
+    QTest::keyClicks(typed, QStringLiteral("IM58kr long"));
+    show(atSite());
+    QTest::keyClick(typed, Qt::Key_Return);
+    ASSERT_EQ(asked<request::Track>().size(), 1U);
+    EXPECT_EQ(trackedLast(), QStringLiteral("IM58kr, long path"));
+
+    typed->clear();
+    QTest::keyClicks(typed, QStringLiteral("nonsense"));
+    QTest::keyClick(typed, Qt::Key_Return);
+    EXPECT_EQ(asked<request::Track>().size(), 1U);
+    bool isTold = false;
+    for (const ValueLabel* const label : window.findChildren<ValueLabel*>()) {
+        isTold = isTold || label->text().startsWith(QStringLiteral("\"nonsense\" is no known satellite"));
+    }
+    EXPECT_TRUE(isTold);
+}
+
+}  // namespace
+}  // namespace boresight::ui

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/passes/schedule_page.h"
+
+#include "ui/kit/command_button.h"
+#include "ui/kit/format.h"
+#include "ui/kit/push_button.h"
+#include "ui/kit/read_table.h"
+#include "ui/kit/value_label.h"
+#include "ui/look/paint.h"
+#include "ui/passes/schedule_table.h"
+#include "ui/passes/watch_editor.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace boresight::ui {
+
+namespace {
+
+QString nextText(const ScheduleStatus& schedule, UtcTime now)
+{
+    const auto next = std::ranges::find_if(schedule.plan.chosen,
+                                           [&](const schedule::WatchedPass& pass) { return pass.pass.aos.utc > now; });
+    return next == schedule.plan.chosen.end()
+               ? SchedulePage::tr("No pass within a day.")
+               : SchedulePage::tr("Next: %1 at %2Z, in %3.")
+                     .arg(next->name, clockText(next->pass.aos.utc), waitText(next->pass.aos.utc - now));
+}
+
+QString reportText(const schedule::NightReport& report)
+{
+    return report.passes.empty() ? QString()
+                                 : SchedulePage::tr("Since the start: %1 of %2 passes tracked to the end.")
+                                       .arg(report.done())
+                                       .arg(report.passes.size());
+}
+
+QString stateText(const ScheduleStatus& schedule, UtcTime now)
+{
+    const QString state = schedule.armed ? SchedulePage::tr("Armed. The mount moves by itself for each pass.")
+                                         : SchedulePage::tr("Off. Nothing moves by itself.");
+    QStringList sentences{state};
+    if (!schedule.why.isEmpty()) {
+        sentences << schedule.why.left(1).toUpper() + schedule.why.mid(1) + QLatin1Char('.');
+    }
+    sentences << nextText(schedule, now) << reportText(schedule.report);
+    return sentences.join(QLatin1Char(' ')).trimmed();
+}
+
+}  // namespace
+
+SchedulePage::SchedulePage(ProfileDraft& draft, RequestDesk& desk, QWidget* parent)
+    : QWidget(parent),
+      m_night(new ScheduleTable(this)),
+      m_table(makeReadTable(tr("Schedule of passes"), *m_night, this)),
+      m_state(new ValueLabel(tr("State of the schedule"), fonts::label(), {}, this)),
+      m_refused(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_arm(new CommandButton(tr("Arm schedule"), {}, desk, *m_refused, this)),
+      m_watched(new WatchEditor(draft, desk, this))
+{
+    build();
+    connect(m_arm, &QPushButton::clicked, this, &SchedulePage::armOrDisarm);
+}
+
+void SchedulePage::build()
+{
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(6, 6, 6, 6);
+    column->setSpacing(4);
+    m_state->setLines(3);
+    m_state->setStretching(true);
+    m_refused->setLines(2);
+    m_refused->setStretching(true);
+    m_refused->setCollapsing(true);
+    setEmphasis(*m_arm, Emphasis::Primary);
+    auto* const top = new QHBoxLayout;
+    top->setSpacing(kGrid);
+    top->addWidget(m_state, 1);
+    top->addWidget(m_arm, 0, Qt::AlignTop);
+    column->addLayout(top);
+    column->addWidget(m_refused);
+    column->addWidget(m_table, 1);
+    column->addWidget(m_watched);
+    QHeaderView* const header = m_table->horizontalHeader();
+    header->setSectionResizeMode(QHeaderView::ResizeToContents);
+    header->setSectionResizeMode(ScheduleTable::What, QHeaderView::Stretch);
+}
+
+void SchedulePage::armOrDisarm()
+{
+    if (m_isArmed) {
+        m_arm->ask(request::DisarmSchedule{});
+    } else {
+        m_arm->ask(request::ArmSchedule{});
+    }
+}
+
+void SchedulePage::showStatus(const StationStatus& status)
+{
+    const ScheduleStatus& schedule = *status.schedule;
+    m_isArmed = schedule.armed;
+    m_arm->setCommand(m_isArmed ? tr("Disarm") : tr("Arm schedule"),
+                      m_isArmed
+                          ? tr("End the schedule. The mount holds")
+                          : tr("Track each listed pass. The mount moves by itself until the schedule is disarmed"));
+    m_arm->setBlocked(m_isArmed ? QString() : status.permissions.reason(Action::ArmSchedule));
+    m_state->setValue(stateText(schedule, status.utc), m_isArmed ? Tone::Normal : Tone::Secondary);
+    m_night->show(status.schedule, status.utc);
+    m_watched->showStatus(status);
+}
+
+}  // namespace boresight::ui
+
+#include "moc_schedule_page.cpp"

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/passes/schedule_table.h"
+
+#include "ui/kit/format.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace boresight::ui {
+
+namespace {
+
+// A pass that was found again begins this much earlier or later at most.
+constexpr std::chrono::minutes kFoundAgain{2};
+
+bool isIn(const schedule::NightReport& report, const schedule::WatchedPass& pass)
+{
+    return std::ranges::any_of(report.passes, [&](const schedule::PassRecord& one) {
+        return one.number == pass.number && std::chrono::abs(one.aos - pass.pass.aos.utc) < kFoundAgain;
+    });
+}
+
+QString reasonText(const schedule::Conflict& conflict)
+{
+    const QString& name = conflict.chosen.name;
+    if (!conflict.overlaps) {
+        return ScheduleTable::tr("left out, too close to %1").arg(name);
+    }
+    switch (conflict.reason) {
+        case schedule::Reason::Priority:
+            return ScheduleTable::tr("left out, %1 is more important").arg(name);
+        case schedule::Reason::Longer:
+            return ScheduleTable::tr("left out, %1 is up longer").arg(name);
+        case schedule::Reason::Earlier:
+            return ScheduleTable::tr("left out, %1 rises first").arg(name);
+        case schedule::Reason::LowerNumber:
+            break;
+    }
+    return ScheduleTable::tr("left out, %1 has the lower number").arg(name);
+}
+
+QString endText(const schedule::PassRecord& record)
+{
+    switch (record.end) {
+        case schedule::PassEnd::Running:
+            return ScheduleTable::tr("tracked now");
+        case schedule::PassEnd::Set:
+            return ScheduleTable::tr("tracked, error %1 rms").arg(angleText(record.rmsError));
+        case schedule::PassEnd::Manual:
+        case schedule::PassEnd::Fault:
+        case schedule::PassEnd::Refused:
+            break;
+    }
+    return ScheduleTable::tr("lost: %1").arg(record.why);
+}
+
+}  // namespace
+
+ScheduleTable::ScheduleTable(QObject* parent)
+    : TableModel({tr("Begins (UTC)"), tr("Ends"), tr("Satellite"), tr("Highest"), tr("What")}, parent)
+{}
+
+ScheduleTable::Row ScheduleTable::rowOf(const schedule::PassRecord& record)
+{
+    const auto seconds = [](Seconds time) { return QString::number(std::lround(time.count())); };
+    return {
+        .begins = record.aos,
+        .ends = record.los,
+        .satellite = record.name,
+        .highest = {},
+        .what = endText(record),
+        .details = tr("%1\nmeasured for %2 s\nwithin 1 dB of the beam %3 s, within 3 dB %4 s\nerror %5 rms, %6 at most")
+                       .arg(endText(record), seconds(record.tracked), seconds(record.within1dB),
+                            seconds(record.within3dB), angleText(record.rmsError), angleText(record.peakError))};
+}
+
+ScheduleTable::Row ScheduleTable::rowOf(const schedule::WatchedPass& pass, const QString& what)
+{
+    return {.begins = pass.pass.aos.utc,
+            .ends = pass.pass.los.utc,
+            .satellite = pass.name,
+            .highest = angleText(pass.pass.tca.direction.elevation, 0),
+            .what = what,
+            .details = {}};
+}
+
+std::vector<ScheduleTable::Row> ScheduleTable::rowsOf(const ScheduleStatus& schedule, UtcTime now)
+{
+    std::vector<Row> rows;
+    for (const schedule::PassRecord& record : schedule.report.passes) {
+        rows.push_back(rowOf(record));
+    }
+    const auto isToCome = [&](const schedule::WatchedPass& pass) {
+        return pass.pass.los.utc > now && !isIn(schedule.report, pass);
+    };
+    for (const schedule::WatchedPass& pass : schedule.plan.chosen) {
+        if (isToCome(pass)) {
+            const Seconds wait = pass.pass.aos.utc - now;
+            rows.push_back(rowOf(pass, wait > Seconds(0.0) ? tr("in %1").arg(waitText(wait)) : tr("up")));
+        }
+    }
+    for (const schedule::Conflict& conflict : schedule.plan.conflicts) {
+        if (isToCome(conflict.leftOut)) {
+            rows.push_back(rowOf(conflict.leftOut, reasonText(conflict)));
+        }
+    }
+    std::ranges::stable_sort(rows, {}, &Row::begins);
+    return rows;
+}
+
+// What is looked at keeps its place while only the words of rows change.
+void ScheduleTable::show(const std::shared_ptr<const ScheduleStatus>& schedule, UtcTime now)
+{
+    std::vector<Row> rows = rowsOf(*schedule, now);
+    if (rows.size() != m_rows.size()) {
+        beginResetModel();
+        m_rows = std::move(rows);
+        endResetModel();
+    } else if (rows != m_rows) {
+        m_rows = std::move(rows);
+        changeCells();
+    }
+}
+
+QVariant ScheduleTable::data(const QModelIndex& index, int role) const
+{
+    const Row& row = m_rows[std::size_t(index.row())];
+    if (role == Qt::TextAlignmentRole && index.column() == Highest) {
+        return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+    }
+    if (role == Qt::ToolTipRole) {
+        return row.details.isEmpty() ? row.what : row.details;
+    }
+    if (role != Qt::DisplayRole) {
+        return {};
+    }
+    switch (index.column()) {
+        case Begins:
+            return clockText(row.begins);
+        case Ends:
+            return clockText(row.ends);
+        case Satellite:
+            return row.satellite;
+        case Highest:
+            return row.highest;
+        default:
+            return row.what;
+    }
+}
+
+}  // namespace boresight::ui
+
+#include "moc_schedule_table.cpp"

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/targets/target_path.h"
+#include "ui/kit/table_model.h"
+
+#include <optional>
+#include <vector>
+
+// Sun, Moon, planets and radio sources: where each stands over the site now, and when it rises or sets. Gui thread.
+namespace boresight::ui {
+
+class TargetTable : public TableModel
+{
+    Q_OBJECT
+
+public:
+    enum Column
+    {
+        Name,
+        Azimuth,
+        Elevation,
+        Next
+    };
+
+    explicit TargetTable(QObject* parent = nullptr);
+
+    // Empty: the site is not set, and nothing is known but the names.
+    void setSite(const std::optional<Site>& site);
+    void tick(UtcTime now);
+
+    [[nodiscard]] const targets::Target& target(int row) const { return m_targets.at(std::size_t(row)); }
+
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+
+protected:
+    [[nodiscard]] std::size_t rows() const override { return m_targets.size(); }
+
+private:
+    struct Place
+    {
+        targets::TargetPath path;
+        std::optional<SkyPointing> direction = {};
+        std::optional<targets::UpTime> up = {};  // empty: not within a day
+        UtcTime lookedForAt{};
+    };
+
+    static void look(Place& place, UtcTime now);
+    [[nodiscard]] QString nextText(const Place& place) const;
+
+    std::vector<targets::Target> m_targets;
+    std::optional<Site> m_site;
+    std::vector<Place> m_places;  // one for each target, or none
+    UtcTime m_now{};
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/passes/targets_page.h"
+
+#include "core/targets/target_text.h"
+#include "ui/kit/command_button.h"
+#include "ui/kit/read_table.h"
+#include "ui/kit/value_label.h"
+#include "ui/look/paint.h"
+#include "ui/passes/azel_box.h"
+#include "ui/passes/target_table.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include <chrono>
+
+namespace boresight::ui {
+
+TargetsPage::TargetsPage(RequestDesk& desk, QWidget* parent)
+    : QWidget(parent),
+      m_targets(new TargetTable(this)),
+      m_table(makeReadTable(tr("Targets in the sky"), *m_targets, this)),
+      m_typed(new QLineEdit(this)),
+      m_refused(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_trackChosen(new CommandButton(tr("Track selected"), tr("Follow the selected target until it sets"), desk,
+                                      *m_refused, this)),
+      m_trackTyped(new CommandButton(tr("Track"), tr("Follow the typed target, or go there if it stays"), desk,
+                                     *m_refused, this)),
+      m_azel(new AzelBox(desk, this))
+{
+    build();
+    connect(m_trackChosen, &QPushButton::clicked, this, &TargetsPage::trackChosen);
+    connect(m_trackTyped, &QPushButton::clicked, this, &TargetsPage::trackTyped);
+    connect(m_typed, &QLineEdit::returnPressed, this, &TargetsPage::trackTyped);
+    connect(m_typed, &QLineEdit::textEdited, this, [this] { m_refused->setValue({}); });
+}
+
+void TargetsPage::build()
+{
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(6, 6, 6, 6);
+    column->setSpacing(4);
+    m_typed->setAccessibleName(tr("Another target"));
+    m_typed->setPlaceholderText(tr("Locator, name of a satellite, azel 120,30"));
+    m_typed->setToolTip(
+        tr("A satellite: 25544, iss\n"
+           "A locator, by the short or the long path: IM58kr, IM58kr long\n"
+           "A direction: azel 120.5,30\n"
+           "A place among the stars, J2000: radec 12:30:49.4,12:23:28\n"
+           "A position, degrees and metres: place 38.757,-9.117,1200"));
+    m_typed->setClearButtonEnabled(true);
+    m_typed->setMinimumHeight(kRowHeight);
+    m_refused->setLines(2);
+    m_refused->setStretching(true);
+    m_refused->setCollapsing(true);
+    setEmphasis(*m_trackChosen, Emphasis::Primary);
+    auto* const actions = new QHBoxLayout;
+    actions->setSpacing(kGrid);
+    actions->addWidget(m_typed, 1);
+    actions->addWidget(m_trackTyped);
+    actions->addWidget(m_trackChosen);
+    column->addWidget(m_table, 1);
+    column->addLayout(actions);
+    column->addWidget(m_refused);
+    column->addWidget(m_azel);
+    QHeaderView* const header = m_table->horizontalHeader();
+    header->setSectionResizeMode(QHeaderView::ResizeToContents);
+    header->setSectionResizeMode(TargetTable::Next, QHeaderView::Stretch);
+    m_table->selectRow(1);  // not the Sun
+}
+
+void TargetsPage::trackChosen()
+{
+    if (const QModelIndex chosen = m_table->currentIndex(); chosen.isValid()) {
+        m_trackChosen->ask(request::Track{m_targets->target(chosen.row())});
+    }
+}
+
+void TargetsPage::trackTyped()
+{
+    if (!m_trackTyped->isEnabled()) {
+        return;  // Enter in the field
+    }
+    if (const auto target = targets::parseTarget(m_typed->text().toStdString(), *m_satellites)) {
+        m_trackTyped->ask(request::Track{*target});
+    } else {
+        m_refused->setValue(target.error().text, Tone::Warning, Symbol::Warning);
+    }
+}
+
+void TargetsPage::showStatus(const StationStatus& status)
+{
+    const profile::SiteSettings& site = status.profile->site;
+    m_satellites = status.satellites;
+    m_targets->setSite(
+        site.known ? std::optional(Site{
+                         .latitude = site.latitude, .longitude = site.longitude, .heightMetres = site.heightMetres})
+                   : std::nullopt);
+    if (isVisible() && std::chrono::abs(status.utc - m_now) >= std::chrono::seconds(1)) {
+        m_now = status.utc;
+        m_targets->tick(status.utc);
+    }
+    const QString why = status.permissions.reason(Action::Track);
+    m_trackChosen->setBlocked(site.known ? why
+                                         : tr("The site is not set. Enter it on the page Profile, or in the guide."));
+    const bool isTyped = !m_typed->text().trimmed().isEmpty();
+    m_trackTyped->setBlocked(isTyped ? why : tr("Type a target first."));
+    m_azel->showStatus(status);
+}
+
+}  // namespace boresight::ui
+
+#include "moc_targets_page.cpp"

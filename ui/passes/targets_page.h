@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/messages/station_status.h"
+
+#include <QWidget>
+
+class QLineEdit;
+class QTableView;
+
+// What is tracked besides satellites: Sun, Moon, planets and radio sources in a table, anything else as it is typed,
+// and the Moon of WSJT-X. Gui thread.
+namespace boresight::ui {
+
+class AzelBox;
+class CommandButton;
+class RequestDesk;
+class TargetTable;
+class ValueLabel;
+
+class TargetsPage : public QWidget
+{
+    Q_OBJECT
+
+public:
+    TargetsPage(RequestDesk& desk, QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+
+private:
+    using Satellites = std::shared_ptr<const std::vector<orbit::ElementSet>>;
+
+    void build();
+    void trackChosen();
+    void trackTyped();
+
+    TargetTable* m_targets;
+    QTableView* m_table;
+    QLineEdit* m_typed;
+    ValueLabel* m_refused;
+    CommandButton* m_trackChosen;
+    CommandButton* m_trackTyped;
+    AzelBox* m_azel;
+    Satellites m_satellites;
+    UtcTime m_now{};
+};
+
+}  // namespace boresight::ui
