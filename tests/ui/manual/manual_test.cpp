@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/guide/guide_progress.h"
 #include "ui/manual/manual_pdf.h"
 #include "ui/manual/manual_window.h"
 
@@ -77,6 +78,25 @@ TEST(ManualBook, HasEveryPictureAndPageThatItNames)
         EXPECT_TRUE(QFile::exists(QStringLiteral(":/boresight/manual/") + target)) << target.toStdString();
     }
     EXPECT_GT(links, 2);
+}
+
+// Story: the manual counted ten steps and the window nine, and six of them had other names.
+// REQ-UI-1410: The manual lists the steps of the guide under the names and in the order of the window.
+TEST(ManualBook, NamesTheStepsOfTheGuideAsTheWindowDoes)
+{
+    const QString book = readResource(QStringLiteral(":/boresight/manual/manual.md"));
+    const QString chapter = book.section(QStringLiteral("## The guide\n"), 1).section(QStringLiteral("\n## "), 0, 0);
+    static const QRegularExpression item(QStringLiteral(R"(^\d+\. \*\*([^*]+)\*\*:)"),
+                                         QRegularExpression::MultilineOption);
+    QStringList listed;
+    for (auto found = item.globalMatch(chapter); found.hasNext();) {
+        listed << found.next().captured(1);
+    }
+    QStringList steps;
+    for (const GuideStep step : kGuideSteps) {
+        steps << name(step);
+    }
+    EXPECT_EQ(listed.join(QLatin1Char('\n')).toStdString(), steps.join(QLatin1Char('\n')).toStdString());
 }
 
 // REQ-UI-1003: The manual is written as PDF. A file that cannot be written is named with the reason.
