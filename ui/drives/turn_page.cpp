@@ -12,6 +12,7 @@
 #include "ui/kit/value_label.h"
 
 #include <QButtonGroup>
+#include <QEvent>
 #include <QGridLayout>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -112,10 +113,20 @@ void TurnPage::makeMany()
     m_field->setAccessibleName(tr("Angle read off the mount"));
     m_field->setToolTip(tr("Where the axis stands, in degrees of its own travel, e.g. 45.5 or -120"));
     m_selected->setStretching(true);
+    m_field->installEventFilter(this);
     row->addWidget(makeCaption(tr("The axis stands at about"), *m_field));
     row->addWidget(m_field);
     row->addWidget(makeCaption(QStringLiteral("°"), m_many));
     row->addWidget(m_selected, 1);
+}
+
+// Later, because the press that gives the focus sets the cursor after it. Typing then replaces the proposed angle.
+bool TurnPage::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::FocusIn) {
+        QMetaObject::invokeMethod(m_field, &QLineEdit::selectAll, Qt::QueuedConnection);
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void TurnPage::showStatus(const StationStatus& status)

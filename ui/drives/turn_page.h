@@ -39,6 +39,9 @@ public:
 
     void showStatus(const StationStatus& status);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;  // the field that receives the focus
+
 private:
     void build();
     void makeFew();

@@ -162,6 +162,20 @@ TEST_F(TurnTest, AnAngleFarFromAllPlacesSelectsNone)
     EXPECT_FALSE(answer().isEnabled());
 }
 
+// REQ-UI-1411: A field for the angle of the axis that receives the focus, by key or by click, has its text selected:
+// what is typed replaces it.
+TEST_F(TurnTest, WhatIsTypedReplacesTheAngleThatStandsInTheField)
+{
+    give(samples::update(samples::asking(Axis::Azimuth, 150, 3.6_deg, true)));
+    ASSERT_FALSE(field().text().isEmpty());
+    answer().setFocus();
+    QTest::mouseClick(&field(), Qt::LeftButton);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(field().selectedText(), field().text());
+    QTest::keyClicks(&field(), QStringLiteral("120"));
+    EXPECT_EQ(field().text(), QStringLiteral("120"));
+}
+
 TEST_F(TurnTest, WithoutPlacesTheAngleItselfIsTheAnswer)
 {
     give(samples::update(samples::asking(Axis::Elevation, 0, 0_deg, false)));
