@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/rotctld/client_habits.h"
 
+#include "core/base/control_characters.h"
 #include "core/base/text.h"
 #include "core/rotctld/c_number.h"
 
@@ -19,6 +20,7 @@ QString shownText(std::string_view bytes)
 void ClientHabits::take(const Command& command, SteadyTime now)
 {
     m_lastCommand.clear();
+    m_lastRefusal.clear();
     if (command.spec->letter < 0x80) {
         m_lastCommand += static_cast<char>(command.spec->letter);
     } else {
@@ -29,6 +31,16 @@ void ClientHabits::take(const Command& command, SteadyTime now)
     }
     m_rate.count(now);
     noteMotion(command, now);
+}
+
+void ClientHabits::answered(const Result<>& outcome)
+{
+    m_lastRefusal = outcome ? QString() : printable(outcome.error().text);
+}
+
+QString ClientHabits::lastInWords() const
+{
+    return m_lastRefusal.isEmpty() ? lastCommand() : Text::tr("%1: refused. %2").arg(lastCommand(), m_lastRefusal);
 }
 
 void ClientHabits::noteMotion(const Command& command, SteadyTime now)

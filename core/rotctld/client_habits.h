@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/base/result.h"
 #include "core/rotctld/client_program.h"
 #include "core/rotctld/command_parser.h"
 #include "core/rotctld/command_rate.h"
@@ -30,10 +31,13 @@ public:
     // Each command, before it is run; one that was understood, afterwards; a line without sense.
     void take(const Command& command, SteadyTime now);
     void understood(const Command& command) { m_program.observe(command); }
+    void answered(const Result<>& outcome);  // the last command
     void countOdd() { ++m_oddCommands; }
 
     [[nodiscard]] std::string_view program() const { return m_program.name(); }
     [[nodiscard]] QString lastCommand() const { return shownText(m_lastCommand); }
+    // The last command, and why it was refused if it was: "P 400 30: refused. Azimuth 400.0° is above the limit."
+    [[nodiscard]] QString lastInWords() const;
     [[nodiscard]] std::uint64_t oddCommands() const { return m_oddCommands; }
     [[nodiscard]] double commandsPerSecond(SteadyTime now) const { return m_rate.perSecond(now); }
     [[nodiscard]] std::optional<SteadyTime> lastMotion() const { return m_lastMotion; }  // asked for, granted or not
@@ -47,6 +51,7 @@ private:
     PointSteps m_steps;
     std::optional<SteadyTime> m_lastMotion;
     std::string m_lastCommand;
+    QString m_lastRefusal;  // empty: accepted
     std::uint64_t m_oddCommands = 0;
 };
 

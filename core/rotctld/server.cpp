@@ -139,7 +139,7 @@ std::vector<ClientInfo> Server::clients() const
             list.push_back({.id = id,
                             .address = connection->session.client().address,
                             .program = std::string(habits.program()),
-                            .lastCommand = habits.lastCommand(),
+                            .lastCommand = habits.lastInWords(),
                             .oddCommands = habits.oddCommands(),
                             .commandsPerSecond = habits.commandsPerSecond(m_clock.now()),
                             .lastMotion = habits.lastMotion(),

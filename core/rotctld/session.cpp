@@ -119,6 +119,7 @@ void Session::run(std::string& reply)
     ReplyWriter writer(command, reply);
     const Result<> outcome = execute(command, writer);
     writer.finish(outcome);
+    m_habits.answered(outcome);
     if (outcome || outcome.error().code == ErrorCode::Refused) {
         m_habits.understood(command);
     }

@@ -264,6 +264,20 @@ TEST(RotctldServer, ListsItsClients)
     EXPECT_EQ(clients[1].oddCommands, 1U);
 }
 
+// REQ-ROTCTLD-1410: The list of the clients shows beside the last command of each why it was refused, in words, until
+// the next command.
+TEST(RotctldServer, ListsWhyTheLastCommandWasRefused)
+{
+    ServerFixture fixture;
+    const auto client = fixture.connect();
+    EXPECT_NE(client->ask("P 12.34 170\n"), "RPRT 0\n");
+    EXPECT_EQ(fixture.server->clients()[0].lastCommand.toStdString(), "P 12.34 170: refused. outside the limits");
+    EXPECT_NE(client->ask("P nan 10\n"), "RPRT 0\n");
+    EXPECT_TRUE(fixture.server->clients()[0].lastCommand.startsWith(QStringLiteral("P nan 10: refused. ")));
+    EXPECT_EQ(client->ask("P 12.34 5.60\n"), "RPRT 0\n");
+    EXPECT_EQ(fixture.server->clients()[0].lastCommand.toStdString(), "P 12.34 5.60");
+}
+
 TEST(RotctldServer, RefusesClientsAboveItsLimit)
 {
     ServerFixture fixture({.maxClients = 2});
