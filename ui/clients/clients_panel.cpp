@@ -116,13 +116,13 @@ QTableView* ClientsPanel::makeTable()
     table->verticalHeader()->setDefaultSectionSize(metrics.lineSpacing() + 8);
     QHeaderView* const header = table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::Stretch);
-    header->setSectionResizeMode(ClientModel::Address, QHeaderView::ResizeToContents);
     // A header measures its contents when rows come and go, not when their words change: these have room for any.
     const auto reserve = [&](ClientModel::Column column, QStringList texts) {
         texts << m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
         header->setSectionResizeMode(column, QHeaderView::Fixed);
         header->resizeSection(column, metrics.horizontalAdvance(widest(table->font(), texts)) + kCellMargins);
     };
+    reserve(ClientModel::Address, {QStringLiteral("000.000.000.000:00000")});
     reserve(ClientModel::Rate, {QStringLiteral("000.0")});
     reserve(ClientModel::Role, roleWords());
     return table;

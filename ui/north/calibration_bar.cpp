@@ -40,11 +40,10 @@ void CalibrationBar::build()
     lines->setSpacing(0);
     for (ValueLabel* const line : {m_title, m_change, m_notice}) {
         line->setStretching(true);
+        line->setWrapping(true);
         lines->addWidget(line);
     }
-    m_change->setLines(2);
-    m_notice->setLines(2);  // in the place of what would change, until the next press
-    m_notice->setCollapsing(true);
+    m_notice->setCollapsing(true);  // in the place of what would change, until the next press
     row->addLayout(lines, 1);
     row->addWidget(m_apply);
     row->addWidget(m_discard);
@@ -68,7 +67,7 @@ void CalibrationBar::showStatus(const StationStatus& status)
     m_undo->setBlocked(status.permissions.reason(Action::UndoCalibration));
 }
 
-// A warning comes first: there is not room for all of it.
+// A warning comes first.
 void CalibrationBar::showChange(const std::optional<CalibrationProposal>& proposal)
 {
     if (!proposal) {

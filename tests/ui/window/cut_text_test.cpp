@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
+#include "tests/ui/sample_calibration.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/clients/client_model.h"
 #include "ui/clients/lead_prompt.h"
 #include "ui/kit/asking_panel.h"
 #include "ui/kit/language.h"
+#include "ui/north/calibration_bar.h"
 #include "ui/sky/polar_plot.h"
 #include "ui/window/close_prompt.h"
 
@@ -135,6 +137,24 @@ TEST_P(CutTextTest, WhyADirectionIsForbiddenIsWhole)
     }
 }
 
+// REQ-UI-1412: What the calibration proposes is read whole at 1024×700: the title with its residuals, the warning and
+// every term that changes.
+TEST_P(CutTextTest, AProposedCalibrationIsWhole)
+{
+    openPanel('9');
+    for (StationStatus status : {samples::swung(), samples::swungInVain(), samples::sixPoints()}) {
+        give(samples::update(status));
+        expectWhole(*window.findChild<CalibrationBar*>());
+        CalibrationStatus warned = *status.calibration;
+        warned.proposal->warnings = {
+            QStringLiteral("The text belongs to another mount and to another site. Compare both.")};
+        warned.proposal->residuals = ProposalResiduals{.before = 10.912_deg, .after = 10.512_deg, .points = 15};
+        status.calibration = std::make_shared<const CalibrationStatus>(warned);
+        give(samples::update(status));
+        expectWhole(*window.findChild<CalibrationBar*>());
+    }
+}
+
 TEST_P(CutTextTest, QuestionsBeforeAnActAreWhole)
 {
     StationStatus named = samples::idle();
@@ -173,6 +193,22 @@ TEST_P(CutTextTest, WhatAClientMayDoIsWholeWheneverItChanges)
         EXPECT_LT(table->fontMetrics().horizontalAdvance(word) + 6, header.sectionSize(ClientModel::Role))
             << word.toStdString();
     }
+}
+
+// REQ-UI-1413: The address of a client is whole at 1024×700, also of a client that came while another panel was open
+// and of one whose address is longer than those before it.
+TEST_P(CutTextTest, TheAddressOfAClientIsWhole)
+{
+    StationStatus status = samples::fighting();
+    give(samples::update(status));
+    openPanel('4');
+    settle();
+    status.clients.at(0).address = QStringLiteral("192.168.100.184:51999");
+    give(samples::update(status));
+    settle();
+    const auto* const table = window.findChild<QTableView*>(QStringLiteral("clients"));
+    EXPECT_LT(table->fontMetrics().horizontalAdvance(status.clients.at(0).address) + 6,
+              table->horizontalHeader()->sectionSize(ClientModel::Address));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, CutTextTest, ::testing::Values("en", "pt"));
