@@ -406,6 +406,11 @@ Result<> Gates::mayGiveControl() const
     if (m_of.arming.stopLatched()) {
         return failure(ErrorCode::Refused, Text::tr("STOP is latched. Reset STOP first."));
     }
+    for (const Axis axis : kAxes) {
+        if (m_of.mount.report(axis).wrapAsked) {
+            return isPlaced(axis);  // clients could do nothing with it, and the operator has to answer first
+        }
+    }
     return {};
 }
 

@@ -95,6 +95,22 @@ TEST(StationTurns, OnlyTheOperatorJogsMeanwhileAndSlowly)
     EXPECT_FALSE(rig.mount.memory().turns[0]) << "jogged, the axis is not where the journal says";
 }
 
+// REQ-CONTROL-1410: Control is not handed back to the clients while Boresight asks for the wrap of an axis. The refusal
+// names the axis. The answer about the wrap makes it possible again.
+TEST(StationTurns, ControlIsHandedBackOnlyAfterTheAnswer)
+{
+    RestartedRig rig;
+    ASSERT_TRUE(rig.question());
+    const Result<> refused = rig.ask(request::GiveAuthority{});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(textOf(refused.error()),
+              "The cable wrap of the azimuth drive is unknown. Enter where the axis is. Only slow jog works.");
+    ASSERT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 100_deg}));
+    rig.run(Seconds(3.0));
+    ASSERT_FALSE(rig.question());
+    EXPECT_TRUE(rig.ask(request::GiveAuthority{}));
+}
+
 // REQ-CONTROL-923: The board of an axis that was exchanged for another one stands on an unknown wrap: the mount is sent
 // nowhere until the operator has entered where it stands. Only the operator jogs it, slowly, and only after the drive
 // check has read the safety settings of the new board and found them safe.
