@@ -7876,6 +7876,10 @@ até %1</translation>
         <source>is in the list twice</source>
         <translation>está duas vezes na lista</translation>
     </message>
+    <message>
+        <source>%1: refused. %2</source>
+        <translation>%1: recusado. %2</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
