@@ -183,7 +183,7 @@ void tellStation(std::span<const CanFrame> frames, bool moving)
 {
     StationRig rig;
     if (moving) {
-        rig.run(Seconds(0.1));
+        rig.run(Seconds(0.2));
         require(rig.point(40.0, 30.0).has_value(), "the mount points when it is asked");
         rig.run(Seconds(0.3));
     }
