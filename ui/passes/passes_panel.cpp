@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/passes/passes_panel.h"
 
+#include "core/profile/clear_sky.h"
 #include "core/targets/target.h"
 #include "ui/kit/caption.h"
 #include "ui/kit/command_button.h"
@@ -9,7 +10,6 @@
 #include "ui/kit/read_table.h"
 #include "ui/kit/value_label.h"
 #include "ui/look/paint.h"
-#include "ui/passes/clear_sky.h"
 #include "ui/passes/pass_picture.h"
 #include "ui/passes/pass_table.h"
 #include "ui/passes/pass_words.h"

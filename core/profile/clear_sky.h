@@ -6,10 +6,10 @@
 
 #include <functional>
 
-namespace boresight::ui {
+namespace boresight::profile {
 
 // Whether the antenna may look into a true direction: on any turn of its azimuth, between limits, over the horizon and
 // outside the keep-outs of this profile. Pure value, any thread.
-[[nodiscard]] std::function<bool(const SkyPointing&)> clearSky(const profile::Profile& profile);
+[[nodiscard]] std::function<bool(const SkyPointing&)> clearSky(const Profile& profile);
 
-}  // namespace boresight::ui
+}  // namespace boresight::profile

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/passes/clear_sky.h"
+#include "core/profile/clear_sky.h"
 
 #include "core/pointing/permitted_region.h"
 
 #include <cmath>
 #include <memory>
 
-namespace boresight::ui {
+namespace boresight::profile {
 
-std::function<bool(const SkyPointing&)> clearSky(const profile::Profile& profile)
+std::function<bool(const SkyPointing&)> clearSky(const Profile& profile)
 {
     const pointing::PointingModel model(profile.pointing);
     const auto region = std::make_shared<const pointing::PermittedRegion>(
@@ -28,4 +28,4 @@ std::function<bool(const SkyPointing&)> clearSky(const profile::Profile& profile
     };
 }
 
-}  // namespace boresight::ui
+}  // namespace boresight::profile
