@@ -64,6 +64,10 @@ std::string listText(const QJsonObject& plan)
     for (const QJsonValue& conflict : plan[QStringLiteral("conflicts")].toArray()) {
         text += conflictLine(conflict.toObject());
     }
+    for (const QJsonValue& pass : plan[QStringLiteral("hidden")].toArray()) {
+        text += cell(pass.toObject(), "aos_utc") + "  " + cell(pass.toObject(), "name") +
+                " is left out (hidden by the horizon, a keep-out or a limit of the mount)\n";
+    }
     return text;
 }
 

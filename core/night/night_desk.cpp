@@ -6,6 +6,7 @@
 #include "core/base/text.h"
 #include "core/base/time_of_day.h"
 #include "core/control/calibration_source.h"
+#include "core/profile/clear_sky.h"
 #include "core/targets/target.h"
 
 #include <algorithm>
@@ -175,7 +176,9 @@ void NightDesk::setSatellites(const Satellites& satellites)
 
 void NightDesk::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
-    if (before.schedule != after.schedule || before.site != after.site) {
+    if (before.schedule != after.schedule || before.site != after.site || before.limits != after.limits ||
+        before.pointing != after.pointing || before.azimuth.geometry != after.azimuth.geometry ||
+        before.elevation.geometry != after.elevation.geometry) {
         m_searched.reset();
     }
 }
@@ -235,6 +238,7 @@ void NightDesk::lookForPasses()
     m_searched = now;
     std::vector<schedule::WatchedPass> known;
     std::vector<passes::SatelliteSearch> searches;
+    const auto isClear = profile::clearSky(*m_profile);
     QStringList missing;
     const UtcTime utc = m_clock.utc();
     for (const schedule::WatchEntry& entry : m_profile->schedule.watch) {
@@ -250,7 +254,7 @@ void NightDesk::lookForPasses()
                                        .from = utc,
                                        .to = utc + kPlanned,
                                        .minimumElevation = entry.leastElevation,
-                                       .isClear = {}}});
+                                       .isClear = isClear}});
     }
     m_missing = missing.isEmpty() ? QString() : Text::tr("no elements of %1").arg(missing.join(QStringLiteral(", ")));
     if (!m_profile->site.known) {
@@ -282,7 +286,7 @@ const schedule::WatchedPass* NightDesk::next() const
 {
     const UtcTime over = std::max(m_clock.utc(), m_handledUntil + kSamePass);
     const auto found =
-        std::ranges::find_if(m_plan.chosen, [&](const schedule::WatchedPass& one) { return one.pass.los.utc > over; });
+        std::ranges::find_if(m_plan.chosen, [&](const schedule::WatchedPass& one) { return one.ends() > over; });
     return found == m_plan.chosen.end() ? nullptr : &*found;
 }
 
@@ -297,7 +301,7 @@ void NightDesk::move()
         return;
     }
     const schedule::WatchedPass* const pass = next();
-    if (pass != nullptr && Seconds(pass->pass.aos.utc - utc) <= m_profile->schedule.lead) {
+    if (pass != nullptr && Seconds(pass->begins() - utc) <= m_profile->schedule.lead) {
         begin(*pass);
     }
 }
@@ -309,10 +313,10 @@ void NightDesk::begin(const schedule::WatchedPass& pass)
     const Result<> begun =
         set != nullptr ? ask(request::Track{targets::satelliteTarget(*set)})
                        : failure(ErrorCode::NotAvailable, Text::tr("The elements of %1 are gone.").arg(pass.name));
-    m_handledUntil = pass.pass.los.utc;
+    m_handledUntil = pass.ends();
     if (begun) {
         m_log.add(Severity::Advisory, scheduleSource().name,
-                  Text::tr("goes to the pass of %1 at %2").arg(pass.name, timeOfDayText(pass.pass.aos.utc)));
+                  Text::tr("goes to the pass of %1 at %2").arg(pass.name, timeOfDayText(pass.begins())));
         m_tracked.emplace(std::move(tracked));
     } else {
         m_log.add(Severity::Warning, scheduleSource().name,
@@ -344,7 +348,7 @@ void NightDesk::restBetween()
 {
     const profile::ScheduleSettings& wanted = m_profile->schedule;
     const schedule::WatchedPass* const after = next();
-    const bool isLong = after == nullptr || after->pass.aos.utc - m_clock.utc() > kLongPause;
+    const bool isLong = after == nullptr || after->begins() - m_clock.utc() > kLongPause;
     const bool parks =
         wanted.between == profile::BetweenPasses::Park || (isLong && wanted.parkAfter == profile::ParkAfter::On);
     if (parks) {

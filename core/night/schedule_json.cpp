@@ -91,11 +91,16 @@ QByteArray planJson(const ScheduleStatus& status)
     for (std::size_t i = 0; i < std::min(kMostRows, status.plan.conflicts.size()); ++i) {
         conflicts.append(conflictObject(status.plan.conflicts[i]));
     }
+    QJsonArray hidden;
+    for (std::size_t i = 0; i < std::min(kMostRows, status.plan.hidden.size()); ++i) {
+        hidden.append(passObject(status.plan.hidden[i]));
+    }
     return jsonLine({{QStringLiteral("armed"), status.armed},
                      {QStringLiteral("why"), status.why},
                      {QStringLiteral("tracked"), status.tracked ? QJsonValue(qint64{*status.tracked}) : QJsonValue()},
                      {QStringLiteral("passes"), chosen},
-                     {QStringLiteral("conflicts"), conflicts}});
+                     {QStringLiteral("conflicts"), conflicts},
+                     {QStringLiteral("hidden"), hidden}});
 }
 
 QByteArray reportJson(const schedule::NightReport& report)

@@ -8,7 +8,7 @@
 // The plan and the report of the schedule for other programs: one line of JSON, times in UTC, angles in degrees. Pure.
 namespace boresight {
 
-// The next 100 passes and conflicts are in it.
+// The next 100 passes, conflicts and hidden passes are in it.
 [[nodiscard]] QByteArray planJson(const ScheduleStatus& status);
 // The last 100 passes are in it.
 [[nodiscard]] QByteArray reportJson(const schedule::NightReport& report);

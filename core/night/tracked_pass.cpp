@@ -19,7 +19,7 @@ void TrackedPass::look(const std::optional<SkyPointing>& beam, UtcTime utc, Stea
 {
     const Seconds during = now - m_last;
     m_last = now;
-    if (!beam || utc < m_pass.pass.aos.utc) {
+    if (!beam || !m_pass.pass.isClearAt(utc)) {
         return;
     }
     const orbit::JulianDate date = orbit::julianDate(utc);

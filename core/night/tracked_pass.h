@@ -19,8 +19,8 @@ public:
     TrackedPass(const schedule::WatchedPass& pass, const orbit::ElementSet& elements, const Site& site, SteadyTime now);
 
     [[nodiscard]] const schedule::WatchedPass& pass() const { return m_pass; }
-    [[nodiscard]] UtcTime ends() const { return m_pass.pass.los.utc; }
-    // Where the beam is in this tick, if that is known. Before the AOS it does not count.
+    [[nodiscard]] UtcTime ends() const { return m_pass.ends(); }
+    // Where the beam is in this tick, if that is known. What the antenna does not see of the pass does not count.
     void look(const std::optional<SkyPointing>& beam, UtcTime utc, SteadyTime now, Angle beamWidth);
     [[nodiscard]] const schedule::PassTally& tally() const { return m_tally; }
 

@@ -6,6 +6,7 @@
 #include "core/units/site.h"
 #include "core/units/sky.h"
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -51,6 +52,11 @@ struct Pass
     std::vector<Stretch> clear;  // of PassSearch::isClear: several rises in one pass, or none
 
     [[nodiscard]] Seconds duration() const { return los.utc - aos.utc; }
+    [[nodiscard]] bool isClearAt(UtcTime utc) const
+    {
+        return std::ranges::any_of(clear,
+                                   [utc](const Stretch& stretch) { return stretch.from <= utc && utc <= stretch.to; });
+    }
 
     bool operator==(const Pass&) const = default;
 };

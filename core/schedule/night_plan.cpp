@@ -16,9 +16,9 @@ std::partial_ordering compare(const WatchedPass& a, const WatchedPass& b, Reason
         case Reason::Priority:
             return a.priority <=> b.priority;
         case Reason::Longer:
-            return b.pass.duration().count() <=> a.pass.duration().count();
+            return b.seen().count() <=> a.seen().count();
         case Reason::Earlier:
-            return a.pass.aos.utc.time_since_epoch().count() <=> b.pass.aos.utc.time_since_epoch().count();
+            return a.begins().time_since_epoch().count() <=> b.begins().time_since_epoch().count();
         case Reason::LowerNumber:
             break;
     }
@@ -59,18 +59,27 @@ Reason reasonFor(const WatchedPass& chosen, const WatchedPass& leftOut, const Re
 
 bool overlap(const WatchedPass& a, const WatchedPass& b)
 {
-    return a.pass.aos.utc < b.pass.los.utc && b.pass.aos.utc < a.pass.los.utc;
+    return a.begins() < b.ends() && b.begins() < a.ends();
 }
 
 bool fitBoth(const WatchedPass& a, const WatchedPass& b, Seconds lead)
 {
-    const bool isFirst = a.pass.aos.utc <= b.pass.aos.utc;
-    const passes::Pass& first = isFirst ? a.pass : b.pass;
-    const passes::Pass& second = isFirst ? b.pass : a.pass;
-    return !overlap(a, b) && Seconds(second.aos.utc - first.los.utc) >= lead;
+    const bool isFirst = a.begins() <= b.begins();
+    const WatchedPass& first = isFirst ? a : b;
+    const WatchedPass& second = isFirst ? b : a;
+    return !overlap(a, b) && Seconds(second.begins() - first.ends()) >= lead;
 }
 
 }  // namespace
+
+Seconds WatchedPass::seen() const
+{
+    Seconds sum{0.0};
+    for (const passes::Stretch& part : pass.clear) {
+        sum += part.to - part.from;
+    }
+    return sum;
+}
 
 // The most preferred pass first. What it leaves out cannot leave out others.
 NightPlan planNight(std::vector<WatchedPass> candidates, const PlanRules& rules)
@@ -80,6 +89,10 @@ NightPlan planNight(std::vector<WatchedPass> candidates, const PlanRules& rules)
                       [&](const WatchedPass& a, const WatchedPass& b) { return isPreferred(a, b, reasons); });
     NightPlan plan;
     for (WatchedPass& one : candidates) {
+        if (one.isHidden()) {
+            plan.hidden.push_back(std::move(one));
+            continue;
+        }
         const auto rival = std::ranges::find_if(
             plan.chosen, [&](const WatchedPass& other) { return !fitBoth(one, other, rules.lead); });
         if (rival == plan.chosen.end()) {
@@ -91,8 +104,9 @@ NightPlan planNight(std::vector<WatchedPass> candidates, const PlanRules& rules)
                                       .overlaps = overlap(one, *rival)});
         }
     }
-    std::ranges::stable_sort(plan.chosen, {}, [](const WatchedPass& one) { return one.pass.aos.utc; });
-    std::ranges::stable_sort(plan.conflicts, {}, [](const Conflict& one) { return one.leftOut.pass.aos.utc; });
+    std::ranges::stable_sort(plan.chosen, {}, &WatchedPass::begins);
+    std::ranges::stable_sort(plan.conflicts, {}, [](const Conflict& one) { return one.leftOut.begins(); });
+    std::ranges::stable_sort(plan.hidden, {}, &WatchedPass::begins);
     return plan;
 }
 

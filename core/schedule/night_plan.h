@@ -18,7 +18,13 @@ struct WatchedPass
     std::int64_t number = 0;  // of the satellite in the catalogue
     int priority = 1;         // 1 is the most important
     QString name = {};
-    passes::Pass pass;
+    passes::Pass pass;  // with the parts in which the antenna sees the sky
+
+    // What is tracked of it: from the first to the last moment in which the antenna sees it.
+    [[nodiscard]] bool isHidden() const { return pass.clear.empty(); }
+    [[nodiscard]] UtcTime begins() const { return isHidden() ? pass.aos.utc : pass.clear.front().from; }
+    [[nodiscard]] UtcTime ends() const { return isHidden() ? pass.los.utc : pass.clear.back().to; }
+    [[nodiscard]] Seconds seen() const;  // the sum of these parts
 
     bool operator==(const WatchedPass&) const = default;
 };
@@ -44,8 +50,9 @@ struct Conflict
 
 struct NightPlan
 {
-    std::vector<WatchedPass> chosen;  // in the order of their AOS
-    std::vector<Conflict> conflicts;  // in the order of the AOS of what was left out
+    std::vector<WatchedPass> chosen;  // in the order in which they begin
+    std::vector<Conflict> conflicts;  // in the order in which begins what was left out
+    std::vector<WatchedPass> hidden;  // all of it behind the horizon of the mount, in a keep-out or beyond a limit
 
     bool operator==(const NightPlan&) const = default;
 };
@@ -53,7 +60,7 @@ struct NightPlan
 struct PlanRules
 {
     OverlapPolicy policy = OverlapPolicy::Priority;
-    Seconds lead{60.0};  // from the end of one pass to the AOS of the next one, at least
+    Seconds lead{60.0};  // from the end of one pass to the beginning of the next one, at least
 };
 
 // A pass that is already up when the plan begins needs no lead.

@@ -4,7 +4,6 @@
 #include "core/orbit/sgp4.h"
 #include "core/orbit/topocentric.h"
 
-#include <algorithm>
 #include <chrono>
 
 namespace boresight::ui {
@@ -13,12 +12,6 @@ namespace {
 
 constexpr int kSteps = 180;
 constexpr std::chrono::minutes kLongPass{40};
-
-bool isClearAt(const passes::Pass& pass, UtcTime utc)
-{
-    return std::ranges::any_of(
-        pass.clear, [utc](const passes::Stretch& stretch) { return stretch.from <= utc && utc <= stretch.to; });
-}
 
 }  // namespace
 
@@ -33,7 +26,7 @@ PassPath pathOf(const BookedPass& one, const PassBook& book)
         if (const auto state = orbit.propagate(date)) {
             to.push_back({.utc = utc,
                           .direction = observer.look(orbit::groundState(*state, date)).direction,
-                          .isHidden = !isClearAt(pass, utc)});
+                          .isHidden = !pass.isClearAt(utc)});
         }
     };
     const UtcTime::duration length = pass.los.utc - pass.aos.utc;

@@ -19,6 +19,7 @@ WatchedPass pass(std::int64_t number, int from, int to, int priority = 1)
     WatchedPass one{.number = number, .priority = priority, .pass = {}};
     one.pass.aos.utc = UtcTime(std::chrono::seconds(from));
     one.pass.los.utc = UtcTime(std::chrono::seconds(to));
+    one.pass.clear = {{one.pass.aos.utc, one.pass.los.utc}};
     return one;
 }
 
@@ -95,6 +96,37 @@ TEST(NightPlan, TheMountIsInPlaceBeforeEachPass)
     up.pass.isUpAtStart = true;
     EXPECT_THAT(chosen(plan({up, pass(6, 160, 500)})), ElementsAre(5, 6));
     EXPECT_THAT(plan({}).chosen, IsEmpty());
+}
+
+WatchedPass seenOnly(WatchedPass one, std::vector<std::pair<int, int>> parts)
+{
+    one.pass.clear.clear();
+    for (const auto& [from, to] : parts) {
+        one.pass.clear.push_back({UtcTime(std::chrono::seconds(from)), UtcTime(std::chrono::seconds(to))});
+    }
+    return one;
+}
+
+// REQ-SCHEDULE-905: The horizon, the keep-outs and the limits of the mount count. A pass is as long as the antenna sees
+// it, and conflicts only from the first to the last moment of that. A pass that the antenna never sees is listed as
+// hidden, and keeps back no other.
+TEST(NightPlan, WhatTheAntennaDoesNotSeeDoesNotCount)
+{
+    const WatchedPass second = pass(2, 300, 700, 2);
+    EXPECT_THAT(chosen(plan({pass(1, 0, 400), second})), ElementsAre(1));
+    EXPECT_THAT(chosen(plan({seenOnly(pass(1, 0, 400), {{20, 240}}), second})), ElementsAre(1, 2));
+    EXPECT_THAT(chosen(plan({seenOnly(pass(1, 0, 400), {{20, 100}, {200, 241}}), second})), ElementsAre(1));
+
+    const NightPlan hidden = plan({seenOnly(pass(1, 0, 400), {}), second});
+    EXPECT_THAT(chosen(hidden), ElementsAre(2));
+    EXPECT_THAT(hidden.conflicts, IsEmpty());
+    ASSERT_THAT(hidden.hidden, SizeIs(1));
+    EXPECT_EQ(hidden.hidden[0].number, 1);
+
+    const NightPlan byLength =
+        plan({seenOnly(pass(1, 0, 500), {{0, 50}, {450, 500}}), pass(2, 300, 700)}, OverlapPolicy::Longest);
+    EXPECT_THAT(chosen(byLength), ElementsAre(2)) << "100 s are seen of the first";
+    EXPECT_EQ(byLength.conflicts[0].reason, Reason::Longer);
 }
 
 TEST(NightPlan, APassThatIsLeftOutKeepsBackNoOther)
