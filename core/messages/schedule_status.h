@@ -18,7 +18,7 @@ struct ScheduleStatus
     QString why;  // it is not armed, or there is no plan; may be empty
     schedule::NightPlan plan;
     std::optional<std::int64_t> tracked;  // the satellite of the pass that the mount tracks or waits for
-    schedule::NightReport report;         // since the start of the program, with the pass that is tracked
+    schedule::NightReport report;         // also before a restart, with the pass that is tracked
 
     bool operator==(const ScheduleStatus&) const = default;
 };

@@ -61,10 +61,28 @@ const Source& scheduleSource()
     return kSource;
 }
 
-NightDesk::NightDesk(StationControl& control, const profile::InForce& profile, const Clock& clock, EventLog& log,
-                     Search search)
-    : m_control(control), m_profile(profile), m_clock(clock), m_log(log), m_search(std::move(search))
-{}
+NightDesk::NightDesk(StationControl& control, const profile::InForce& profile, ReportFile& file, const Clock& clock,
+                     EventLog& log, Search search)
+    : m_control(control), m_profile(profile), m_file(file), m_clock(clock), m_log(log), m_search(std::move(search))
+{
+    goOnWithReport();
+}
+
+NightDesk::~NightDesk()
+{
+    if (m_tracked) {
+        store(m_tracked->tally().ended(schedule::PassEnd::Manual, Text::tr("Boresight was closed")));
+    }
+}
+
+void NightDesk::goOnWithReport()
+{
+    const std::vector<schedule::PassRecord>& stored = m_file.report().passes;
+    if (!stored.empty() && std::chrono::abs(m_clock.utc() - stored.back().los) < kSameNight) {
+        m_report = m_file.report();
+        show();
+    }
+}
 
 Result<> NightDesk::carryOut(const ScheduleRequest& request, const Source& by)
 {
@@ -148,6 +166,8 @@ void NightDesk::disarm(const Interruption& by)
     if (m_tracked) {
         keep(m_tracked->tally().ended(by.end, by.why));
         m_tracked.reset();
+    } else {
+        m_file.keep(m_report);
     }
     m_log.add(Severity::Warning, scheduleSource().name, Text::tr("the schedule is off: %1").arg(by.why));
     m_control.alarms().raise(alarmEntry("schedule.disarmed"), {by.why});
@@ -195,6 +215,7 @@ void NightDesk::tick()
         }
     }
     if (m_clock.now() - m_shownAt >= kShowPeriod) {
+        noteFile();
         show();
     }
 }
@@ -365,9 +386,30 @@ Result<> NightDesk::ask(const Request& request)
     return answer;
 }
 
+void NightDesk::store(const schedule::PassRecord& record)
+{
+    std::vector<schedule::PassRecord>& passes = m_report.passes;
+    passes.push_back(record);
+    if (passes.size() > kMostPasses) {
+        passes.erase(passes.begin());
+    }
+    m_file.keep(m_report);
+}
+
+// Once for each problem.
+void NightDesk::noteFile()
+{
+    if (m_file.problem() != m_fileProblem) {
+        m_fileProblem = m_file.problem();
+        if (!m_fileProblem.isEmpty()) {
+            m_log.add(Severity::Warning, scheduleSource().name, m_fileProblem);
+        }
+    }
+}
+
 void NightDesk::keep(const schedule::PassRecord& record)
 {
-    m_report.passes.push_back(record);
+    store(record);
     m_log.add(
         Severity::Advisory, scheduleSource().name,
         Text::tr("%1: tracked for %2 s, %3 s within 1 dB and %4 s within 3 dB of the beam, error %5° rms, %6° peak")

@@ -5,6 +5,7 @@
 #include "core/control/station_control.h"
 #include "core/messages/request.h"
 #include "core/messages/schedule_status.h"
+#include "core/night/report_file.h"
 #include "core/night/tracked_pass.h"
 #include "core/passes/pass_finder.h"
 #include "core/profile/in_force.h"
@@ -38,10 +39,16 @@ public:
     static constexpr std::chrono::hours kRenewed{1};
     // What does not follow within this time is not waited for: the mount may be parked.
     static constexpr std::chrono::minutes kLongPause{30};
+    // A stored report goes on if its last pass ended within this time.
+    static constexpr std::chrono::hours kSameNight{24};
+    static constexpr std::size_t kMostPasses = 500;  // of the report
 
     // All of them outlive the desk.
-    NightDesk(StationControl& control, const profile::InForce& profile, const Clock& clock, EventLog& log,
-              Search search);
+    NightDesk(StationControl& control, const profile::InForce& profile, ReportFile& file, const Clock& clock,
+              EventLog& log, Search search);
+    ~NightDesk();  // a pass that goes on comes into the report
+    NightDesk(const NightDesk&) = delete;
+    NightDesk& operator=(const NightDesk&) = delete;
 
     // What StationControl has admitted: done, or the reason why not.
     Result<> carryOut(const ScheduleRequest& request, const Source& by);
@@ -77,11 +84,15 @@ private:
     void holdNow();
     void restBetween();
     Result<> ask(const Request& request);
+    void goOnWithReport();
+    void store(const schedule::PassRecord& record);
     void keep(const schedule::PassRecord& record);
+    void noteFile();
     void show();
 
     StationControl& m_control;
     const profile::InForce& m_profile;
+    ReportFile& m_file;
     const Clock& m_clock;
     EventLog& m_log;
     Search m_search;
@@ -97,6 +108,7 @@ private:
     UtcTime m_handledUntil{};  // passes that end before are over
     std::optional<TrackedPass> m_tracked;
     schedule::NightReport m_report;
+    QString m_fileProblem;  // that the log has
     std::shared_ptr<const ScheduleStatus> m_shown = std::make_shared<const ScheduleStatus>();
     SteadyTime m_shownAt{};
 };

@@ -140,6 +140,7 @@ private:
     CalibrationDesk m_calibration;
     TuningDesk m_tuning;
     StationPasses m_passes{this};
+    ReportFile m_reportFile;
     NightDesk m_night;
     EventFile m_eventFile;
     QTimer m_tickTimer;

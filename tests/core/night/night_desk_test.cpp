@@ -75,10 +75,10 @@ NightDesk::Satellites threeSatellites()
     static const auto kSets = [] {
         const UtcTime begin = fakes::ManualClock().utc();
         std::vector<orbit::ElementSet> sets{
-            risingAfter(90'001, begin, std::chrono::minutes(4), Seconds(300.0), Seconds(500.0))};
+            risingAfter(90'001, begin, std::chrono::minutes(4), Seconds(240.0), Seconds(330.0))};
         for (int i = 1; i < 3; ++i) {
             sets.push_back(
-                risingAfter(90'001 + i, begin, std::chrono::minutes(4 + 10 * i), Seconds(120.0), Seconds(250.0)));
+                risingAfter(90'001 + i, begin, std::chrono::minutes(4 + 10 * i), Seconds(120.0), Seconds(180.0)));
         }
         return std::make_shared<const std::vector<orbit::ElementSet>>(std::move(sets));
     }();
@@ -158,7 +158,12 @@ protected:
     static constexpr std::chrono::seconds kBefore{65};  // more than the lead
 
     StationRig rig;
-    NightDesk desk{rig.control, rig.inForce, rig.clock, rig.log,
+    ReportFile file{QString()};
+    NightDesk desk{rig.control,
+                   rig.inForce,
+                   file,
+                   rig.clock,
+                   rig.log,
                    [](const std::vector<passes::SatelliteSearch>& searches, const NightDesk::Found& found) {
                        found(passes::findPasses(searches));
                    }};
@@ -318,6 +323,48 @@ TEST_F(NightDeskTest, TheHorizonOfTheMountCounts)
     EXPECT_EQ(report.passes[0].end, schedule::PassEnd::Set);
     EXPECT_NEAR(report.passes[0].tracked.count(), top.seen().count(), 1.0);
     EXPECT_NEAR(report.passes[0].within1dB.count(), top.seen().count(), 1.0);
+}
+
+// REQ-SCHEDULE-918: After a restart the report of the same night goes on. A pass that the program left in the middle is
+// in it. A report whose last pass ended a day ago is over, and a new one begins.
+TEST_F(NightDeskTest, TheReportGoesOnAfterARestart)
+{
+    const auto reportNow = [&] {
+        NightDesk again(rig.control, rig.inForce, file, rig.clock, rig.log, [](const auto&, const auto&) {});
+        StationStatus all;
+        again.fill(all);
+        return all.schedule->report;
+    };
+    intoAPass();
+    operatorAsks(request::Hold{});
+    const schedule::NightReport before = status().report;
+    ASSERT_THAT(before.passes, SizeIs(1));
+    EXPECT_EQ(reportNow(), before);
+    EXPECT_EQ(file.report().interventions, 1);
+
+    rig.clock.stepUtc(NightDesk::kSameNight + Seconds(600.0));
+    EXPECT_EQ(reportNow(), schedule::NightReport{});
+}
+
+TEST_F(NightDeskTest, APassThatTheProgramLeavesIsInTheReport)
+{
+    {
+        NightDesk other(rig.control, rig.inForce, file, rig.clock, rig.log,
+                        [](const std::vector<passes::SatelliteSearch>& searches, const NightDesk::Found& found) {
+                            found(passes::findPasses(searches));
+                        });
+        other.setSatellites(threeSatellites());
+        other.tick();
+        ASSERT_TRUE(other.carryOut(request::ArmSchedule{}, kOperator));
+        skipTo(first().begins() + std::chrono::seconds(5));
+        other.tick();
+        StationStatus all;
+        other.fill(all);
+        ASSERT_TRUE(all.schedule->tracked);
+        EXPECT_TRUE(file.report().passes.empty());
+    }
+    ASSERT_THAT(file.report().passes, SizeIs(1));
+    EXPECT_EQ(file.report().passes[0].end, schedule::PassEnd::Manual);
 }
 
 class UnattendedNight : public NightDeskTest

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/schedule/report_text.h"
+
+#include "core/records/toml_reader.h"
+#include "core/records/toml_writer.h"
+
+namespace boresight::schedule {
+namespace {
+
+using records::Range;
+
+constexpr std::int64_t kVersion = 1;
+constexpr Range kOfCount{0.0, 1e9};
+constexpr Range kOfNumber{0.0, 999'999'999.0};  // the catalogue has nine digits
+constexpr Range kOfTime{0.0, 1e9};              // s
+constexpr Range kOfError{0.0, 180.0};           // deg
+constexpr Range kOfEnd{0.0, static_cast<double>(PassEnd::Refused)};
+
+struct ReportFile
+{
+    std::int64_t version = kVersion;
+    NightReport report;
+};
+
+template <class Visitor>
+void passFields(Visitor& visitor, PassRecord& pass)
+{
+    visitor.whole("norad", pass.number, kOfNumber);
+    visitor.text("name", pass.name);
+    visitor.time("aos", pass.aos);
+    visitor.time("los", pass.los);
+    inSeconds(visitor, "tracked_s", pass.tracked, kOfTime);
+    inSeconds(visitor, "within_1db_s", pass.within1dB, kOfTime);
+    inSeconds(visitor, "within_3db_s", pass.within3dB, kOfTime);
+    inDegrees(visitor, "rms_deg", pass.rmsError, kOfError);
+    inDegrees(visitor, "peak_deg", pass.peakError, kOfError);
+    asWhole(visitor, "end", pass.end, kOfEnd);
+    visitor.text("why", pass.why);
+}
+
+template <class Visitor>
+void reportFields(Visitor& visitor, ReportFile& file)
+{
+    visitor.whole("version", file.version, {kVersion, kVersion});
+    asWhole(visitor, "interventions", file.report.interventions, kOfCount);
+    asWhole(visitor, "faults", file.report.faults, kOfCount);
+    visitor.list("pass", file.report.passes, passFields<Visitor>);
+}
+
+}  // namespace
+
+Result<std::string> toText(const NightReport& report)
+{
+    ReportFile file{.report = report};
+    records::TomlWriter writer;
+    reportFields(writer, file);
+    const std::string text =
+        "# Boresight: the passes that the schedule tracked, the oldest first. Angles are in degrees.\n"
+        "# end: 0 tracked to the end, 1 a manual act, 2 a fault, 3 refused.\n" +
+        writer.written();
+    return parseReport(text, QStringLiteral("report")).map([&](const NightReport&) { return text; });
+}
+
+Result<NightReport> parseReport(std::string_view text, const QString& fileName)
+{
+    ReportFile file;
+    return records::TomlReader::read(text, fileName, [&](records::TomlReader& reader) { reportFields(reader, file); })
+        .map([&] { return std::move(file.report); });
+}
+
+}  // namespace boresight::schedule
