@@ -8,7 +8,6 @@
 #include "core/profile/profile_diff.h"
 #include "core/sources/motion_sources.h"
 
-#include <QHostAddress>
 #include <QLoggingCategory>
 
 #include <algorithm>
@@ -19,7 +18,6 @@ Q_LOGGING_CATEGORY(lcTick, "boresight.tick", QtInfoMsg)
 namespace boresight {
 namespace {
 
-const QString kServerSource = QStringLiteral("rotctld");
 constexpr std::chrono::seconds kReopenPeriod{1};
 // Who starts the program and asks for the position at once shall get one, if there is one to be had: where no drive
 // answers there is none, and drives that answer are checked first.
@@ -33,25 +31,6 @@ Source operatorSource()
     return {.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
 }
 
-rotctld::ServerSettings serverSettings(const profile::RotctldSettings& settings)
-{
-    return {.host = settings.listen.host,
-            .port = settings.listen.port,
-            .maxClients = static_cast<std::size_t>(settings.maxClients),
-            .dumpState = settings.dumpState == profile::DumpState::AsHamlib ? rotctld::DumpStateForm::AsHamlib
-                                                                            : rotctld::DumpStateForm::OldAndNew,
-            .allow = settings.allow};
-}
-
-QString advice(const rotctld::ClientInfo& client)
-{
-    if (!client.leap || !QString::fromStdString(client.program).startsWith(QLatin1String("Gpredict"))) {
-        return {};
-    }
-    return Text::tr("This Gpredict updates only every %1°. Set Threshold to 0.1 in its Antenna Control.")
-        .arg(client.leap->degrees(), 0, 'f', 0);
-}
-
 }  // namespace
 
 Station::Station(const profile::Profile& profile, const MountMaker& mount, const QString& stateDir, const Clock& clock)
@@ -61,8 +40,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_alarms(m_log, clock),
       m_mount(mount(m_profile, clock, m_log, m_alarms)),
       m_control(m_profile, clock, m_log, m_alarms, m_mount->driver(), motionSources),
-      m_rotator(m_control, m_profile, m_log, clock),
-      m_server(serverSettings(profile.rotctld), m_rotator, clock, this),
+      m_server(m_control, m_profile, m_log, clock, this),
       m_shell({.ask = [this](const Request& request, const Source& by) { return askNow(request, by); },
                .mayShellCommand = [this] { return m_control.mayShellCommand(); },
                .satellites = [this] { return m_elements.satellites(); },
@@ -176,30 +154,12 @@ void Station::openMount()
 
 void Station::openServer()
 {
-    const Result<> listening = m_server.listen();
-    if (listening) {
+    if (const Result<> listening = m_server.open()) {
         m_shell.open(m_server.port());
-        m_log.add(Severity::Advisory, kServerSource, Text::tr("listening on %1").arg(toQString(m_server.address())));
-        tellOpenPort();
-        return;
+    } else {
+        m_startTold = true;
+        Q_EMIT started({}, listening.error().text);
     }
-    const QString problem = listening.error().text;
-    m_control.alarms().raise(alarmEntry("rotctld.not-listening"), {problem});
-    m_startTold = true;
-    Q_EMIT started({}, problem);
-}
-
-// Whoever reaches the port moves the mount: the protocol knows no password.
-void Station::tellOpenPort()
-{
-    const profile::RotctldSettings& settings = m_profile->rotctld;
-    const bool local =
-        settings.listen.host == "localhost" || QHostAddress(QString::fromStdString(settings.listen.host)).isLoopback();
-    if (local || !settings.allow.empty() || m_server.address().empty()) {
-        m_control.alarms().clear(alarmEntry("rotctld.open"));
-        return;
-    }
-    m_control.alarms().raise(alarmEntry("rotctld.open"), {toQString(m_server.address())});
 }
 
 void Station::tellStart()
@@ -210,7 +170,7 @@ void Station::tellStart()
     const auto patience = drives ? std::chrono::milliseconds(kSurveyPatience) : kStartPatience;
     if (!m_startTold && (m_control.measured() || m_clock.now() - m_opened > patience)) {
         m_startTold = true;
-        Q_EMIT started(QString::fromStdString(m_server.address()), {});
+        Q_EMIT started(m_server.address(), {});
     }
 }
 
@@ -351,10 +311,7 @@ void Station::reload(const Result<profile::Profile>& read)
 Result<> Station::carryOut(const Request& request, const Source& by)
 {
     if (const auto* const wanted = std::get_if<request::Disconnect>(&request)) {
-        if (!m_server.disconnect(wanted->clientId, Text::tr("disconnected by the operator"))) {
-            return failure(ErrorCode::NotAvailable, Text::tr("this client has disconnected"));
-        }
-        return {};
+        return m_server.disconnect(wanted->clientId);
     }
     if (const auto* const applying = std::get_if<request::ApplyProfile>(&request)) {
         return fits(applying->profile).map([&] { apply(applying->profile); });
@@ -428,10 +385,7 @@ void Station::profileChanged(const profile::Profile& before)
     const profile::Profile& after = *m_profile;
     m_control.profileChanged(before, after);
     m_mount->profileChanged(before, after);
-    // The server knows no profile.
-    m_server.setAllowed(after.rotctld.allow);
-    m_server.setMaxClients(serverSettings(after.rotctld).maxClients);
-    tellOpenPort();
+    m_server.profileChanged();
     m_broker.profileChanged(before, after);
     m_sensor.profileChanged(before, after);
     m_power.profileChanged(before, after);
@@ -487,8 +441,8 @@ StationStatus Station::status() const
     status.waitingKeys = m_profile.waitingKeys();
     status.simulated = m_mount->simulated();
     m_mount->describe(status);
-    status.listening = QString::fromStdString(m_server.address());
-    status.clients = clients();
+    status.listening = m_server.address();
+    status.clients = m_server.clients();
     status.timing = {.lateP50 = m_lateness.percentile(0.5),
                      .lateP99 = m_lateness.percentile(0.99),
                      .lateWorst = m_lateness.percentile(1.0),
@@ -501,22 +455,6 @@ StationStatus Station::status() const
     m_tuning.fill(status, m_calibration.moves());
     m_night.fill(status);
     return status;
-}
-
-std::vector<ClientStatus> Station::clients() const
-{
-    std::vector<ClientStatus> list;
-    for (const rotctld::ClientInfo& client : m_server.clients()) {
-        ClientStatus status{.id = client.id,
-                            .address = QString::fromStdString(client.address),
-                            .program = QString::fromStdString(client.program),
-                            .lastCommand = client.lastCommand,
-                            .commandsPerSecond = client.commandsPerSecond,
-                            .advice = advice(client)};
-        m_control.describe(status, client.lastMotion);
-        list.push_back(std::move(status));
-    }
-    return list;
 }
 
 }  // namespace boresight

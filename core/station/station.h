@@ -13,15 +13,14 @@
 #include "core/north/calibration_desk.h"
 #include "core/profile/in_force.h"
 #include "core/profile/profile.h"
-#include "core/rotctld/server.h"
 #include "core/station/real_time.h"
 #include "core/station/station_azel.h"
 #include "core/station/station_broker.h"
 #include "core/station/station_elements.h"
 #include "core/station/station_passes.h"
 #include "core/station/station_power.h"
-#include "core/station/station_rotator.h"
 #include "core/station/station_sensor.h"
+#include "core/station/station_server.h"
 #include "core/station/station_shell.h"
 #include "core/station/tick_lateness.h"
 #include "core/tuning/tuning_desk.h"
@@ -115,12 +114,10 @@ private:
     [[nodiscard]] std::optional<DrivesStatus> drives() const;
     void openServer();
     void refuseToStart();
-    void tellOpenPort();
     void tellStart();
     void witness();
     void finish();
     void keepSample();
-    [[nodiscard]] std::vector<ClientStatus> clients() const;
 
     profile::InForce m_profile;  // before all who read it
     const Clock& m_clock;
@@ -128,8 +125,7 @@ private:
     AlarmBoard m_alarms;
     std::unique_ptr<MountConnection> m_mount;
     StationControl m_control;
-    StationRotator m_rotator;
-    rotctld::Server m_server;
+    StationServer m_server;
     StationShell m_shell;
     StationBroker m_broker;
     StationSensor m_sensor;

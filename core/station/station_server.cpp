@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/station_server.h"
+
+#include "core/alarms/catalogue.h"
+#include "core/base/text.h"
+
+#include <QHostAddress>
+
+#include <utility>
+
+namespace boresight {
+namespace {
+
+rotctld::ServerSettings serverSettings(const profile::RotctldSettings& settings)
+{
+    return {.host = settings.listen.host,
+            .port = settings.listen.port,
+            .maxClients = static_cast<std::size_t>(settings.maxClients),
+            .dumpState = settings.dumpState == profile::DumpState::AsHamlib ? rotctld::DumpStateForm::AsHamlib
+                                                                            : rotctld::DumpStateForm::OldAndNew,
+            .allow = settings.allow};
+}
+
+QString advice(const rotctld::ClientInfo& client)
+{
+    if (!client.leap || !QString::fromStdString(client.program).startsWith(QLatin1String("Gpredict"))) {
+        return {};
+    }
+    return Text::tr("This Gpredict updates only every %1°. Set Threshold to 0.1 in its Antenna Control.")
+        .arg(client.leap->degrees(), 0, 'f', 0);
+}
+
+}  // namespace
+
+StationServer::StationServer(StationControl& control, const profile::InForce& profile, EventLog& log,
+                             const Clock& clock, QObject* parent)
+    : m_control(control),
+      m_profile(profile),
+      m_log(log),
+      m_rotator(control, profile, log, clock),
+      m_server(serverSettings(profile->rotctld), m_rotator, clock, parent)
+{}
+
+Result<> StationServer::open()
+{
+    const Result<> listening = m_server.listen();
+    if (listening) {
+        m_log.add(Severity::Advisory, QStringLiteral("rotctld"), Text::tr("listening on %1").arg(address()));
+        tellOpenPort();
+    } else {
+        m_control.alarms().raise(alarmEntry("rotctld.not-listening"), {listening.error().text});
+    }
+    return listening;
+}
+
+// Whoever reaches the port moves the mount: the protocol knows no password.
+void StationServer::tellOpenPort()
+{
+    const profile::RotctldSettings& settings = m_profile->rotctld;
+    const bool local =
+        settings.listen.host == "localhost" || QHostAddress(QString::fromStdString(settings.listen.host)).isLoopback();
+    if (local || !settings.allow.empty() || m_server.address().empty()) {
+        m_control.alarms().clear(alarmEntry("rotctld.open"));
+        return;
+    }
+    m_control.alarms().raise(alarmEntry("rotctld.open"), {address()});
+}
+
+// The server knows no profile.
+void StationServer::profileChanged()
+{
+    const rotctld::ServerSettings settings = serverSettings(m_profile->rotctld);
+    m_server.setAllowed(settings.allow);
+    m_server.setMaxClients(settings.maxClients);
+    tellOpenPort();
+}
+
+Result<> StationServer::disconnect(std::uint64_t client)
+{
+    return m_server.disconnect(client, Text::tr("disconnected by the operator"))
+               ? Result<>{}
+               : failure(ErrorCode::NotAvailable, Text::tr("this client has disconnected"));
+}
+
+QString StationServer::address() const
+{
+    return toQString(m_server.address());
+}
+
+std::vector<ClientStatus> StationServer::clients() const
+{
+    std::vector<ClientStatus> list;
+    for (const rotctld::ClientInfo& client : m_server.clients()) {
+        ClientStatus status{.id = client.id,
+                            .address = QString::fromStdString(client.address),
+                            .program = QString::fromStdString(client.program),
+                            .lastCommand = client.lastCommand,
+                            .commandsPerSecond = client.commandsPerSecond,
+                            .advice = advice(client)};
+        m_control.describe(status, client.lastMotion);
+        list.push_back(std::move(status));
+    }
+    return list;
+}
+
+}  // namespace boresight

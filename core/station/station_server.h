@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/event_log.h"
+#include "core/control/station_control.h"
+#include "core/profile/in_force.h"
+#include "core/rotctld/server.h"
+#include "core/station/station_rotator.h"
+
+#include <vector>
+
+// The rotctld server of a station, by the profile: where it listens, who may connect, what the log and the alarms say
+// about it, and its clients as the screen shows them. Station thread.
+namespace boresight {
+
+class StationServer
+{
+public:
+    // All of them outlive this.
+    StationServer(StationControl& control, const profile::InForce& profile, EventLog& log, const Clock& clock,
+                  QObject* parent);
+
+    // Where it does not listen there is an alarm, too.
+    Result<> open();
+    void close() { m_server.close(); }
+    void profileChanged();
+    // NotAvailable: it has gone by itself.
+    Result<> disconnect(std::uint64_t client);
+
+    [[nodiscard]] std::uint16_t port() const { return m_server.port(); }
+    [[nodiscard]] QString address() const;  // empty: it does not listen
+    [[nodiscard]] std::vector<ClientStatus> clients() const;
+
+private:
+    void tellOpenPort();
+
+    StationControl& m_control;
+    const profile::InForce& m_profile;
+    EventLog& m_log;
+    StationRotator m_rotator;
+    rotctld::Server m_server;  // ends before the rotator
+};
+
+}  // namespace boresight
