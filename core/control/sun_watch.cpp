@@ -29,8 +29,7 @@ void SunWatch::begin()
     m_looked.reset();
     m_almanac.reset();
     if (m_profile->sun.keepAway == profile::KeepAway::On && site.known) {
-        m_almanac.emplace(
-            Site{.latitude = site.latitude, .longitude = site.longitude, .heightMetres = site.heightMetres});
+        m_almanac.emplace(site.place());
     }
 }
 

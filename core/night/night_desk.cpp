@@ -22,20 +22,10 @@ constexpr std::chrono::seconds kSamePass{30};
 // The control may end a pass this much earlier than the plan.
 constexpr std::chrono::seconds kAboutToSet{2};
 
-Site siteOf(const profile::SiteSettings& site)
-{
-    return {.latitude = site.latitude, .longitude = site.longitude, .heightMetres = site.heightMetres};
-}
-
 const orbit::ElementSet* find(const std::vector<orbit::ElementSet>& satellites, std::int64_t number)
 {
     const auto found = std::ranges::find(satellites, number, &orbit::ElementSet::number);
     return found == satellites.end() ? nullptr : &*found;
-}
-
-QString nameOfSatellite(const orbit::ElementSet& set)
-{
-    return set.name.empty() ? QString::number(set.number) : toQString(set.name);
 }
 
 // What only looks, or speaks for nobody who wants the mount.
@@ -151,9 +141,8 @@ Result<> NightDesk::arm(const Source& by, Severity severity, const QString& word
 void NightDesk::armByPolicy()
 {
     if (!m_policyUsed && m_profile->schedule.unattended == profile::Unattended::On && mayArm()) {
-        [[maybe_unused]] const Result<> armed =
-            arm(scheduleSource(), Severity::Warning,
-                Text::tr("arms itself, because schedule.unattended is \"on\" in the profile"));
+        [[maybe_unused]] const Result<> armed = arm(scheduleSource(), Severity::Warning,
+                                                    Text::tr("arms itself, as the profile says (schedule.unattended)"));
     }
 }
 
@@ -269,9 +258,9 @@ void NightDesk::lookForPasses()
             continue;
         }
         known.push_back(
-            {.number = entry.number, .priority = entry.priority, .name = nameOfSatellite(*set), .pass = {}});
+            {.number = entry.number, .priority = entry.priority, .name = targets::satelliteName(*set), .pass = {}});
         searches.push_back({.orbit = orbit::Sgp4(*set),
-                            .search = {.site = siteOf(m_profile->site),
+                            .search = {.site = m_profile->site.place(),
                                        .from = utc,
                                        .to = utc + kPlanned,
                                        .minimumElevation = entry.leastElevation,
@@ -330,7 +319,7 @@ void NightDesk::move()
 void NightDesk::begin(const schedule::WatchedPass& pass)
 {
     const orbit::ElementSet* const set = find(*m_satellites, pass.number);
-    TrackedPass tracked(pass, set != nullptr ? *set : orbit::ElementSet{}, siteOf(m_profile->site), m_clock.now());
+    TrackedPass tracked(pass, set != nullptr ? *set : orbit::ElementSet{}, m_profile->site.place(), m_clock.now());
     const Result<> begun =
         set != nullptr ? ask(request::Track{targets::satelliteTarget(*set)})
                        : failure(ErrorCode::NotAvailable, Text::tr("The elements of %1 are gone.").arg(pass.name));
@@ -410,15 +399,14 @@ void NightDesk::noteFile()
 void NightDesk::keep(const schedule::PassRecord& record)
 {
     store(record);
-    m_log.add(
-        Severity::Advisory, scheduleSource().name,
-        Text::tr("%1: tracked for %2 s, %3 s within 1 dB and %4 s within 3 dB of the beam, error %5° rms, %6° peak")
-            .arg(record.name)
-            .arg(record.tracked.count(), 0, 'f', 0)
-            .arg(record.within1dB.count(), 0, 'f', 0)
-            .arg(record.within3dB.count(), 0, 'f', 0)
-            .arg(record.rmsError.degrees(), 0, 'f', 3)
-            .arg(record.peakError.degrees(), 0, 'f', 3));
+    m_log.add(Severity::Advisory, scheduleSource().name,
+              Text::tr("%1 was tracked for %2 s. Within 1 dB: %3 s. Within 3 dB: %4 s. Error: %5° rms, %6° at most.")
+                  .arg(record.name)
+                  .arg(record.tracked.count(), 0, 'f', 0)
+                  .arg(record.within1dB.count(), 0, 'f', 0)
+                  .arg(record.within3dB.count(), 0, 'f', 0)
+                  .arg(record.rmsError.degrees(), 0, 'f', 3)
+                  .arg(record.peakError.degrees(), 0, 'f', 3));
 }
 
 void NightDesk::show()

@@ -2,6 +2,7 @@
 #include "core/night/tracked_pass.h"
 
 #include "core/elements/julian_date.h"
+#include "core/units/angle_between.h"
 
 namespace boresight {
 
@@ -25,7 +26,7 @@ void TrackedPass::look(const std::optional<SkyPointing>& beam, UtcTime utc, Stea
     const orbit::JulianDate date = orbit::julianDate(utc);
     if (const orbit::OrbitResult state = m_orbit.propagate(date)) {
         const SkyPointing satellite = m_observer.look(orbit::groundState(*state, date)).direction;
-        m_tally.add(schedule::apart(*beam, satellite), during, beamWidth);
+        m_tally.add(angleBetween(*beam, satellite), during, beamWidth);
     }
 }
 

@@ -36,8 +36,7 @@ QString bodyName(ephemeris::Body body)
 SkyBodies::SkyBodies(const profile::SiteSettings& site)
 {
     if (site.known) {
-        m_almanac.emplace(
-            Site{.latitude = site.latitude, .longitude = site.longitude, .heightMetres = site.heightMetres});
+        m_almanac.emplace(site.place());
     }
 }
 

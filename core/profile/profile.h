@@ -10,6 +10,7 @@
 #include "core/profile/sensor_settings.h"
 #include "core/schedule/watch_entry.h"
 #include "core/tracking/axis_profile.h"
+#include "core/units/site.h"
 #include "core/units/sky.h"
 
 #include <cstdint>
@@ -137,6 +138,11 @@ struct SiteSettings
     Angle latitude;   // north positive
     Angle longitude;  // east positive
     double heightMetres = 0.0;
+
+    [[nodiscard]] Site place() const
+    {
+        return {.latitude = latitude, .longitude = longitude, .heightMetres = heightMetres};
+    }
 
     bool operator==(const SiteSettings&) const = default;
 };

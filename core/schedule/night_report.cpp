@@ -3,18 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace boresight::schedule {
-
-// By the half angles: exact for directions that nearly agree, which those of a tracked pass do.
-Angle apart(const SkyPointing& a, const SkyPointing& b)
-{
-    const double up = std::sin((b.elevation - a.elevation).radians() / 2.0);
-    const double across = std::sin((b.azimuth - a.azimuth).radians() / 2.0);
-    const double square = up * up + std::cos(a.elevation.radians()) * std::cos(b.elevation.radians()) * across * across;
-    return Angle::fromDegrees(2.0 * std::asin(std::sqrt(std::clamp(square, 0.0, 1.0))) * 180.0 / std::numbers::pi);
-}
 
 double beamLoss(Angle distance, Angle beamWidth)
 {

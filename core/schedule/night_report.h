@@ -13,9 +13,6 @@
 // How well each pass of a night was tracked: where the beam was, against where the satellite was. Pure, any thread.
 namespace boresight::schedule {
 
-// Between two directions, on the sky.
-[[nodiscard]] Angle apart(const SkyPointing& a, const SkyPointing& b);
-
 // What a beam loses at this distance from its middle, in dB. A Gaussian beam whose gain is half at half its width B:
 // 40 log10(2) (distance / B)^2, so 3.01 dB at B / 2, and 1 dB at 0.288 B.
 [[nodiscard]] double beamLoss(Angle distance, Angle beamWidth);

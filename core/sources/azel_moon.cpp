@@ -13,9 +13,7 @@ namespace {
 
 std::optional<Site> siteOf(const profile::SiteSettings& site)
 {
-    return site.known ? std::optional(Site{
-                            .latitude = site.latitude, .longitude = site.longitude, .heightMetres = site.heightMetres})
-                      : std::optional<Site>();
+    return site.known ? std::optional(site.place()) : std::optional<Site>();
 }
 
 }  // namespace

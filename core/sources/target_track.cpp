@@ -38,11 +38,6 @@ bool stays(const targets::Target& target)
     return isDirection(target) || std::holds_alternative<targets::EarthPosition>(target.kind);
 }
 
-Site siteOf(const profile::SiteSettings& site)
-{
-    return {.latitude = site.latitude, .longitude = site.longitude, .heightMetres = site.heightMetres};
-}
-
 Result<> isFresh(const targets::Target& target, UtcTime now, double oldestDays)
 {
     const orbit::ElementSet* const elements = elementsOf(target);
@@ -110,7 +105,7 @@ Result<TargetTrack::Tracked> TargetTrack::plan(const targets::Target& target, co
     if (const Result<> may = permits(target, now); !may) {
         return tl::unexpected(may.error());
     }
-    const Site site = siteOf(view.profile.site);
+    const Site site = view.profile.site.place();
     Tracked tracked{.target = target, .path = targets::TargetPath(target, site), .site = site, .by = by};
     return tracked.path.nextUp(now)
         .and_then([&](const targets::UpTime& up) { return isSoon(up, target.name, now); })
@@ -195,7 +190,7 @@ Result<AxisPosition> TargetTrack::follow(Tracked& tracked, UtcTime utc)
 // The profile may have changed.
 Result<> TargetTrack::mayGoOn() const
 {
-    if (siteOf(helm().view().profile.site) != m_tracked->site) {
+    if (helm().view().profile.site.place() != m_tracked->site) {
         return failure(ErrorCode::Refused, Text::tr("The site of the mount was changed. Track the target again."));
     }
     return targets::isSun(m_tracked->target) ? Gates(helm().view()).mayFaceSun() : Result<>{};

@@ -13,11 +13,6 @@ namespace {
 
 const QString kSensorSource = QStringLiteral("sensor");
 
-Site siteOf(const profile::SiteSettings& site)
-{
-    return {.latitude = site.latitude, .longitude = site.longitude, .heightMetres = site.heightMetres};
-}
-
 }  // namespace
 
 StationSensor::StationSensor(const profile::InForce& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
@@ -119,7 +114,7 @@ void StationSensor::readModel()
         m_readAgain = true;
         return;
     }
-    m_reader.start([this, path = toQString(m_profile->sensor.declinationFile), site = siteOf(m_profile->site),
+    m_reader.start([this, path = toQString(m_profile->sensor.declinationFile), site = m_profile->site.place(),
                     year = geomagnetism::decimalYear(m_clock.utc())] {
         m_model = askModel(path, site, year);
         Q_EMIT modelRead();

@@ -8,10 +8,14 @@
 
 namespace boresight::targets {
 
+QString satelliteName(const orbit::ElementSet& elements)
+{
+    return elements.name.empty() ? QString::number(elements.number) : toQString(elements.name);
+}
+
 Target satelliteTarget(const orbit::ElementSet& elements)
 {
-    return {.name = elements.name.empty() ? QString::number(elements.number) : toQString(elements.name),
-            .kind = elements};
+    return {.name = satelliteName(elements), .kind = elements};
 }
 
 Target objectTarget(const ephemeris::NamedObject& object)

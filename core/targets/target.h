@@ -41,7 +41,8 @@ struct Target
     bool operator==(const Target&) const = default;
 };
 
-// The satellite of these elements: its number where it has no name.
+// Its number where it has no name.
+[[nodiscard]] QString satelliteName(const orbit::ElementSet& elements);
 [[nodiscard]] Target satelliteTarget(const orbit::ElementSet& elements);
 // Sun, Moon, a planet or a radio source, by its name in the language of the program.
 [[nodiscard]] Target objectTarget(const ephemeris::NamedObject& object);

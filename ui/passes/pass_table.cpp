@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/passes/pass_table.h"
 
+#include "core/targets/target.h"
 #include "ui/kit/format.h"
 #include "ui/passes/pass_words.h"
 
@@ -102,7 +103,7 @@ QVariant PassTable::data(const QModelIndex& index, int role) const
     }
     switch (index.column()) {
         case Satellite:
-            return satelliteName(m_book->elementsOf(one));
+            return targets::satelliteName(m_book->elementsOf(one));
         case Rises:
             return riseText(one.pass);
         case Until:

@@ -2,6 +2,7 @@
 #include "ui/passes/pass_words.h"
 
 #include "core/elements/julian_date.h"
+#include "core/targets/target.h"
 #include "ui/kit/format.h"
 
 #include <QStringList>
@@ -23,11 +24,6 @@ QString momentText(const QString& words, const passes::PassMoment& moment, Angle
 }
 
 }  // namespace
-
-QString satelliteName(const orbit::ElementSet& elements)
-{
-    return elements.name.empty() ? QString::number(elements.number) : QString::fromStdString(elements.name);
-}
 
 QString lengthText(Seconds time)
 {
@@ -60,7 +56,7 @@ QString factsOf(const BookedPass& one, const PassBook& book, UtcTime now)
 {
     const orbit::ElementSet& elements = book.elementsOf(one);
     const passes::Pass& pass = one.pass;
-    QStringList lines{PassWords::tr("%1, number %2").arg(satelliteName(elements)).arg(elements.number)};
+    QStringList lines{PassWords::tr("%1, number %2").arg(targets::satelliteName(elements)).arg(elements.number)};
     if (!pass.isUpAtStart) {
         lines << momentText(PassWords::tr("rises %1Z at %2"), pass.aos, pass.aos.direction.azimuth);
     }

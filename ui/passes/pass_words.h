@@ -16,8 +16,7 @@ struct PassWords
     Q_DECLARE_TR_FUNCTIONS(PassWords)
 };
 
-[[nodiscard]] QString satelliteName(const orbit::ElementSet& elements);  // its number where it has none
-[[nodiscard]] QString lengthText(Seconds time);                          // "10:12", "2 h 05"
+[[nodiscard]] QString lengthText(Seconds time);            // "10:12", "2 h 05"
 [[nodiscard]] QString riseText(const passes::Pass& pass);  // "17:05:59"; "up" where the span begins with it
 [[nodiscard]] QString untilText(const passes::Pass& pass, UtcTime now);  // "in 5 min"; "up" until it sets
 [[nodiscard]] Seconds hiddenTime(const passes::Pass& pass);              // by horizon, keep-outs or limits

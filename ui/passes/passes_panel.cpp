@@ -34,11 +34,6 @@ constexpr std::chrono::minutes kBack{30};
 constexpr int kFactLines = 6;
 constexpr double kHighestFilter = 89.0;  // °
 
-Site siteOf(const profile::SiteSettings& site)
-{
-    return {.latitude = site.latitude, .longitude = site.longitude, .heightMetres = site.heightMetres};
-}
-
 }  // namespace
 
 PassesPanel::PassesPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent)
@@ -188,7 +183,7 @@ void PassesPanel::searchAgain(const StationStatus& status)
     m_searcher->search(
         {.satellites = basis.satellites,
          .search = {
-             .site = siteOf(basis.site), .from = m_last.begun, .to = m_now + kAhead, .isClear = clearSky(profile)}});
+             .site = basis.site.place(), .from = m_last.begun, .to = m_now + kAhead, .isClear = clearSky(profile)}});
 }
 
 void PassesPanel::showBook(const std::shared_ptr<const PassBook>& book)

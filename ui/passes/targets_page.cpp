@@ -104,8 +104,7 @@ void TargetsPage::showStatus(const StationStatus& status)
         m_targets->tick(status.utc);
     }
     const QString why = status.permissions.reason(Action::Track);
-    m_trackChosen->setBlocked(site.known ? why
-                                         : tr("The site is not set. Enter it on the page Profile, or in the guide."));
+    m_trackChosen->setBlocked(site.known ? why : tr("The site is not set. Enter it on the page Profile."));
     const bool isTyped = !m_typed->text().trimmed().isEmpty();
     m_trackTyped->setBlocked(isTyped ? why : tr("Type a target first."));
     m_azel->showStatus(status);

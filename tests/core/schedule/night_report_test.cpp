@@ -33,14 +33,6 @@ TEST(NightReport, ABeamLosesThreeDecibelsAtHalfItsWidth)
     EXPECT_EQ(beamLoss(0_deg, 10_deg), 0.0);
 }
 
-TEST(NightReport, AnErrorIsMeasuredOnTheSky)
-{
-    EXPECT_NEAR(apart({359_deg, 0_deg}, {1_deg, 0_deg}).degrees(), 2.0, 1e-9);
-    EXPECT_NEAR(apart({0_deg, 60_deg}, {1_deg, 60_deg}).degrees(), 0.5, 1e-4);
-    EXPECT_NEAR(apart({10_deg, 20_deg}, {10_deg, 20.001_deg}).degrees(), 0.001, 1e-9);
-    EXPECT_NEAR(apart({0_deg, 80_deg}, {180_deg, 100_deg}).degrees(), 0.0, 1e-9) << "over the top";
-}
-
 TEST(NightReport, APassThatSomebodyEndedIsNotDone)
 {
     const PassTally tally({.number = 1, .name = {}, .why = {}});
