@@ -7749,10 +7749,6 @@ até %1</translation>
         <translation>Uma calibração ou um ensaio de sintonia move a montagem. Termine-o primeiro.</translation>
     </message>
     <message>
-        <source>arms itself, because schedule.unattended is &quot;on&quot; in the profile</source>
-        <translation>arma-se sozinha, porque schedule.unattended está em &quot;on&quot; no perfil</translation>
-    </message>
-    <message>
         <source>the schedule is off: %1</source>
         <translation>a agenda está desligada: %1</translation>
     </message>
@@ -7803,10 +7799,6 @@ até %1</translation>
     <message>
         <source>the pass of %1 is left out: %2</source>
         <translation>a passagem de %1 fica de fora: %2</translation>
-    </message>
-    <message>
-        <source>%1: tracked for %2 s, %3 s within 1 dB and %4 s within 3 dB of the beam, error %5° rms, %6° peak</source>
-        <translation>%1: seguido durante %2 s, %3 s dentro de 1 dB e %4 s dentro de 3 dB do feixe, erro %5° rms, %6° de pico</translation>
     </message>
     <message>
         <source>Satellite</source>
@@ -7879,6 +7871,26 @@ até %1</translation>
     <message>
         <source>%1: refused. %2</source>
         <translation>%1: recusado. %2</translation>
+    </message>
+    <message>
+        <source>Boresight was closed</source>
+        <translation>O Boresight foi fechado</translation>
+    </message>
+    <message>
+        <source>arms itself, as the profile says (schedule.unattended)</source>
+        <translation>arma-se sozinha, como diz o perfil (schedule.unattended)</translation>
+    </message>
+    <message>
+        <source>%1 was tracked for %2 s. Within 1 dB: %3 s. Within 3 dB: %4 s. Error: %5° rms, %6° at most.</source>
+        <translation>%1 foi seguido durante %2 s. A menos de 1 dB: %3 s. A menos de 3 dB: %4 s. Erro: %5° rms, %6° no máximo.</translation>
+    </message>
+    <message>
+        <source>The stored night report cannot be read. The new one is kept in memory only: %1</source>
+        <translation>O relatório da noite guardado não se lê. O novo fica só na memória: %1</translation>
+    </message>
+    <message>
+        <source>The night report could not be written: %1</source>
+        <translation>Não foi possível escrever o relatório da noite: %1</translation>
     </message>
 </context>
 <context>
@@ -12014,8 +12026,8 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Lua e outros</translation>
     </message>
     <message>
-        <source>Moon, Sun, planets, radio sources, places, and the Moon of WSJT-X</source>
-        <translation>Lua, Sol, planetas, fontes de rádio, lugares e a Lua do WSJT-X</translation>
+        <source>Targets that are no satellites</source>
+        <translation>Alvos que não são satélites</translation>
     </message>
 </context>
 <context>
@@ -13480,10 +13492,6 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
         <translation>A seguir: %1 às %2Z, daqui a %3.</translation>
     </message>
     <message>
-        <source>Since the start: %1 of %2 passes tracked to the end.</source>
-        <translation>Desde o início: %1 de %2 passagens seguidas até ao fim.</translation>
-    </message>
-    <message>
         <source>Armed. The mount moves by itself for each pass.</source>
         <translation>Armada. A montagem move-se sozinha em cada passagem.</translation>
     </message>
@@ -13516,8 +13524,12 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
         <translation>Termina a agenda. A montagem fica parada</translation>
     </message>
     <message>
-        <source>Track each listed pass. The mount moves by itself until the schedule is disarmed</source>
-        <translation>Segue cada passagem da lista. A montagem move-se sozinha até a agenda ser desarmada</translation>
+        <source>Report: %1 of %2 passes tracked to the end.</source>
+        <translation>Relatório: %1 de %2 passagens seguidas até ao fim.</translation>
+    </message>
+    <message>
+        <source>Let the mount track each listed pass by itself</source>
+        <translation>A montagem segue sozinha cada passagem da lista</translation>
     </message>
 </context>
 <context>
@@ -13575,22 +13587,30 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
         <translation>O quê</translation>
     </message>
     <message>
-        <source>%1
-measured for %2 s
-within 1 dB of the beam %3 s, within 3 dB %4 s
-error %5 rms, %6 at most</source>
-        <translation>%1
-medida durante %2 s
-a menos de 1 dB do feixe %3 s, a menos de 3 dB %4 s
-erro %5 rms, %6 no máximo</translation>
-    </message>
-    <message>
         <source>in %1</source>
         <translation>daqui a %1</translation>
     </message>
     <message>
         <source>up</source>
         <translation>visível</translation>
+    </message>
+    <message>
+        <source>%1
+Measured: %2 s
+Within 1 dB: %3 s
+Within 3 dB: %4 s
+Error: %5 rms
+Largest error: %6</source>
+        <translation>%1
+Medida: %2 s
+A menos de 1 dB: %3 s
+A menos de 3 dB: %4 s
+Erro: %5 rms
+Erro máximo: %6</translation>
+    </message>
+    <message>
+        <source>left out, the limits hide it</source>
+        <translation>fica de fora, os limites escondem-na</translation>
     </message>
 </context>
 <context>
@@ -14678,12 +14698,12 @@ Um lugar entre as estrelas, J2000: radec 12:30:49.4,12:23:28
 Uma posição, graus e metros: place 38.757,-9.117,1200</translation>
     </message>
     <message>
-        <source>The site is not set. Enter it on the page Profile, or in the guide.</source>
-        <translation>O local não está definido. Introduza-o na página Perfil ou no guia.</translation>
-    </message>
-    <message>
         <source>Type a target first.</source>
         <translation>Escreva primeiro um alvo.</translation>
+    </message>
+    <message>
+        <source>The site is not set. Enter it on the page Profile.</source>
+        <translation>O local não está definido. Introduza-o na página Perfil.</translation>
     </message>
 </context>
 <context>
@@ -15014,12 +15034,12 @@ Uma posição, graus e metros: place 38.757,-9.117,1200</translation>
         <translation>A agenda deixa este satélite de fora a partir de agora</translation>
     </message>
     <message>
-        <source>While the schedule is armed, the mount tracks each pass of this satellite</source>
-        <translation>Enquanto a agenda está armada, a montagem segue cada passagem deste satélite</translation>
-    </message>
-    <message>
         <source>Select a pass first.</source>
         <translation>Escolha primeiro uma passagem.</translation>
+    </message>
+    <message>
+        <source>The armed schedule tracks each pass of this satellite</source>
+        <translation>A agenda armada segue cada passagem deste satélite</translation>
     </message>
 </context>
 <context>
@@ -15031,10 +15051,6 @@ Uma posição, graus e metros: place 38.757,-9.117,1200</translation>
     <message>
         <source>Set</source>
         <translation>Definir</translation>
-    </message>
-    <message>
-        <source>Put priority and lowest elevation of this satellite into the profile</source>
-        <translation>Põe a prioridade e a elevação mínima deste satélite no perfil</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -15075,6 +15091,10 @@ Uma posição, graus e metros: place 38.757,-9.117,1200</translation>
     <message>
         <source>No satellite is watched. Add one on the page Coming.</source>
         <translation>A agenda não tem satélites. Junte um na página Próximas.</translation>
+    </message>
+    <message>
+        <source>Store priority and elevation of this satellite</source>
+        <translation>Guarda a prioridade e a elevação deste satélite</translation>
     </message>
 </context>
 </TS>

@@ -24,17 +24,17 @@ namespace {
 QString nextText(const ScheduleStatus& schedule, UtcTime now)
 {
     const auto next = std::ranges::find_if(schedule.plan.chosen,
-                                           [&](const schedule::WatchedPass& pass) { return pass.pass.aos.utc > now; });
+                                           [&](const schedule::WatchedPass& pass) { return pass.begins() > now; });
     return next == schedule.plan.chosen.end()
                ? SchedulePage::tr("No pass within a day.")
                : SchedulePage::tr("Next: %1 at %2Z, in %3.")
-                     .arg(next->name, clockText(next->pass.aos.utc), waitText(next->pass.aos.utc - now));
+                     .arg(next->name, clockText(next->begins()), waitText(next->begins() - now));
 }
 
 QString reportText(const schedule::NightReport& report)
 {
     return report.passes.empty() ? QString()
-                                 : SchedulePage::tr("Since the start: %1 of %2 passes tracked to the end.")
+                                 : SchedulePage::tr("Report: %1 of %2 passes tracked to the end.")
                                        .arg(report.done())
                                        .arg(report.passes.size());
 }
@@ -103,10 +103,9 @@ void SchedulePage::showStatus(const StationStatus& status)
 {
     const ScheduleStatus& schedule = *status.schedule;
     m_isArmed = schedule.armed;
-    m_arm->setCommand(m_isArmed ? tr("Disarm") : tr("Arm schedule"),
-                      m_isArmed
-                          ? tr("End the schedule. The mount holds")
-                          : tr("Track each listed pass. The mount moves by itself until the schedule is disarmed"));
+    m_arm->setCommand(
+        m_isArmed ? tr("Disarm") : tr("Arm schedule"),
+        m_isArmed ? tr("End the schedule. The mount holds") : tr("Let the mount track each listed pass by itself"));
     m_arm->setBlocked(m_isArmed ? QString() : status.permissions.reason(Action::ArmSchedule));
     m_state->setValue(stateText(schedule, status.utc), m_isArmed ? Tone::Normal : Tone::Secondary);
     m_night->show(status.schedule, status.utc);

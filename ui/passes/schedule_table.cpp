@@ -63,21 +63,20 @@ ScheduleTable::ScheduleTable(QObject* parent)
 ScheduleTable::Row ScheduleTable::rowOf(const schedule::PassRecord& record)
 {
     const auto seconds = [](Seconds time) { return QString::number(std::lround(time.count())); };
-    return {
-        .begins = record.aos,
-        .ends = record.los,
-        .satellite = record.name,
-        .highest = {},
-        .what = endText(record),
-        .details = tr("%1\nmeasured for %2 s\nwithin 1 dB of the beam %3 s, within 3 dB %4 s\nerror %5 rms, %6 at most")
-                       .arg(endText(record), seconds(record.tracked), seconds(record.within1dB),
-                            seconds(record.within3dB), angleText(record.rmsError), angleText(record.peakError))};
+    return {.begins = record.aos,
+            .ends = record.los,
+            .satellite = record.name,
+            .highest = {},
+            .what = endText(record),
+            .details = tr("%1\nMeasured: %2 s\nWithin 1 dB: %3 s\nWithin 3 dB: %4 s\nError: %5 rms\nLargest error: %6")
+                           .arg(endText(record), seconds(record.tracked), seconds(record.within1dB),
+                                seconds(record.within3dB), angleText(record.rmsError), angleText(record.peakError))};
 }
 
 ScheduleTable::Row ScheduleTable::rowOf(const schedule::WatchedPass& pass, const QString& what)
 {
-    return {.begins = pass.pass.aos.utc,
-            .ends = pass.pass.los.utc,
+    return {.begins = pass.begins(),
+            .ends = pass.ends(),
             .satellite = pass.name,
             .highest = angleText(pass.pass.tca.direction.elevation, 0),
             .what = what,
@@ -91,12 +90,17 @@ std::vector<ScheduleTable::Row> ScheduleTable::rowsOf(const ScheduleStatus& sche
         rows.push_back(rowOf(record));
     }
     const auto isToCome = [&](const schedule::WatchedPass& pass) {
-        return pass.pass.los.utc > now && !isIn(schedule.report, pass);
+        return pass.ends() > now && !isIn(schedule.report, pass);
     };
     for (const schedule::WatchedPass& pass : schedule.plan.chosen) {
         if (isToCome(pass)) {
-            const Seconds wait = pass.pass.aos.utc - now;
+            const Seconds wait = pass.begins() - now;
             rows.push_back(rowOf(pass, wait > Seconds(0.0) ? tr("in %1").arg(waitText(wait)) : tr("up")));
+        }
+    }
+    for (const schedule::WatchedPass& pass : schedule.plan.hidden) {
+        if (isToCome(pass)) {
+            rows.push_back(rowOf(pass, tr("left out, the limits hide it")));
         }
     }
     for (const schedule::Conflict& conflict : schedule.plan.conflicts) {

@@ -28,7 +28,7 @@ void WatchButton::show(const std::optional<std::int64_t>& satellite, const std::
     const bool isWatched = m_satellite && isIn(watched, *m_satellite);
     setCommand(isWatched ? tr("Remove from schedule") : tr("Add to schedule"),
                isWatched ? tr("The schedule leaves out this satellite from now on")
-                         : tr("While the schedule is armed, the mount tracks each pass of this satellite"));
+                         : tr("The armed schedule tracks each pass of this satellite"));
     setBlocked(m_satellite ? QString() : tr("Select a pass first."));
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/passes/watch_editor.h"
 
+#include "core/targets/target.h"
 #include "ui/kit/caption.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/decimal_box.h"
 #include "ui/kit/value_label.h"
 #include "ui/link/profile_draft.h"
-#include "ui/passes/pass_words.h"
 
 #include <QComboBox>
 #include <QGridLayout>
@@ -26,7 +26,7 @@ QString nameOf(int number, const StationStatus& status)
     if (status.satellites) {
         const auto found = std::ranges::find(*status.satellites, number, &orbit::ElementSet::number);
         if (found != status.satellites->end()) {
-            return satelliteName(*found);
+            return targets::satelliteName(*found);
         }
     }
     return QString::number(number);
@@ -41,8 +41,7 @@ WatchEditor::WatchEditor(ProfileDraft& draft, RequestDesk& desk, QWidget* parent
       m_priority(new QSpinBox(this)),
       m_lowest(new DecimalBox(this)),
       m_refused(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
-      m_set(new CommandButton(tr("Set"), tr("Put priority and lowest elevation of this satellite into the profile"),
-                              desk, *m_refused, this)),
+      m_set(new CommandButton(tr("Set"), tr("Store priority and elevation of this satellite"), desk, *m_refused, this)),
       m_remove(new CommandButton(tr("Remove"), tr("Take this satellite out of the schedule"), desk, *m_refused, this))
 {
     build();

@@ -29,10 +29,11 @@ protected:
         passes::Pass pass;
         pass.aos.utc = aos;
         pass.los.utc = aos + length;
+        pass.clear = {{.from = aos, .to = aos + length}};
         pass.tca.direction.elevation = 38_deg;
         return {.number = number, .name = QString::fromLatin1(name), .pass = pass};
     }
-    // One that is over, one to come, one left out.
+    // One that is over, one to come, one left out, one that is hidden.
     static StationStatus withPlan()
     {
         using std::chrono::minutes;
@@ -47,6 +48,7 @@ protected:
         schedule.plan.conflicts = {{.leftOut = passOf("NOAA 19", 33591, status.utc + minutes(15), minutes(10)),
                                     .chosen = next,
                                     .reason = schedule::Reason::Priority}};
+        schedule.plan.hidden = {passOf("NOAA 15", 25338, status.utc + minutes(60), minutes(10))};
         schedule.report.passes = {{.number = 33591,
                                    .name = QStringLiteral("NOAA 19"),
                                    .aos = status.utc - minutes(30),
@@ -74,14 +76,15 @@ protected:
 TEST_F(SchedulePageTest, ShowsTheNightInTheOrderOfTime)
 {
     show(withPlan());
-    ASSERT_EQ(table().model()->rowCount(), 3);
+    ASSERT_EQ(table().model()->rowCount(), 4);
     EXPECT_EQ(cell(0, ScheduleTable::What), "tracked, error 0.03° rms");
     EXPECT_EQ(cell(0, ScheduleTable::What, Qt::ToolTipRole),
-              "tracked, error 0.03° rms\nmeasured for 600 s\nwithin 1 dB of the beam 590 s, within 3 dB 600 s\n"
-              "error 0.03° rms, 0.20° at most");
+              "tracked, error 0.03° rms\nMeasured: 600 s\nWithin 1 dB: 590 s\nWithin 3 dB: 600 s\nError: 0.03° rms\n"
+              "Largest error: 0.20°");
     EXPECT_EQ(cell(1, ScheduleTable::Satellite), "ISS");
     EXPECT_EQ(cell(1, ScheduleTable::What), "in 12 min");
     EXPECT_EQ(cell(2, ScheduleTable::What), "left out, ISS is more important");
+    EXPECT_EQ(cell(3, ScheduleTable::What), "left out, the limits hide it");
     const QString state = text("State of the schedule");
     EXPECT_TRUE(state.startsWith(QStringLiteral("Off. Nothing moves by itself. Next: ISS at"))) << state.toStdString();
     EXPECT_TRUE(state.endsWith(QStringLiteral("1 of 1 passes tracked to the end."))) << state.toStdString();
