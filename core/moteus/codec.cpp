@@ -15,6 +15,9 @@ constexpr auto kI16 = Resolution::Int16;
 constexpr auto kI32 = Resolution::Int32;
 constexpr auto kF32 = Resolution::Float;
 
+// As many as rotatorQuery() asks for.
+constexpr std::size_t kUsualValues = 16;
+
 Result<> checkReadable(std::span<const RegisterRead> query)
 {
     for (const RegisterRead& read : query) {
@@ -138,8 +141,8 @@ const Query& versionQuery()
 std::size_t replySize(std::span<const RegisterRead> query)
 {
     std::size_t size = 0;
-    for (const ReadBlock& block : grouped(query)) {
-        size += replySize(block);
+    while (!query.empty()) {
+        size += replySize(takeBlock(query));
     }
     return size;
 }
@@ -148,9 +151,9 @@ Result<> checkAnswerable(std::span<const RegisterRead> query)
 {
     std::size_t size = 0;
     bool leftOut = false;
-    for (const ReadBlock& block : grouped(query)) {
+    while (!query.empty()) {
         leftOut = leftOut || size > kReplyBlockStartLimit;
-        size += replySize(block);
+        size += replySize(takeBlock(query));
     }
     if (size > kMaxCanPayload) {
         return failure(ErrorCode::OutOfRange, QStringLiteral("the reply would need %1 of 64 bytes").arg(size));
@@ -198,6 +201,7 @@ Result<Reply> decodeReply(const CanFrame& frame)
     reply.source = id.source;
     reply.destination = id.destination;
     reply.prefix = id.prefix;
+    reply.values.reserve(kUsualValues);
     SubframeReader reader(frame.payload());
     while (const auto subframe = reader.next()) {
         take(reply, *subframe);

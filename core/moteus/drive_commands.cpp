@@ -11,8 +11,11 @@ namespace {
 class WriteList
 {
 public:
-    WriteList() = default;
-    explicit WriteList(Mode mode) : m_writes{{Register::Mode, Resolution::Int8, static_cast<double>(mode)}} {}
+    WriteList() { m_writes.reserve(kLongest); }
+    explicit WriteList(Mode mode) : WriteList()
+    {
+        m_writes.push_back({Register::Mode, Resolution::Int8, static_cast<double>(mode)});
+    }
 
     WriteList&& with(Register reg, const std::optional<Field>& field) &&
     {
@@ -34,6 +37,8 @@ public:
     [[nodiscard]] std::vector<RegisterValue> take() && { return std::move(m_writes); }
 
 private:
+    static constexpr std::size_t kLongest = 17;  // a PositionCommand
+
     std::vector<RegisterValue> m_writes;
 };
 

@@ -38,15 +38,11 @@ std::size_t varuintSize(std::uint32_t value)
     return size;
 }
 
-std::vector<ReadBlock> grouped(std::span<const RegisterRead> reads)
+ReadBlock takeBlock(std::span<const RegisterRead>& reads)
 {
-    std::vector<ReadBlock> blocks;
-    while (!reads.empty()) {
-        const auto group = leadingGroup(reads);
-        blocks.push_back({headerOf(group)});
-        reads = reads.subspan(group.size());
-    }
-    return blocks;
+    const auto group = leadingGroup(reads);
+    reads = reads.subspan(group.size());
+    return {headerOf(group)};
 }
 
 std::size_t replySize(const ReadBlock& block)
@@ -124,8 +120,8 @@ void SubframeWriter::appendReplies(std::span<const RegisterValue> values, Side s
 
 void SubframeWriter::appendReads(std::span<const RegisterRead> reads)
 {
-    for (const ReadBlock& block : grouped(reads)) {
-        append(block);
+    while (!reads.empty()) {
+        putHeader(type::kRead, takeBlock(reads));
     }
 }
 

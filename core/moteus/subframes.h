@@ -149,8 +149,9 @@ private:
 // Bytes needed on the wire for a number: 7 bits each.
 [[nodiscard]] std::size_t varuintSize(std::uint32_t value);
 
-// Registers as the writer groups them, and the bytes a block brings back.
-[[nodiscard]] std::vector<ReadBlock> grouped(std::span<const RegisterRead> reads);
+// Takes the registers from the front that the writer puts into one subframe. `reads` is not empty.
+[[nodiscard]] ReadBlock takeBlock(std::span<const RegisterRead>& reads);
+// The bytes a block brings back.
 [[nodiscard]] std::size_t replySize(const ReadBlock& block);
 
 // Greedy grouping: consecutive registers in equal resolution share one subframe. The writer never overruns: past

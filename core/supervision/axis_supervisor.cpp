@@ -39,10 +39,17 @@ constexpr double kTrendNear = 30.0;     // °C below a limit: what a cold board 
 }  // namespace
 
 AxisSupervisor::AxisSupervisor(Axis axis, const profile::InForce& profile)
-    : m_name(axis == Axis::Azimuth ? Text::tr("the azimuth") : Text::tr("the elevation")),
-      m_axis(axis),
-      m_profile(profile)
+    : m_axis(axis), m_names(namesOf(axis)), m_profile(profile)
 {}
+
+AxisSupervisor::Names AxisSupervisor::namesOf(Axis axis)
+{
+    const QString name = axis == Axis::Azimuth ? Text::tr("the azimuth") : Text::tr("the elevation");
+    return {.axis = name,
+            .supply = Text::tr("the supply of %1").arg(name),
+            .board = Text::tr("the drive board of %1").arg(name),
+            .motor = Text::tr("the motor of %1").arg(name)};
+}
 
 std::vector<Observed> AxisSupervisor::observe(const AxisObservation& seen)
 {
@@ -128,7 +135,7 @@ void AxisSupervisor::judgeFollowing(const AxisObservation& seen)
                              .after = m_profile->supervision.followingTime};
     m_following.update(seen.now, error.degrees(), limits, [&] {
         return Text::tr("%1 was %2 away from its set-point for %3 (set-point %4, axis %5)")
-                   .arg(m_name, words(apart), words(m_profile->supervision.followingTime), words(seen.commanded),
+                   .arg(m_names.axis, words(apart), words(m_profile->supervision.followingTime), words(seen.commanded),
                         words(seen.actual)) +
                limit(seen.now);
     });
@@ -137,7 +144,7 @@ void AxisSupervisor::judgeFollowing(const AxisObservation& seen)
 void AxisSupervisor::judgeProgress(const AxisObservation& seen)
 {
     const auto motion = [&](const QString& sentence) {
-        return sentence.arg(m_name, words(m_progress.asked()), words(seen.commandedRate),
+        return sentence.arg(m_names.axis, words(m_progress.asked()), words(seen.commandedRate),
                             words(m_progress.underCommand()), words(m_progress.moved()));
     };
     // Told to turn round, an axis runs on for as long as its drive, which gives all it may, needs to stop it.
@@ -178,7 +185,7 @@ void AxisSupervisor::judgeStanding(const AxisObservation& seen)
         return (seen.engaged
                     ? Text::tr("%1 moved by %2 to %3 although it has to hold its position")
                     : Text::tr("%1 moved by %2 to %3 without a command (weight, wind, a hand or another program)"))
-            .arg(m_name, words(moved), words(seen.actual));
+            .arg(m_names.axis, words(moved), words(seen.actual));
     });
 }
 
@@ -205,7 +212,7 @@ void AxisSupervisor::judgeJump(const AxisObservation& seen)
             return (seen.jumped
                         ? Text::tr("the reported angle of %1 jumped by %2 in %3 to %4, faster than the axis can move")
                         : Text::tr("a false reply reported a jump of %1 by %2 in %3 to %4"))
-                .arg(m_name, words(leap->by), words(leap->within), words(leap->to));
+                .arg(m_names.axis, words(leap->by), words(leap->within), words(leap->to));
         });
 }
 
@@ -222,7 +229,7 @@ void AxisSupervisor::judgeTravel(const AxisObservation& seen)
     m_travel.update(seen.now, beyond.degrees(), limits, [&] {
         return (m_outside.outwards() ? Text::tr("%1 is at %2, %3 beyond its travel %4…%5, and moves farther out")
                                      : Text::tr("%1 is at %2, %3 beyond its travel %4…%5"))
-            .arg(m_name, words(seen.actual), words(beyond), words(travel.min), words(travel.max));
+            .arg(m_names.axis, words(seen.actual), words(beyond), words(travel.min), words(travel.max));
     });
 }
 
@@ -234,7 +241,7 @@ void AxisSupervisor::judgeTorque(const AxisObservation& seen)
     const double torque = std::abs(*seen.torque);
     const double share = seen.engaged ? torque / m_profile->axis(m_axis).maxTorque : 0.0;
     const auto needs = [&](const QString& sentence) {
-        return sentence.arg(m_name, words(torque, 1), words(100.0 * share, 0),
+        return sentence.arg(m_names.axis, words(torque, 1), words(100.0 * share, 0),
                             words(m_profile->axis(m_axis).maxTorque, 1));
     };
     const bool stands = m_standing.moved().has_value();
@@ -262,7 +269,7 @@ void AxisSupervisor::judgePush(const AxisObservation& seen, double share)
     const bool pushes = share >= kAllTorque && apart > kNotThere;
     m_pushes.update(seen.now, pushes ? 1.0 : 0.0, {.stop = 1.0, .release = 1.0, .after = kTorqueLasts}, [&] {
         return Text::tr("%1 does not move: %2 from its set-point with %3 Nm of the %4 Nm allowed, for %5")
-                   .arg(m_name, words(apart), words(std::abs(seen.torque.value_or(0.0)), 1),
+                   .arg(m_names.axis, words(apart), words(std::abs(seen.torque.value_or(0.0)), 1),
                         words(m_profile->axis(m_axis).maxTorque, 1), words(kTorqueLasts)) +
                limit(seen.now);
     });
@@ -273,7 +280,7 @@ void AxisSupervisor::judgeReplies(const AxisObservation& seen)
     const Seconds gap = seen.received - std::exchange(m_lastReply, seen.received).value_or(seen.received);
     const double limit = m_profile->supervision.replyAge.count();
     m_replies.update(seen.now, gap.count(), {.hint = limit, .release = 0.75 * limit}, [&] {
-        return Text::tr("a reply of %1 drive came %2 after the one before").arg(m_name, words(gap));
+        return Text::tr("a reply of %1 drive came %2 after the one before").arg(m_names.axis, words(gap));
     });
 }
 
@@ -293,7 +300,7 @@ void AxisSupervisor::judgeSupply(const AxisObservation& seen)
     m_supplyLow.update(seen.now, -voltage, low, [&] {
         const bool stop = voltage <= m_profile->supervision.supplyStop;
         return Text::tr("the supply of %1 fell to %2 V, below %3 V")
-            .arg(m_name, words(voltage, 1),
+            .arg(m_names.axis, words(voltage, 1),
                  words(stop ? m_profile->supervision.supplyStop : m_profile->supervision.supplyLow, 1));
     });
     m_supplyHigh.update(
@@ -301,7 +308,7 @@ void AxisSupervisor::judgeSupply(const AxisObservation& seen)
         {.hint = m_profile->supervision.supplyHigh, .release = m_profile->supervision.supplyHigh - kSupplyReturns},
         [&] {
             return Text::tr("the supply of %1 rose to %2 V, above %3 V")
-                .arg(m_name, words(voltage, 1), words(m_profile->supervision.supplyHigh, 1));
+                .arg(m_names.axis, words(voltage, 1), words(m_profile->supervision.supplyHigh, 1));
         });
     m_supplyTrend.add(seen.now, voltage);
     judgeTrend(m_supplyFalls, seen, m_supplyTrend,
@@ -310,7 +317,7 @@ void AxisSupervisor::judgeSupply(const AxisObservation& seen)
                 .near = std::numeric_limits<double>::infinity(),
                 .unit = QStringLiteral("V"),
                 .decimals = 1},
-               Text::tr("the supply of %1").arg(m_name));
+               m_names.supply);
 }
 
 void AxisSupervisor::judgeBoard(const AxisObservation& seen)
@@ -319,16 +326,16 @@ void AxisSupervisor::judgeBoard(const AxisObservation& seen)
         return;
     }
     const double temperature = *seen.boardTemperature;
-    const QString what = Text::tr("the drive board of %1").arg(m_name);
     m_boardHot.update(seen.now, temperature,
                       {.hint = m_profile->supervision.boardHot, .release = m_profile->supervision.boardHot - kCoolsBy},
                       [&] {
                           return Text::tr("%1 reached %2 °C and switches off at %3 °C")
-                              .arg(what, words(temperature, 0), words(m_profile->supervision.boardLimit, 0));
+                              .arg(m_names.board, words(temperature, 0), words(m_profile->supervision.boardLimit, 0));
                       });
     m_boardTrend.add(seen.now, temperature);
     judgeTrend(m_boardWarms, seen, m_boardTrend,
-               {.value = m_profile->supervision.boardLimit, .near = kTrendNear, .unit = QStringLiteral("°C")}, what);
+               {.value = m_profile->supervision.boardLimit, .near = kTrendNear, .unit = QStringLiteral("°C")},
+               m_names.board);
 }
 
 void AxisSupervisor::judgeMotor(const AxisObservation& seen)
@@ -336,13 +343,14 @@ void AxisSupervisor::judgeMotor(const AxisObservation& seen)
     if (!seen.motorTemperature) {
         return;
     }
-    const QString what = Text::tr("the motor of %1").arg(m_name);
-    m_motorHot.update(seen.now, *seen.motorTemperature,
-                      {.hint = m_profile->supervision.motorHot, .release = m_profile->supervision.motorHot - kCoolsBy},
-                      [&] { return Text::tr("%1 reached %2 °C").arg(what, words(*seen.motorTemperature, 0)); });
+    m_motorHot.update(
+        seen.now, *seen.motorTemperature,
+        {.hint = m_profile->supervision.motorHot, .release = m_profile->supervision.motorHot - kCoolsBy},
+        [&] { return Text::tr("%1 reached %2 °C").arg(m_names.motor, words(*seen.motorTemperature, 0)); });
     m_motorTrend.add(seen.now, *seen.motorTemperature);
     judgeTrend(m_motorWarms, seen, m_motorTrend,
-               {.value = m_profile->supervision.motorHot, .near = kTrendNear, .unit = QStringLiteral("°C")}, what);
+               {.value = m_profile->supervision.motorHot, .near = kTrendNear, .unit = QStringLiteral("°C")},
+               m_names.motor);
 }
 
 void AxisSupervisor::judgeTrend(Watch& watch, const AxisObservation& seen, const Trend& trend, const TrendLimit& to,

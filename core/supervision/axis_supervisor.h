@@ -68,8 +68,17 @@ private:
     void judgeTrend(Watch& watch, const AxisObservation& seen, const Trend& trend, const TrendLimit& to,
                     const QString& what);
 
-    QString m_name;  // "the azimuth"
+    struct Names
+    {
+        QString axis;  // "the azimuth"
+        QString supply;
+        QString board;
+        QString motor;
+    };
+    [[nodiscard]] static Names namesOf(Axis axis);
+
     Axis m_axis;
+    Names m_names;
     const profile::InForce& m_profile;
 
     std::optional<SteadyTime> m_lastReply;

@@ -3,8 +3,8 @@
 
 #include "core/tracking/time_optimal.h"
 
-#include <deque>
 #include <span>
+#include <vector>
 
 // The average of a motion over the last `length` seconds, exact for segments of constant acceleration and ticks of any
 // length. An average never leaves what it averages over, and its acceleration changes no faster than
@@ -41,7 +41,7 @@ public:
     [[nodiscard]] Extremes untilRestAt(double stop) const;
 
 private:
-    std::deque<Segment> m_segments;  // oldest first; the oldest may begin before the averaging does
+    std::vector<Segment> m_segments;  // oldest first; the oldest may begin before the averaging does
     double m_length = 0.0;
 };
 

@@ -15,7 +15,7 @@ constexpr double kForever = std::numeric_limits<double>::infinity();
 class Path
 {
 public:
-    Path(const MotionState& now, double duration) : m_state(now), m_left(duration) {}
+    Path(const MotionState& now, double duration) : m_state(now), m_left(duration) { m_segments.reserve(kMost); }
 
     void add(double duration, double acceleration)
     {
@@ -33,6 +33,8 @@ public:
     [[nodiscard]] std::vector<Segment> take() { return std::move(m_segments); }
 
 private:
+    static constexpr std::size_t kMost = 4;  // faster or slower, at one speed, to the rate of the target, with it
+
     std::vector<Segment> m_segments;
     MotionState m_state;
     double m_left;

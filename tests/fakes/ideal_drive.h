@@ -19,12 +19,16 @@ namespace boresight::fakes {
 class Written
 {
 public:
+    Written() { m_values.reserve(kUsual); }
+
     void set(moteus::Register reg, double value) { m_values.emplace_back(reg, value); }
     [[nodiscard]] std::optional<double> find(moteus::Register reg) const;
     [[nodiscard]] double at(moteus::Register reg) const { return find(reg).value(); }
     [[nodiscard]] bool contains(moteus::Register reg) const { return find(reg).has_value(); }
 
 private:
+    static constexpr std::size_t kUsual = 12;
+
     std::vector<std::pair<moteus::Register, double>> m_values;
 };
 
