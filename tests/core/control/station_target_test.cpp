@@ -25,6 +25,8 @@ profile::Profile atSite()
     profile::Profile profile;
     profile.site = {
         .known = true, .latitude = kSite.latitude, .longitude = kSite.longitude, .heightMetres = kSite.heightMetres};
+    profile.control.tickHz = 20;  // the lowest: they are followed for minutes
+    profile.control.watchdog = Seconds(0.2);
     return profile;
 }
 
@@ -36,7 +38,7 @@ targets::Target targetOf(std::string_view text)
 class StationTarget : public ::testing::Test
 {
 protected:
-    StationTarget() { rig.run(Seconds(0.2)); }
+    StationTarget() { rig.run(Seconds(0.5)); }
 
     [[nodiscard]] UtcTime now() const { return rig.clock.utc(); }
     static targets::TargetPath pathOf(std::string_view text) { return {targetOf(text), kSite}; }
