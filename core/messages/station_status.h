@@ -16,6 +16,7 @@
 #include "core/messages/sensor_status.h"
 #include "core/messages/tuning_status.h"
 #include "core/profile/profile.h"
+#include "core/targets/sky_moment.h"
 #include "core/units/sky.h"
 
 #include <QMetaType>
@@ -204,6 +205,8 @@ struct TrackedTarget
     std::optional<std::int64_t> number = {};  // of a satellite
     bool isUp = false;
     std::optional<UtcTime> next = {};  // it sets, or rises; empty: it never sets
+    // From its rise, or from when it was chosen, until it sets, at most for a day. Null: not known.
+    targets::SkyWay way = {};
 };
 
 // A body in the sky over the site, also below the horizon.

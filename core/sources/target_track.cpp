@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "core/base/time_of_day.h"
 #include "core/elements/julian_date.h"
+#include "core/profile/clear_sky.h"
 #include "core/units/duration_text.h"
 
 #include <algorithm>
@@ -18,9 +19,9 @@ using Days = std::chrono::duration<double, std::chrono::days::period>;
 
 // The rate of a set-point is taken from where the target is this much later.
 constexpr std::chrono::milliseconds kApart{20};
-// Of the points by which the wrap for a path is chosen: of a satellite, and of all else, which goes slower.
+// Of the way that is shown, and by which the wrap is chosen: of a satellite, and of all else, which goes slower.
 constexpr std::chrono::seconds kPassStep{5};
-constexpr std::chrono::minutes kPlanStep{5};
+constexpr std::chrono::minutes kSlowStep{5};
 
 const orbit::ElementSet* elementsOf(const targets::Target& target)
 {
@@ -126,7 +127,8 @@ Result<> TargetTrack::ask(const request::Track& wanted, const Source& by)
             m_utc = {};
             const UtcTime now = m_utc.now(helm().view().clock);
             const UtcTime from = std::max(now, tracked.up.rises);
-            tracked.place = roomyStart(tracked, from);
+            tracked.way = wayOf(tracked, from);
+            tracked.place = roomyStart(tracked.way);
             const bool goesOn = helm().current().continues(Activity::Streaming, by);
             return follow(tracked, from).map([&](const AxisPosition& place) {
                 if (goesOn) {  // no motion begins that the log would name
@@ -140,24 +142,35 @@ Result<> TargetTrack::ask(const request::Track& wanted, const Source& by)
         });
 }
 
-// On the wrap nearest to where the axes are going that has room for the rest of the path.
-std::optional<AxisPosition> TargetTrack::roomyStart(Tracked& tracked, UtcTime from) const
+// It ends with its set, or where its orbit ends.
+targets::SkyWay TargetTrack::wayOf(Tracked& tracked, UtcTime from) const
 {
-    const ControlParts view = helm().view();
-    const UtcTime::duration step = elementsOf(tracked.target) ? UtcTime::duration(kPassStep) : kPlanStep;
-    std::optional<AxisPosition> first;
-    TravelRange swept;
-    Angle last;
-    for (UtcTime utc = from; utc <= tracked.up.sets.value_or(from + targets::TargetPath::kSearched); utc += step) {
+    const auto isClear = profile::clearSky(helm().view().profile);
+    const UtcTime::duration step = elementsOf(tracked.target) ? UtcTime::duration(kPassStep) : kSlowStep;
+    const UtcTime end = tracked.up.sets.value_or(from + targets::TargetPath::kSearched);
+    auto way = std::make_shared<std::vector<targets::SkyMoment>>();
+    for (UtcTime utc = from; way->empty() || way->back().utc < end; utc = std::min(utc + step, end)) {
         const Result<SkyPointing> direction = tracked.at(utc);
         if (!direction) {
             break;
         }
-        const AxisPosition axes = view.model.pointing().toAxes(*direction).axes;
+        way->push_back({.utc = utc, .direction = *direction, .isHidden = !isClear(*direction)});
+    }
+    return way;
+}
+
+// On the wrap nearest to where the axes are going that has room for the rest of the way.
+std::optional<AxisPosition> TargetTrack::roomyStart(const targets::SkyWay& way) const
+{
+    const ControlParts view = helm().view();
+    std::optional<AxisPosition> first;
+    TravelRange swept;
+    Angle last;
+    for (const targets::SkyMoment& moment : *way) {
+        const AxisPosition axes = view.model.pointing().toAxes(moment.direction).axes;
         last = first ? axes.azimuth.nearestTo(last) : axes.azimuth;
+        swept = first ? TravelRange{std::min(swept.min, last), std::max(swept.max, last)} : TravelRange{last, last};
         first = first.value_or(axes);
-        swept =
-            utc == from ? TravelRange{last, last} : TravelRange{std::min(swept.min, last), std::max(swept.max, last)};
     }
     if (!first) {
         return std::nullopt;
@@ -167,8 +180,8 @@ std::optional<AxisPosition> TargetTrack::roomyStart(Tracked& tracked, UtcTime fr
     const auto mostTurns = static_cast<int>(std::floor((range.max - swept.max).turns()));
     for (int turns = static_cast<int>(std::ceil((range.min - swept.min).turns())); turns <= mostTurns; ++turns) {
         const AxisPosition start{first->azimuth + Angle::fromTurns(turns), first->elevation};
-        const auto way = [&](const AxisPosition& to) { return abs(to.azimuth - helm().heading().azimuth); };
-        if (!best || way(start) < way(*best)) {
+        const auto distance = [&](const AxisPosition& to) { return abs(to.azimuth - helm().heading().azimuth); };
+        if (!best || distance(start) < distance(*best)) {
             best = start;
         }
     }
@@ -250,7 +263,8 @@ void TargetTrack::describe(StationStatus& status) const
     }
     status.tracked = TrackedTarget{.name = m_tracked->target.name,
                                    .isUp = m_tracked->isUp,
-                                   .next = m_tracked->isUp ? m_tracked->up.sets : std::optional(m_tracked->up.rises)};
+                                   .next = m_tracked->isUp ? m_tracked->up.sets : std::optional(m_tracked->up.rises),
+                                   .way = m_tracked->way};
     if (const orbit::ElementSet* const elements = elementsOf(m_tracked->target)) {
         status.tracked->number = elements->number;
     }

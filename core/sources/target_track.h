@@ -33,6 +33,7 @@ private:
         Site site;
         Source by;
         targets::UpTime up = {};
+        targets::SkyWay way = {};
         std::optional<AxisPosition> place = {};  // of the axes, the last one: chooses the turn of the next
         std::uint64_t errand = 0;
         bool isUp = false;
@@ -43,7 +44,8 @@ private:
     [[nodiscard]] Result<> permits(const targets::Target& target, UtcTime now) const;
     [[nodiscard]] Result<> reaches(Tracked& tracked, UtcTime now) const;
     [[nodiscard]] Result<Tracked> plan(const targets::Target& target, const Source& by) const;
-    [[nodiscard]] std::optional<AxisPosition> roomyStart(Tracked& tracked, UtcTime from) const;
+    [[nodiscard]] targets::SkyWay wayOf(Tracked& tracked, UtcTime from) const;
+    [[nodiscard]] std::optional<AxisPosition> roomyStart(const targets::SkyWay& way) const;
     [[nodiscard]] UtcTime aimed(UtcTime utc) const;
     [[nodiscard]] Result<> mayGoOn() const;
     Result<AxisPosition> follow(Tracked& tracked, UtcTime utc);

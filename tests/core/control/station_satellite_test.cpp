@@ -5,6 +5,7 @@
 #include "core/passes/pass_finder.h"
 #include "core/sources/steered_utc.h"
 #include "core/sources/target_track.h"
+#include "core/units/angle_between.h"
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/text_of.h"
 
@@ -109,6 +110,17 @@ protected:
         const Angle across = is.azimuth - wanted.azimuth.nearestTo(is.azimuth);
         return {across.degrees() * std::cos(wanted.elevation.radians()), (is.elevation - wanted.elevation).degrees()};
     }
+    static void expectWayOf(const FoundOrbit& found, const std::vector<targets::SkyMoment>& way)
+    {
+        ASSERT_GT(way.size(), 2U);
+        EXPECT_LT(std::chrono::abs(way.front().utc - found.pass.aos.utc), std::chrono::milliseconds(100));
+        EXPECT_LT(std::chrono::abs(way.back().utc - found.pass.los.utc), std::chrono::milliseconds(100));
+        for (std::size_t i = 1; i < way.size(); ++i) {
+            EXPECT_LE(way[i].utc - way[i - 1].utc, std::chrono::seconds(5));
+            const SkyPointing there = directionOf(found, way[i].utc);
+            EXPECT_LT(angleBetween(way[i].direction, {there.azimuth, std::max(there.elevation, 0_deg)}), 0.001_deg);
+        }
+    }
     [[nodiscard]] bool isTracking() const { return rig.control.status().tracked.has_value(); }
     [[nodiscard]] bool logged(const char* words) const
     {
@@ -135,7 +147,7 @@ protected:
 };
 
 // REQ-TRACK-900: Track sends the mount to where the satellite rises, follows it from there until it sets, and holds.
-// The header is told what is waited for or followed and when that ends. Nothing moves afterwards.
+// The window is told what is waited for or followed, its way, and when that ends. Nothing moves afterwards.
 TEST_F(StationSatellitePass, WaitsWhereItRisesFollowsItUntilItSetsAndHolds)
 {
     const FoundOrbit found = follow();
@@ -147,6 +159,7 @@ TEST_F(StationSatellitePass, WaitsWhereItRisesFollowsItUntilItSetsAndHolds)
     EXPECT_LT(std::chrono::abs(*status.tracked->next - found.pass.aos.utc), std::chrono::milliseconds(100));
     EXPECT_NEAR(status.actual->azimuth.wrapped360().degrees(), found.pass.aos.direction.azimuth.degrees(), 0.05);
     EXPECT_FALSE(rig.moving()) << "it waits there";
+    expectWayOf(found, *status.tracked->way);
 
     runUntil(found.pass.tca.utc);
     status = rig.control.status();
