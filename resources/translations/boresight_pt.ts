@@ -12031,29 +12031,6 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     </message>
 </context>
 <context>
-    <name>boresight::ui::PassPicture</name>
-    <message>
-        <source>N</source>
-        <translation>N</translation>
-    </message>
-    <message>
-        <source>E</source>
-        <translation>E</translation>
-    </message>
-    <message>
-        <source>S</source>
-        <translation>S</translation>
-    </message>
-    <message>
-        <source>W</source>
-        <translation>O</translation>
-    </message>
-    <message>
-        <source>Picture of the pass</source>
-        <translation>Imagem da passagem</translation>
-    </message>
-</context>
-<context>
     <name>boresight::ui::PassTable</name>
     <message>
         <source>Satellite</source>

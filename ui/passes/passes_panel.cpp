@@ -10,8 +10,8 @@
 #include "ui/kit/read_table.h"
 #include "ui/kit/value_label.h"
 #include "ui/look/paint.h"
-#include "ui/passes/pass_picture.h"
 #include "ui/passes/pass_table.h"
+#include "ui/passes/pass_way.h"
 #include "ui/passes/pass_words.h"
 #include "ui/passes/watch_button.h"
 
@@ -45,7 +45,6 @@ PassesPanel::PassesPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent
       m_lowest(new DecimalBox(this)),
       m_note(new ValueLabel(tr("About the passes"), fonts::label(), {}, this)),
       m_openSetting(makePushButton({.text = tr("Open the setting"), .help = tr("The files with element sets")}, this)),
-      m_picture(new PassPicture(this)),
       m_facts(new ValueLabel(tr("The selected pass"), fonts::label(), {}, this)),
       m_refused(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_track(new CommandButton(tr("Track"),
@@ -140,7 +139,6 @@ QWidget* PassesPanel::makeSelection()
     words->setSpacing(4);
     words->addWidget(m_facts, 1);
     words->addWidget(m_refused);
-    row->addWidget(m_picture);
     row->addLayout(words, 1);
     auto* const buttons = new QVBoxLayout;
     buttons->setSpacing(kGrid);
@@ -209,13 +207,28 @@ void PassesPanel::select(int row)
 {
     if (row < 0) {
         m_selected.reset();
-        m_picture->show({});
+        m_way.reset();
     } else {
         const BookedPass& pass = m_passes->pass(row);
         m_selected = Selected{.number = m_passes->book()->elementsOf(pass).number, .highest = pass.pass.tca.utc};
-        m_picture->show(pathOf(pass, *m_passes->book()));
+        m_way = wayOf(pass, *m_passes->book());
     }
     showSelected();
+    if (isVisible()) {
+        Q_EMIT wayChosen(m_way);
+    }
+}
+
+void PassesPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    Q_EMIT wayChosen(m_way);
+}
+
+void PassesPanel::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    Q_EMIT wayChosen({});
 }
 
 void PassesPanel::track()

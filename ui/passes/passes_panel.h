@@ -15,12 +15,11 @@ class QPushButton;
 class QTableView;
 
 // The coming passes of the satellites whose elements the station knows: a table to search, and of the selected pass its
-// way over the sky, its facts, Track, and whether the satellite is in the schedule. They are searched for beside the
-// gui thread, for a day ahead, and again when the elements, the site or the limits change. Gui thread.
+// facts, Track, and whether the satellite is in the schedule. The plot shows its way over the sky. They are searched
+// for beside the gui thread, for a day ahead, and again when the elements, the site or the limits change. Gui thread.
 namespace boresight::ui {
 
 class CommandButton;
-class PassPicture;
 class PassTable;
 class ProfileDraft;
 class RequestDesk;
@@ -38,6 +37,12 @@ public:
 
 Q_SIGNALS:
     void settingsWanted(const QString& words);  // of the page Profile
+    // Of the selected pass, while it is seen here; null: of none.
+    void wayChosen(const boresight::targets::SkyWay& way);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     // What the passes depend on.
@@ -79,7 +84,6 @@ private:
     QDoubleSpinBox* m_lowest;
     ValueLabel* m_note;
     QPushButton* m_openSetting;
-    PassPicture* m_picture;
     ValueLabel* m_facts;
     ValueLabel* m_refused;
     CommandButton* m_track;
@@ -87,6 +91,7 @@ private:
     Search m_last;
     UtcTime m_now{};
     std::optional<Selected> m_selected;
+    targets::SkyWay m_way;  // of the selected pass; null: of none
 };
 
 }  // namespace boresight::ui

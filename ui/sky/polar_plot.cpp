@@ -426,6 +426,8 @@ void PolarPlot::showMarkers(const StationStatus& status)
     markers.offTarget = markers.live && distanceTo(status, markers.expected).value_or(0_deg) > 0.5 * m_beamWidth;
     m_markers->setMarkers(markers, status.utc);
     m_markers->setBodies(status.bodies);
+    m_markers->setTracked(status.tracked ? status.tracked->way : nullptr, status.utc);
+    m_markers->setChosen(m_chosenWay, status.utc);
     m_tools->showOffTarget(markers.live ? distanceTo(status, status.target) : std::nullopt, m_beamWidth,
                            markers.offTarget);
     m_caption = QString::fromStdString(status.profile->mount.name) + QStringLiteral("  ") + minuteText(status.utc);
@@ -434,6 +436,11 @@ void PolarPlot::showMarkers(const StationStatus& status)
 void PolarPlot::setPicked(const std::optional<SkyPointing>& direction)
 {
     m_markers->setPicked(direction);
+}
+
+void PolarPlot::setChosenWay(const targets::SkyWay& way)
+{
+    m_chosenWay = way;  // drawn with the next status, which has the time
 }
 
 void PolarPlot::describe(const StationStatus& status)

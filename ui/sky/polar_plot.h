@@ -37,7 +37,8 @@ public:
 
     void showStatus(const StationStatus& status);
     void setPicked(const std::optional<SkyPointing>& direction);
-    void describe(const StationStatus& status);  // in words, for screen readers; once a second is enough
+    void setChosenWay(const targets::SkyWay& way);  // of the pass that is selected in a list; null: none
+    void describe(const StationStatus& status);     // in words, for screen readers; once a second is enough
     void setEditing(bool on);
     void toggleZoom();
     void zoomBy(int steps);
@@ -105,7 +106,8 @@ private:
     Angle m_beamWidth;
     SkyPointing m_focus{0_deg, 90_deg};  // what the magnified part shows: target, else actual
     QString m_caption;                   // of a picture
-    int m_wheel = 0;                     // turned, not yet a whole step
+    targets::SkyWay m_chosenWay;
+    int m_wheel = 0;  // turned, not yet a whole step
 };
 
 }  // namespace boresight::ui

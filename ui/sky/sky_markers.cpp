@@ -46,6 +46,8 @@ void SkyMarkers::setGround(const QPixmap& ground, const SkyProjection& projectio
     m_projection = projection;
     m_ring = ring;
     m_trail.setSky(projection);
+    m_tracked.setSky(projection);
+    m_chosen.setSky(projection);
     rebuildWay();
     update();
 }
@@ -92,6 +94,16 @@ void SkyMarkers::setBodies(const std::vector<BodyPlace>& bodies)
     if (places() != before.first) {
         update(before.second + region());
     }
+}
+
+void SkyMarkers::setTracked(const targets::SkyWay& way, UtcTime utc)
+{
+    update(m_tracked.show(way, utc));
+}
+
+void SkyMarkers::setChosen(const targets::SkyWay& way, UtcTime utc)
+{
+    update(m_chosen.show(way, utc));
 }
 
 void SkyMarkers::setPicked(const std::optional<SkyPointing>& direction)
@@ -227,6 +239,8 @@ void SkyMarkers::paint(QPainter& painter) const
     for (const BodyPlace& body : m_bodies) {
         paintBody(painter, body, m_projection);
     }
+    m_chosen.paint(painter, colours.secondary);
+    m_tracked.paint(painter, colours.accent);
     m_trail.paint(painter);
     drawWay(painter);
     if (m_markers.picked) {

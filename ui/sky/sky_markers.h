@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "ui/sky/cable_ring.h"
 #include "ui/sky/sky_frame.h"
+#include "ui/sky/sky_path.h"
 #include "ui/sky/sky_trail.h"
 
 #include <QPainterPath>
@@ -14,9 +15,9 @@
 #include <optional>
 #include <vector>
 
-// What moves in the polar plot: the trail, the way ahead, the cable, Sun and Moon and the markers, painted over a
-// ready-made picture of what stands still. A new status repaints only the few hundred pixels a marker leaves and
-// enters. Pixels are the widget's own.
+// What moves in the polar plot: the trail, the way ahead, coming paths, the cable, Sun and Moon and the markers,
+// painted over a ready-made picture of what stands still. A new status repaints only the few hundred pixels a marker
+// leaves and enters. Pixels are the widget's own.
 namespace boresight::ui {
 
 struct MarkerData
@@ -49,6 +50,8 @@ public:
     void setMarkers(const MarkerData& markers, UtcTime utc);
     void setCable(const CableState& cable);
     void setBodies(const std::vector<BodyPlace>& bodies);
+    void setTracked(const targets::SkyWay& way, UtcTime utc);
+    void setChosen(const targets::SkyWay& way, UtcTime utc);  // of the pass that is selected in a list
     void setPicked(const std::optional<SkyPointing>& direction);
     void setFocused(bool on);             // the plot has the keyboard: its rim shows that
     void paint(QPainter& painter) const;  // all but the ground, also for a picture of the plot
@@ -60,6 +63,8 @@ public:
     [[nodiscard]] const CableState& cable() const { return m_cable; }
     [[nodiscard]] const std::vector<BodyPlace>& bodies() const { return m_bodies; }
     [[nodiscard]] const QPainterPath& wayPixels() const { return m_wayPixels; }
+    [[nodiscard]] const SkyPath& tracked() const { return m_tracked; }
+    [[nodiscard]] const SkyPath& chosen() const { return m_chosen; }
     [[nodiscard]] const QPixmap& ground() const { return m_ground; }
 
 Q_SIGNALS:
@@ -89,6 +94,8 @@ private:
     CableState m_cable;
     std::vector<BodyPlace> m_bodies;
     QPainterPath m_wayPixels;
+    SkyPath m_tracked;
+    SkyPath m_chosen;
 };
 
 }  // namespace boresight::ui

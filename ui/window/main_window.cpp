@@ -18,6 +18,7 @@
 #include "ui/look/desk_style.h"
 #include "ui/manual/manual_window.h"
 #include "ui/north/calibration_panel.h"
+#include "ui/passes/passes_panel.h"
 #include "ui/profile/profile_page.h"
 #include "ui/sky/polar_plot.h"
 #include "ui/window/about_page.h"
@@ -110,6 +111,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(m_plot, &PolarPlot::clicked, m_pickBar, &PickPrompt::pick);
     connect(m_plot, &PolarPlot::goHereWanted, m_pickBar, &PickPrompt::goTo);
     connect(m_pickBar, &PickPrompt::picked, m_plot, &PolarPlot::setPicked);
+    connect(&m_panels->passes(), &PassesPanel::wayChosen, m_plot, &PolarPlot::setChosenWay);
     connect(&m_panels->log(), &LogPanel::beepWanted, this, &QApplication::beep);
     connect(&m_panels->log(), &LogPanel::soundChanged, this, &MainWindow::alarmSoundChanged);
     connect(&m_panels->jog(), &JogPanel::stopPressed, this, &MainWindow::stop);

@@ -55,6 +55,7 @@ public:
     [[nodiscard]] ChartsPanel& charts() { return *m_charts; }
     [[nodiscard]] LimitsPanel& limits() { return *m_limits; }
     [[nodiscard]] LogPanel& log() { return *m_log; }
+    [[nodiscard]] PassesPanel& passes() { return *m_passes; }
     [[nodiscard]] ProfilePage& profile() { return *m_profile; }
 
 Q_SIGNALS:

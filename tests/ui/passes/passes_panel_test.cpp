@@ -5,8 +5,9 @@
 #include "tests/fakes/wait_until.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/kit/command_button.h"
-#include "ui/passes/pass_picture.h"
+#include "ui/kit/format.h"
 #include "ui/passes/pass_table.h"
+#include "ui/sky/polar_plot.h"
 
 #include <QDoubleSpinBox>
 #include <QLineEdit>
@@ -95,7 +96,6 @@ TEST_F(PassesPanelTest, ListsThePassesInTheOrderInWhichTheyRise)
     }
     EXPECT_TRUE(text("About the passes").endsWith(QStringLiteral("passes of 3 satellites within a day")));
     EXPECT_FALSE(text("The selected pass").isEmpty()) << "the first is selected";
-    EXPECT_GT(window.findChild<PassPicture*>()->path().points.size(), 100U);
 }
 
 TEST_F(PassesPanelTest, WordsAndHeightSelect)
@@ -138,6 +138,10 @@ TEST_F(PassesPanelTest, TrackAsksForTheSelectedSatellite)
 
 TEST_F(PassesPanelTest, TellsWhatTheLimitsHide)
 {
+    targets::SkyWay way;
+    const QObject here;  // the window goes after it
+    QObject::connect(window.findChild<PassesPanel*>(), &PassesPanel::wayChosen, &here,
+                     [&way](const targets::SkyWay& chosen) { way = chosen; });
     StationStatus status = withSatellites();
     profile::Profile profile = *status.profile;
     profile.limits.horizon = {{0_deg, 20_deg}, {180_deg, 20_deg}};
@@ -145,11 +149,34 @@ TEST_F(PassesPanelTest, TellsWhatTheLimitsHide)
     giveFound(status);
     EXPECT_TRUE(text("The selected pass").contains(QStringLiteral("hidden for ")))
         << text("The selected pass").toStdString();
-    const auto& points = window.findChild<PassPicture*>()->path().points;
-    for (const PathPoint& point : points) {
-        const double above = point.direction.elevation.degrees() - 20.0;
-        EXPECT_TRUE(std::abs(above) < 0.5 || point.isHidden == (above < 0.0)) << above;
+    ASSERT_TRUE(way);
+    EXPECT_GT(way->size(), 100U);
+    for (const targets::SkyMoment& moment : *way) {
+        const double above = moment.direction.elevation.degrees() - 20.0;
+        EXPECT_TRUE(std::abs(above) < 0.5 || moment.isHidden == (above < 0.0)) << above;
     }
+}
+
+// REQ-PASSES-952: The plot shows the way of the selected pass while the page Coming is open.
+TEST_F(PassesPanelTest, ThePlotShowsTheWayOfTheSelectedPass)
+{
+    const StationStatus status = withSatellites();
+    giveFound(status);
+    const SkyPath& chosen = window.findChild<PolarPlot*>()->markers().chosen();
+    const auto& model = *qobject_cast<PassTable*>(table().model());
+    for (const int row : {0, 5}) {
+        table().selectRow(row);
+        give(samples::update(status));
+        ASSERT_EQ(chosen.ends().size(), 2U);
+        EXPECT_EQ(chosen.ends().front().time, clockText(model.pass(row).pass.aos.utc).chopped(3));
+        EXPECT_EQ(chosen.ends().back().time, clockText(model.pass(row).pass.los.utc).chopped(3));
+    }
+    openPanel('1');
+    give(samples::update(status));
+    EXPECT_TRUE(chosen.ends().empty());
+    openPanel('T');
+    give(samples::update(status));
+    EXPECT_EQ(chosen.ends().size(), 2U);
 }
 
 TEST_F(PassesPanelTest, APassThatIsOverLeavesTheTable)
