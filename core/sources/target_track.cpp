@@ -22,6 +22,8 @@ constexpr std::chrono::milliseconds kApart{20};
 // Of the way that is shown, and by which the wrap is chosen: of a satellite, and of all else, which goes slower.
 constexpr std::chrono::seconds kPassStep{5};
 constexpr std::chrono::minutes kSlowStep{5};
+// A satellite that is up for half a day is slow, too.
+constexpr int kMostSteps = 600;
 
 const orbit::ElementSet* elementsOf(const targets::Target& target)
 {
@@ -146,8 +148,9 @@ Result<> TargetTrack::ask(const request::Track& wanted, const Source& by)
 targets::SkyWay TargetTrack::wayOf(Tracked& tracked, UtcTime from) const
 {
     const auto isClear = profile::clearSky(helm().view().profile);
-    const UtcTime::duration step = elementsOf(tracked.target) ? UtcTime::duration(kPassStep) : kSlowStep;
     const UtcTime end = tracked.up.sets.value_or(from + targets::TargetPath::kSearched);
+    const UtcTime::duration step =
+        elementsOf(tracked.target) ? std::max<UtcTime::duration>(kPassStep, (end - from) / kMostSteps) : kSlowStep;
     auto way = std::make_shared<std::vector<targets::SkyMoment>>();
     for (UtcTime utc = from; way->empty() || way->back().utc < end; utc = std::min(utc + step, end)) {
         const Result<SkyPointing> direction = tracked.at(utc);
