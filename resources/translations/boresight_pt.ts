@@ -463,6 +463,30 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <source>elements %1 days old</source>
         <translation>elementos com %1 dias</translation>
     </message>
+    <message>
+        <source>in sunlight</source>
+        <translation>ao sol</translation>
+    </message>
+    <message>
+        <source>in the shadow of the Earth</source>
+        <translation>na sombra da Terra</translation>
+    </message>
+    <message>
+        <source>enters the shadow %1Z</source>
+        <translation>entra na sombra %1Z</translation>
+    </message>
+    <message>
+        <source>leaves the shadow %1Z</source>
+        <translation>sai da sombra %1Z</translation>
+    </message>
+    <message>
+        <source>in the shadow %1Z to %2Z</source>
+        <translation>na sombra %1Z a %2Z</translation>
+    </message>
+    <message>
+        <source>in sunlight %1Z to %2Z</source>
+        <translation>ao sol %1Z a %2Z</translation>
+    </message>
 </context>
 <context>
     <name>PlotPicture</name>

@@ -10,6 +10,7 @@
 #include "ui/kit/read_table.h"
 #include "ui/kit/value_label.h"
 #include "ui/look/paint.h"
+#include "ui/passes/pass_light.h"
 #include "ui/passes/pass_table.h"
 #include "ui/passes/pass_way.h"
 #include "ui/passes/pass_words.h"
@@ -31,7 +32,7 @@ constexpr std::chrono::hours kAhead{24};
 constexpr std::chrono::hours kSearchAgain{6};
 // So far back that a pass that goes on now has its own beginning.
 constexpr std::chrono::minutes kBack{30};
-constexpr int kFactLines = 6;
+constexpr int kFactLines = 7;
 constexpr double kHighestFilter = 89.0;  // °
 
 }  // namespace
@@ -207,22 +208,29 @@ void PassesPanel::select(int row)
 {
     if (row < 0) {
         m_selected.reset();
-        m_way.reset();
     } else {
         const BookedPass& pass = m_passes->pass(row);
-        m_selected = Selected{.number = m_passes->book()->elementsOf(pass).number, .highest = pass.pass.tca.utc};
-        m_way = wayOf(pass, *m_passes->book());
+        const PassBook& book = *m_passes->book();
+        m_selected = Selected{.number = book.elementsOf(pass).number,
+                              .highest = pass.pass.tca.utc,
+                              .way = wayOf(pass, book),
+                              .light = lightText(lightOf(pass, book))};
     }
     showSelected();
     if (isVisible()) {
-        Q_EMIT wayChosen(m_way);
+        tellWay();
     }
 }
 
 void PassesPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    Q_EMIT wayChosen(m_way);
+    tellWay();
+}
+
+void PassesPanel::tellWay()
+{
+    Q_EMIT wayChosen(m_selected ? m_selected->way : nullptr);
 }
 
 void PassesPanel::hideEvent(QHideEvent* event)
@@ -243,7 +251,9 @@ void PassesPanel::track()
 void PassesPanel::showSelected()
 {
     const auto row = m_selected ? m_passes->rowOf(m_selected->number, m_selected->highest) : std::nullopt;
-    m_facts->setValue(row ? factsOf(m_passes->pass(*row), *m_passes->book(), m_now) : QString());
+    m_facts->setValue(row ? factsOf(m_passes->pass(*row), *m_passes->book(), m_now) + QLatin1Char('\n') +
+                                m_selected->light
+                          : QString());
 }
 
 // Why there is nothing to see, and what to do.

@@ -64,6 +64,8 @@ private:
     {
         std::int64_t number = 0;
         UtcTime highest{};
+        targets::SkyWay way{};
+        QString light{};
     };
 
     void build();
@@ -75,6 +77,7 @@ private:
     void select(int row);
     void track();
     void showSelected();
+    void tellWay();
     void showNote(const StationStatus& status);
 
     PassSearcher* m_searcher;
@@ -91,7 +94,6 @@ private:
     Search m_last;
     UtcTime m_now{};
     std::optional<Selected> m_selected;
-    targets::SkyWay m_way;  // of the selected pass; null: of none
 };
 
 }  // namespace boresight::ui
