@@ -68,7 +68,7 @@ PassLight lightOf(const BookedPass& one, const PassBook& book)
     return found;
 }
 
-// A pass of many hours may have more changes. The first two are told.
+// A pass of many hours may have more changes. The first two are shown.
 QString lightText(const PassLight& light)
 {
     const auto time = [&](std::size_t number) { return clockText(light.changes.at(number)); };

@@ -37,7 +37,7 @@ PassBook lowPasses()
     return book;
 }
 
-// REQ-PASSES-954: Of the selected pass the panel tells whether the satellite is in sunlight, and when it enters or
+// REQ-PASSES-954: Of the selected pass the panel shows whether the satellite is in sunlight, and when it enters or
 // leaves the shadow of the Earth.
 TEST(PassLight, ALowSatelliteIsInSunlightByDayAndInTheShadowAtMidnight)
 {
