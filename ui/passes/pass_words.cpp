@@ -72,4 +72,22 @@ QString factsOf(const BookedPass& one, const PassBook& book, UtcTime now)
     return lines.join(QLatin1Char('\n'));
 }
 
+// A pass of many hours may have more changes. The first two are shown.
+QString lightText(const passes::PassLight& light)
+{
+    const auto time = [&](std::size_t number) { return clockText(light.changes.at(number)); };
+    switch (std::min<std::size_t>(light.changes.size(), 2)) {
+        case 0:
+            return light.isSunlitFirst ? PassWords::tr("in sunlight") : PassWords::tr("in the shadow of the Earth");
+        case 1:
+            return (light.isSunlitFirst ? PassWords::tr("enters the shadow %1Z")
+                                        : PassWords::tr("leaves the shadow %1Z"))
+                .arg(time(0));
+        default:
+            return (light.isSunlitFirst ? PassWords::tr("in the shadow %1Z to %2Z")
+                                        : PassWords::tr("in sunlight %1Z to %2Z"))
+                .arg(time(0), time(1));
+    }
+}
+
 }  // namespace boresight::ui

@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/passes/pass.h"
+#include "core/passes/pass_light.h"
 #include "ui/passes/pass_book.h"
 
 #include <QCoreApplication>
@@ -22,5 +23,8 @@ struct PassWords
 [[nodiscard]] Seconds hiddenTime(const passes::Pass& pass);              // by horizon, keep-outs or limits
 // A line for each fact.
 [[nodiscard]] QString factsOf(const BookedPass& one, const PassBook& book, UtcTime now);
+
+// One line: "in sunlight", "enters the shadow 17:05:59Z".
+[[nodiscard]] QString lightText(const passes::PassLight& light);
 
 }  // namespace boresight::ui

@@ -10,7 +10,6 @@
 #include "ui/kit/read_table.h"
 #include "ui/kit/value_label.h"
 #include "ui/look/paint.h"
-#include "ui/passes/pass_light.h"
 #include "ui/passes/pass_table.h"
 #include "ui/passes/pass_way.h"
 #include "ui/passes/pass_words.h"
@@ -214,7 +213,7 @@ void PassesPanel::select(int row)
         m_selected = Selected{.number = book.elementsOf(pass).number,
                               .highest = pass.pass.tca.utc,
                               .way = wayOf(pass, book),
-                              .light = lightText(lightOf(pass, book))};
+                              .light = lightText(passes::lightOf(pass.pass, book.elementsOf(pass), book.site))};
     }
     showSelected();
     if (isVisible()) {

@@ -7,6 +7,7 @@
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
 #include "ui/passes/pass_table.h"
+#include "ui/passes/pass_words.h"
 #include "ui/sky/polar_plot.h"
 
 #include <QDoubleSpinBox>
@@ -214,6 +215,21 @@ TEST_F(PassesPanelTest, AddsTheSatelliteToTheScheduleAndRemovesIt)
     QTest::mouseClick(watch, Qt::LeftButton);
     ASSERT_EQ(asked<request::ApplyProfile>().size(), 2U);
     EXPECT_TRUE(asked<request::ApplyProfile>().back().profile.schedule.watch.empty());
+}
+
+TEST(PassWords, LightIsOneLine)
+{
+    const UtcTime first = std::chrono::sys_days{std::chrono::year{2026} / 3 / 20} + std::chrono::hours(17) +
+                          std::chrono::minutes(5) + std::chrono::seconds(59);
+    const auto line = [](bool sunlit, std::vector<UtcTime> changes) {
+        return lightText({.isSunlitFirst = sunlit, .changes = std::move(changes)}).toStdString();
+    };
+    EXPECT_EQ(line(true, {}), "in sunlight");
+    EXPECT_EQ(line(false, {}), "in the shadow of the Earth");
+    EXPECT_EQ(line(true, {first}), "enters the shadow 17:05:59Z");
+    EXPECT_EQ(line(false, {first}), "leaves the shadow 17:05:59Z");
+    EXPECT_EQ(line(true, {first, first + std::chrono::minutes(30)}), "in the shadow 17:05:59Z to 17:35:59Z");
+    EXPECT_EQ(line(false, {first, first + std::chrono::minutes(30)}), "in sunlight 17:05:59Z to 17:35:59Z");
 }
 
 }  // namespace

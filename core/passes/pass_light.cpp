@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/passes/pass_light.h"
+#include "core/passes/pass_light.h"
 
 #include "core/ephemeris/almanac.h"
 #include "core/orbit/sgp4.h"
 #include "core/orbit/sunlight.h"
 #include "core/orbit/topocentric.h"
-#include "ui/kit/format.h"
-#include "ui/passes/pass_words.h"
 
-#include <algorithm>
 #include <chrono>
 
-namespace boresight::ui {
+namespace boresight::passes {
 
 namespace {
 
@@ -50,10 +47,9 @@ private:
 
 }  // namespace
 
-PassLight lightOf(const BookedPass& one, const PassBook& book)
+PassLight lightOf(const Pass& pass, const orbit::ElementSet& elements, const Site& site)
 {
-    const passes::Pass& pass = one.pass;
-    Light light(book.elementsOf(one), book.site);
+    Light light(elements, site);
     PassLight found{.isSunlitFirst = light.isSunlit(pass.aos.utc), .changes = {}};
     bool before = found.isSunlitFirst;
     UtcTime last = pass.aos.utc;
@@ -68,22 +64,4 @@ PassLight lightOf(const BookedPass& one, const PassBook& book)
     return found;
 }
 
-// A pass of many hours may have more changes. The first two are shown.
-QString lightText(const PassLight& light)
-{
-    const auto time = [&](std::size_t number) { return clockText(light.changes.at(number)); };
-    switch (std::min<std::size_t>(light.changes.size(), 2)) {
-        case 0:
-            return light.isSunlitFirst ? PassWords::tr("in sunlight") : PassWords::tr("in the shadow of the Earth");
-        case 1:
-            return (light.isSunlitFirst ? PassWords::tr("enters the shadow %1Z")
-                                        : PassWords::tr("leaves the shadow %1Z"))
-                .arg(time(0));
-        default:
-            return (light.isSunlitFirst ? PassWords::tr("in the shadow %1Z to %2Z")
-                                        : PassWords::tr("in sunlight %1Z to %2Z"))
-                .arg(time(0), time(1));
-    }
-}
-
-}  // namespace boresight::ui
+}  // namespace boresight::passes

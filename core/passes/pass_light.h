@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/passes/pass_book.h"
-
-#include <QString>
+#include "core/elements/element_set.h"
+#include "core/passes/pass.h"
+#include "core/units/site.h"
 
 #include <vector>
 
 // Whether the Sun shines on a satellite during its pass. Pure; it costs some milliseconds.
-namespace boresight::ui {
+namespace boresight::passes {
 
 struct PassLight
 {
@@ -18,8 +18,6 @@ struct PassLight
     bool operator==(const PassLight&) const = default;
 };
 
-[[nodiscard]] PassLight lightOf(const BookedPass& one, const PassBook& book);
-// One line: "in sunlight", "enters the shadow 17:05:59Z".
-[[nodiscard]] QString lightText(const PassLight& light);
+[[nodiscard]] PassLight lightOf(const Pass& pass, const orbit::ElementSet& elements, const Site& site);
 
-}  // namespace boresight::ui
+}  // namespace boresight::passes
