@@ -136,14 +136,8 @@ QString whatIsWrong(const QString& path, const Error& error)
 MemoryFile::MemoryFile(const QString& stateDir, const QString& mountName, QObject* parent)
     : QObject(parent), m_path(QStringLiteral("%1/%2.memory.json").arg(stateDir, safeFileName(mountName)))
 {
-    m_writer.setMaxThreadCount(1);
-    m_writer.setExpiryTimeout(-1);
-    connect(this, &MemoryFile::written, this, &MemoryFile::finishWriting, Qt::QueuedConnection);
-}
-
-MemoryFile::~MemoryFile()
-{
-    (void)flush();
+    connect(&m_writer, &NewestWriter::written, this, &MemoryFile::saved);
+    connect(&m_writer, &NewestWriter::failed, this, &MemoryFile::saveFailed);
 }
 
 Result<> MemoryFile::claim()
@@ -191,43 +185,12 @@ LoadedMemory MemoryFile::load()
 
 void MemoryFile::save(const MountMemory& memory)
 {
-    if (m_writing) {
-        m_next = memory;
-    } else {
-        startWriting(memory);
-    }
-}
-
-void MemoryFile::startWriting(const MountMemory& memory)
-{
-    m_writing = true;
-    m_writer.start([this, path = m_path, memory, outcome = m_outcome] {
-        *outcome = write(path, memory);
-        Q_EMIT written();
-    });
-}
-
-void MemoryFile::finishWriting()
-{
-    const Result<> result = *m_outcome;
-    m_writing = false;
-    if (m_next) {
-        startWriting(*std::exchange(m_next, std::nullopt));
-    }
-    if (result) {
-        Q_EMIT saved();
-    } else {
-        Q_EMIT saveFailed(result.error().text);
-    }
+    m_writer.write([path = m_path, memory] { return write(path, memory); });
 }
 
 Result<> MemoryFile::flush()
 {
-    m_writer.waitForDone();
-    if (m_next) {
-        *m_outcome = write(m_path, *std::exchange(m_next, std::nullopt));
-    }
-    return *m_outcome;
+    return m_writer.flush();
 }
 
 }  // namespace boresight::memory

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/newest_writer.h"
 #include "core/base/program_lock.h"
 #include "core/base/result.h"
 #include "core/memory/mount_memory.h"
 
 #include <QObject>
 #include <QString>
-#include <QThreadPool>
-
-#include <memory>
-#include <optional>
 
 // The file that keeps a mount's memory: STATE_DIR/NAME.memory.json, and the generation before it in ….previous. At
 // every moment one of the two is whole: each is replaced by renaming a file that is complete and on the disk. Lives on
-// the station thread. Saving never blocks it: one worker writes, and of the values that come in meanwhile the newest
-// wins.
+// the station thread. Saving never blocks it.
 namespace boresight::memory {
 
 struct LoadedMemory
@@ -30,7 +26,6 @@ class MemoryFile final : public QObject
 
 public:
     MemoryFile(const QString& stateDir, const QString& mountName, QObject* parent = nullptr);
-    ~MemoryFile() override;  // flushes
 
     [[nodiscard]] const QString& path() const { return m_path; }
 
@@ -51,19 +46,11 @@ public:
 Q_SIGNALS:
     void saved();
     void saveFailed(const QString& reason);
-    void written();  // from the worker, to this object
 
 private:
-    void startWriting(const MountMemory& memory);
-    void finishWriting();
-
     QString m_path;
     ProgramLock m_lock;
-    std::shared_ptr<Result<>> m_outcome =
-        std::make_shared<Result<>>();   // of the last writing; the worker's until it ends
-    std::optional<MountMemory> m_next;  // came in meanwhile
-    bool m_writing = false;             // finishWriting() is still to come
-    QThreadPool m_writer;               // one thread; last, so that it ends first
+    NewestWriter m_writer{this};
 };
 
 }  // namespace boresight::memory

@@ -8,8 +8,6 @@
 
 #include <QFile>
 
-#include <utility>
-
 namespace boresight {
 namespace {
 
@@ -29,18 +27,11 @@ QString reportPath(const QString& stateDir, const QString& mountName, bool simul
 
 ReportFile::ReportFile(const QString& path, QObject* parent) : QObject(parent), m_path(path)
 {
-    m_writer.setMaxThreadCount(1);
-    m_writer.setExpiryTimeout(-1);
-    connect(this, &ReportFile::written, this, &ReportFile::finishWriting, Qt::QueuedConnection);
+    connect(&m_writer, &NewestWriter::written, this, [this] { m_problem.clear(); });
+    connect(&m_writer, &NewestWriter::failed, this, [this](const QString& reason) {
+        m_problem = Text::tr("The night report could not be written: %1").arg(reason);
+    });
     load();
-}
-
-ReportFile::~ReportFile()
-{
-    m_writer.waitForDone();
-    if (m_again) {
-        *m_outcome = writeReport(m_path, m_report);
-    }
 }
 
 void ReportFile::load()
@@ -63,32 +54,8 @@ void ReportFile::load()
 void ReportFile::keep(const schedule::NightReport& report)
 {
     m_report = report;
-    if (m_path.isEmpty() || m_unreadable) {
-        return;
-    }
-    if (m_writing) {
-        m_again = true;
-    } else {
-        startWriting();
-    }
-}
-
-void ReportFile::startWriting()
-{
-    m_writing = true;
-    m_writer.start([this, path = m_path, report = m_report, outcome = m_outcome] {
-        *outcome = writeReport(path, report);
-        Q_EMIT written();
-    });
-}
-
-void ReportFile::finishWriting()
-{
-    const Result<> result = *m_outcome;
-    m_writing = false;
-    m_problem = result ? QString() : Text::tr("The night report could not be written: %1").arg(result.error().text);
-    if (std::exchange(m_again, false)) {
-        startWriting();
+    if (!m_path.isEmpty() && !m_unreadable) {
+        m_writer.write([path = m_path, report] { return writeReport(path, report); });
     }
 }
 

@@ -63,15 +63,11 @@ QString pointsPath(const QString& calibrations)
 
 CalibrationFile::CalibrationFile(const QString& path, QObject* parent) : QObject(parent), m_path(path)
 {
-    m_writer.setMaxThreadCount(1);
-    m_writer.setExpiryTimeout(-1);
-    connect(this, &CalibrationFile::written, this, &CalibrationFile::finishWriting, Qt::QueuedConnection);
+    connect(&m_writer, &NewestWriter::written, this, [this] { m_problem.clear(); });
+    connect(&m_writer, &NewestWriter::failed, this, [this](const QString& reason) {
+        m_problem = Text::tr("The calibrations could not be written: %1").arg(reason);
+    });
     load();
-}
-
-CalibrationFile::~CalibrationFile()
-{
-    flush();
 }
 
 void CalibrationFile::load()
@@ -100,41 +96,15 @@ void CalibrationFile::keepPoints(calibration::CalibrationRecord points)
 
 void CalibrationFile::save()
 {
-    if (m_path.isEmpty() || m_unreadable) {
-        return;
-    }
-    if (m_writing) {
-        m_again = true;
-    } else {
-        startWriting();
-    }
-}
-
-void CalibrationFile::startWriting()
-{
-    m_writing = true;
-    m_writer.start([this, path = m_path, history = m_history, points = m_points, outcome = m_outcome] {
-        *outcome = write(path, history, points);
-        Q_EMIT written();
-    });
-}
-
-void CalibrationFile::finishWriting()
-{
-    const Result<> result = *m_outcome;
-    m_writing = false;
-    m_problem = result ? QString() : Text::tr("The calibrations could not be written: %1").arg(result.error().text);
-    if (std::exchange(m_again, false)) {
-        startWriting();
+    if (!m_path.isEmpty() && !m_unreadable) {
+        m_writer.write(
+            [path = m_path, history = m_history, points = m_points] { return write(path, history, points); });
     }
 }
 
 void CalibrationFile::flush()
 {
-    m_writer.waitForDone();
-    if (std::exchange(m_again, false)) {
-        *m_outcome = write(m_path, m_history, m_points);
-    }
+    (void)m_writer.flush();
 }
 
 void CalibrationFile::add(calibration::CalibrationRecord record)

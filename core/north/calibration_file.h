@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/result.h"
+#include "core/base/newest_writer.h"
 #include "core/calibration/calibration_record.h"
 
 #include <QObject>
 #include <QString>
-#include <QThreadPool>
 
-#include <memory>
-#include <optional>
+#include <vector>
 
 // A file of calibrations, STATE_DIR/NAME.calibrations.toml: read once when the program starts, written when the
 // operator applies one, takes one back or brings it again; and beside it, NAME.points.toml, the points that were taken
-// and not dropped yet. Saving never blocks the station thread, on which this lives:
-// one worker writes, and of the values that come in meanwhile the newest wins. What cannot be read is never written
-// over.
+// and not dropped yet. Saving never blocks the station thread, on which this lives. What cannot be read is never
+// written over.
 namespace boresight {
 
 class CalibrationFile final : public QObject
@@ -25,7 +22,6 @@ class CalibrationFile final : public QObject
 public:
     // An empty path: kept in memory only. Blocks while it reads.
     explicit CalibrationFile(const QString& path, QObject* parent = nullptr);
-    ~CalibrationFile() override;  // flushes
 
     [[nodiscard]] const QString& path() const { return m_path; }
     [[nodiscard]] const calibration::CalibrationHistory& history() const { return m_history; }
@@ -45,25 +41,16 @@ public:
     // Waits until the newest value is on the disk: at the end of the program, after the loop.
     void flush();
 
-Q_SIGNALS:
-    void written();  // from the worker, to this object
-
 private:
     void load();
     void save();
-    void startWriting();
-    void finishWriting();
 
     QString m_path;
     calibration::CalibrationHistory m_history;
     calibration::CalibrationRecord m_points;  // of no calibration yet
     QString m_problem;
     bool m_unreadable = false;
-    std::shared_ptr<Result<>> m_outcome =
-        std::make_shared<Result<>>();  // of the last writing; the worker's until it ends
-    bool m_writing = false;            // finishWriting() is still to come
-    bool m_again = false;              // the history has changed meanwhile
-    QThreadPool m_writer;              // one thread; last, so that it ends first
+    NewestWriter m_writer{this};
 };
 
 // Where the points lie of whose calibrations lie there.

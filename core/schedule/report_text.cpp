@@ -16,7 +16,7 @@ constexpr Range kOfTime{0.0, 1e9};              // s
 constexpr Range kOfError{0.0, 180.0};           // deg
 constexpr Range kOfEnd{0.0, static_cast<double>(PassEnd::Refused)};
 
-struct ReportFile
+struct StoredReport
 {
     std::int64_t version = kVersion;
     NightReport report;
@@ -39,7 +39,7 @@ void passFields(Visitor& visitor, PassRecord& pass)
 }
 
 template <class Visitor>
-void reportFields(Visitor& visitor, ReportFile& file)
+void reportFields(Visitor& visitor, StoredReport& file)
 {
     visitor.whole("version", file.version, {kVersion, kVersion});
     asWhole(visitor, "interventions", file.report.interventions, kOfCount);
@@ -51,7 +51,7 @@ void reportFields(Visitor& visitor, ReportFile& file)
 
 Result<std::string> toText(const NightReport& report)
 {
-    ReportFile file{.report = report};
+    StoredReport file{.report = report};
     records::TomlWriter writer;
     reportFields(writer, file);
     const std::string text =
@@ -63,7 +63,7 @@ Result<std::string> toText(const NightReport& report)
 
 Result<NightReport> parseReport(std::string_view text, const QString& fileName)
 {
-    ReportFile file;
+    StoredReport file;
     return records::TomlReader::read(text, fileName, [&](records::TomlReader& reader) { reportFields(reader, file); })
         .map([&] { return std::move(file.report); });
 }
