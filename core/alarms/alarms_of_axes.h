@@ -134,7 +134,7 @@ inline constexpr std::array kAxisAlarms{
                .remedy = QT_TRANSLATE_NOOP(
                    "Text", "Check the load of the bus and of this computer, the cable and the termination."),
                .kin = AlarmKin::Drive,
-               .examples = {"a reply of the azimuth drive came 0.12 s after the one before"}},
+               .examples = {"the drive of the azimuth was late: no reply for 0.12 s (limit 0.10 s)"}},
     AlarmEntry{.id = "axis.supply-low",
                .source = "%1",
                .severity = Severity::Warning,

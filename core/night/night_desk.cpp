@@ -141,8 +141,8 @@ Result<> NightDesk::arm(const Source& by, Severity severity, const QString& word
 void NightDesk::armByPolicy()
 {
     if (!m_policyUsed && m_profile->schedule.unattended == profile::Unattended::On && mayArm()) {
-        [[maybe_unused]] const Result<> armed = arm(scheduleSource(), Severity::Warning,
-                                                    Text::tr("arms itself, as the profile says (schedule.unattended)"));
+        [[maybe_unused]] const Result<> armed =
+            arm(scheduleSource(), Severity::Warning, Text::tr("armed by the profile (schedule.unattended)"));
     }
 }
 
@@ -399,14 +399,15 @@ void NightDesk::noteFile()
 void NightDesk::keep(const schedule::PassRecord& record)
 {
     store(record);
-    m_log.add(Severity::Advisory, scheduleSource().name,
-              Text::tr("%1 was tracked for %2 s. Within 1 dB: %3 s. Within 3 dB: %4 s. Error: %5° rms, %6° at most.")
-                  .arg(record.name)
-                  .arg(record.tracked.count(), 0, 'f', 0)
-                  .arg(record.within1dB.count(), 0, 'f', 0)
-                  .arg(record.within3dB.count(), 0, 'f', 0)
-                  .arg(record.rmsError.degrees(), 0, 'f', 3)
-                  .arg(record.peakError.degrees(), 0, 'f', 3));
+    m_log.add(
+        Severity::Advisory, scheduleSource().name,
+        Text::tr("%1 was tracked for %2 s. Within 1 dB: %3 s. Within 3 dB: %4 s. Error: %5° rms. Largest error: %6°.")
+            .arg(record.name)
+            .arg(record.tracked.count(), 0, 'f', 0)
+            .arg(record.within1dB.count(), 0, 'f', 0)
+            .arg(record.within3dB.count(), 0, 'f', 0)
+            .arg(record.rmsError.degrees(), 0, 'f', 3)
+            .arg(record.peakError.degrees(), 0, 'f', 3));
 }
 
 void NightDesk::show()

@@ -46,7 +46,7 @@ void ReportFile::load()
         m_report = *std::move(read);
     } else {
         m_unreadable = true;
-        m_problem = Text::tr("The stored night report cannot be read. The new one is kept in memory only: %1")
+        m_problem = Text::tr("The stored night report cannot be read: %1. The new report is kept in memory only.")
                         .arg(read.error().text);
     }
 }

@@ -83,8 +83,8 @@ void CalibrationFile::load()
     }
     if (!history || !points) {
         m_unreadable = true;
-        m_problem = Text::tr("The stored calibrations cannot be read. New ones are kept in memory only: %1")
-                        .arg((history ? points : history).error().text);
+        m_problem =
+            Text::tr("The stored calibrations cannot be read: %1").arg((history ? points : history).error().text);
     }
 }
 

@@ -278,9 +278,10 @@ void AxisSupervisor::judgePush(const AxisObservation& seen, double share)
 void AxisSupervisor::judgeReplies(const AxisObservation& seen)
 {
     const Seconds gap = seen.received - std::exchange(m_lastReply, seen.received).value_or(seen.received);
-    const double limit = m_profile->supervision.replyAge.count();
-    m_replies.update(seen.now, gap.count(), {.hint = limit, .release = 0.75 * limit}, [&] {
-        return Text::tr("a reply of %1 drive came %2 after the one before").arg(m_names.axis, words(gap));
+    const Seconds limit = m_profile->supervision.replyAge;
+    m_replies.update(seen.now, gap.count(), {.hint = limit.count(), .release = 0.75 * limit.count()}, [&] {
+        return Text::tr("the drive of %1 was late: no reply for %2 (limit %3)")
+            .arg(m_names.axis, words(gap), words(limit));
     });
 }
 

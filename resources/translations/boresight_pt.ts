@@ -2256,10 +2256,6 @@ até %1</translation>
         <translation>o %1 precisa de %2 Nm, %3 % dos %4 Nm permitidos</translation>
     </message>
     <message>
-        <source>a reply of %1 drive came %2 after the one before</source>
-        <translation>uma resposta do acionamento do %1 chegou %2 depois da anterior</translation>
-    </message>
-    <message>
         <source>the supply of %1</source>
         <translation>a alimentação do %1</translation>
     </message>
@@ -6773,10 +6769,6 @@ até %1</translation>
         <translation>não há pontos</translation>
     </message>
     <message>
-        <source>The stored calibrations cannot be read. New ones are kept in memory only: %1</source>
-        <translation>as calibrações anteriores não podem ser lidas, e as novas ficam só na memória: %1</translation>
-    </message>
-    <message>
         <source>The calibrations could not be written: %1</source>
         <translation>não foi possível gravar as calibrações: %1</translation>
     </message>
@@ -7901,20 +7893,28 @@ até %1</translation>
         <translation>O Boresight foi fechado</translation>
     </message>
     <message>
-        <source>arms itself, as the profile says (schedule.unattended)</source>
-        <translation>arma-se sozinha, como diz o perfil (schedule.unattended)</translation>
-    </message>
-    <message>
-        <source>%1 was tracked for %2 s. Within 1 dB: %3 s. Within 3 dB: %4 s. Error: %5° rms, %6° at most.</source>
-        <translation>%1 foi seguido durante %2 s. A menos de 1 dB: %3 s. A menos de 3 dB: %4 s. Erro: %5° rms, %6° no máximo.</translation>
-    </message>
-    <message>
-        <source>The stored night report cannot be read. The new one is kept in memory only: %1</source>
-        <translation>O relatório da noite guardado não se lê. O novo fica só na memória: %1</translation>
-    </message>
-    <message>
         <source>The night report could not be written: %1</source>
         <translation>Não foi possível escrever o relatório da noite: %1</translation>
+    </message>
+    <message>
+        <source>armed by the profile (schedule.unattended)</source>
+        <translation>armada pelo perfil (schedule.unattended)</translation>
+    </message>
+    <message>
+        <source>%1 was tracked for %2 s. Within 1 dB: %3 s. Within 3 dB: %4 s. Error: %5° rms. Largest error: %6°.</source>
+        <translation>%1 foi seguido durante %2 s. A menos de 1 dB: %3 s. A menos de 3 dB: %4 s. Erro: %5° rms. Erro máximo: %6°.</translation>
+    </message>
+    <message>
+        <source>The stored night report cannot be read: %1. The new report is kept in memory only.</source>
+        <translation>O relatório da noite guardado não se lê: %1. O novo relatório fica só na memória.</translation>
+    </message>
+    <message>
+        <source>The stored calibrations cannot be read: %1</source>
+        <translation>As calibrações guardadas não se leem: %1</translation>
+    </message>
+    <message>
+        <source>the drive of %1 was late: no reply for %2 (limit %3)</source>
+        <translation>o acionamento do %1 atrasou-se: nenhuma resposta durante %2 (limite %3)</translation>
     </message>
 </context>
 <context>
@@ -15094,8 +15094,8 @@ Uma posição, graus e metros: place 38.757,-9.117,1200</translation>
         <translation>A agenda não tem satélites. Junte um na página Próximas.</translation>
     </message>
     <message>
-        <source>Store priority and elevation of this satellite</source>
-        <translation>Guarda a prioridade e a elevação deste satélite</translation>
+        <source>Store priority and lowest elevation of this satellite</source>
+        <translation>Guarda a prioridade e a elevação mínima deste satélite</translation>
     </message>
 </context>
 </TS>

@@ -41,7 +41,8 @@ WatchEditor::WatchEditor(ProfileDraft& draft, RequestDesk& desk, QWidget* parent
       m_priority(new QSpinBox(this)),
       m_lowest(new DecimalBox(this)),
       m_refused(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
-      m_set(new CommandButton(tr("Set"), tr("Store priority and elevation of this satellite"), desk, *m_refused, this)),
+      m_set(new CommandButton(tr("Set"), tr("Store priority and lowest elevation of this satellite"), desk, *m_refused,
+                              this)),
       m_remove(new CommandButton(tr("Remove"), tr("Take this satellite out of the schedule"), desk, *m_refused, this))
 {
     build();

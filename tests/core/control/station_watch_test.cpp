@@ -265,13 +265,13 @@ TEST(StationWatch, ASilenceIsNotToldAsLateRepliesToo)
     rig.azimuth.silent = rig.elevation.silent = false;
     rig.run(Seconds(2.0));
     for (const LogEntry& line : rig.log.since(0, EventLog::kCapacity)) {
-        EXPECT_FALSE(line.text.contains(QLatin1String("after the one before"))) << line.text.toStdString();
+        EXPECT_FALSE(line.text.contains(QLatin1String("was late: no reply for"))) << line.text.toStdString();
     }
     rig.azimuth.silent = true;
     rig.run(Seconds(0.16));
     rig.azimuth.silent = false;
     rig.run(Seconds(0.2));
-    EXPECT_THAT(rig.alarm("after the one before"), HasSubstr("Boresight does not stop the mount."));
+    EXPECT_THAT(rig.alarm("was late: no reply for"), HasSubstr("Boresight does not stop the mount."));
 }
 
 }  // namespace

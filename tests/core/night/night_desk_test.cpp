@@ -384,7 +384,7 @@ protected:
 TEST_F(UnattendedNight, ThePolicyOfTheProfileArmsItOnce)
 {
     EXPECT_TRUE(status().armed);
-    EXPECT_TRUE(logged("arms itself, as the profile says"));
+    EXPECT_TRUE(logged("armed by the profile"));
     operatorAsks(request::Hold{});
     run(Seconds(2.0));
     EXPECT_FALSE(status().armed);
