@@ -7,6 +7,7 @@
 #include "core/sources/target_track.h"
 #include "core/units/angle_between.h"
 #include "tests/core/control/station_rig.h"
+#include "tests/fakes/low_orbit.h"
 #include "tests/fakes/text_of.h"
 
 #include <gmock/gmock.h>
@@ -43,15 +44,8 @@ FoundOrbit orbitWith(UtcTime now, const std::function<bool(const passes::Pass&)>
 {
     for (int node = 0; node < 360; node += 5) {
         for (int anomaly = 0; anomaly < 360; anomaly += 5) {
-            const orbit::ElementSet elements{.name = "TEST ONE",
-                                             .number = 25544,
-                                             .epoch = orbit::julianDate(now),
-                                             .revolutionsPerDay = 15.5,
-                                             .eccentricity = 1e-4,
-                                             .inclination = 51.6_deg,
-                                             .ascendingNode = Angle::fromDegrees(node),
-                                             .meanAnomaly = Angle::fromDegrees(anomaly),
-                                             .bstar = 1e-5};
+            const orbit::ElementSet elements =
+                fakes::lowOrbit(now, Angle::fromDegrees(node), Angle::fromDegrees(anomaly));
             const auto list =
                 passes::findPasses(orbit::Sgp4(elements),
                                    {.site = kTrackSite, .from = now, .to = now + std::chrono::hours(2), .isClear = {}});

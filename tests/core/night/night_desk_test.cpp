@@ -3,8 +3,8 @@
 #include "core/night/night_desk.h"
 
 #include "core/alarms/catalogue.h"
-#include "core/elements/julian_date.h"
 #include "tests/core/control/station_rig.h"
+#include "tests/fakes/low_orbit.h"
 #include "tests/fakes/text_of.h"
 
 #include <gmock/gmock.h>
@@ -40,15 +40,9 @@ orbit::ElementSet risingAfter(int number, UtcTime now, std::chrono::minutes wait
 {
     for (int node = 0; node < 360; node += 4) {
         for (int anomaly = 0; anomaly < 360; anomaly += 4) {
-            const orbit::ElementSet elements{.name = "SAT " + std::to_string(number),
-                                             .number = number,
-                                             .epoch = orbit::julianDate(now),
-                                             .revolutionsPerDay = 15.5,
-                                             .eccentricity = 1e-4,
-                                             .inclination = 51.6_deg,
-                                             .ascendingNode = Angle::fromDegrees(node),
-                                             .meanAnomaly = Angle::fromDegrees(anomaly),
-                                             .bstar = 1e-5};
+            orbit::ElementSet elements = fakes::lowOrbit(now, Angle::fromDegrees(node), Angle::fromDegrees(anomaly));
+            elements.name = "SAT " + std::to_string(number);
+            elements.number = number;
             const passes::PassList list =
                 passes::findPasses(orbit::Sgp4(elements), {.site = kNightSite,
                                                            .from = now,

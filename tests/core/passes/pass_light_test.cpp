@@ -3,6 +3,7 @@
 
 #include "core/ephemeris/almanac.h"
 #include "core/passes/pass_finder.h"
+#include "tests/fakes/low_orbit.h"
 
 #include <gtest/gtest.h>
 
@@ -17,13 +18,7 @@ const Site kLightSite{.latitude = 38.757_deg, .longitude = -9.117_deg, .heightMe
 struct LowOrbit
 {
     UtcTime from = std::chrono::sys_days{std::chrono::year{2026} / 11 / 20};
-    orbit::ElementSet elements{.name = "LOW",
-                               .number = 25544,
-                               .epoch = orbit::julianDate(from),
-                               .revolutionsPerDay = 15.5,
-                               .eccentricity = 1e-4,
-                               .inclination = 51.6_deg,
-                               .bstar = 1e-5};
+    orbit::ElementSet elements = fakes::lowOrbit(from);
     std::vector<Pass> passes =
         findPasses(orbit::Sgp4(elements), {.site = kLightSite, .from = from, .to = from + 1440h, .isClear = {}}).passes;
 

@@ -3,10 +3,10 @@
 
 #include "core/base/numbers.h"
 #include "core/elements/iso_epoch.h"
-#include "core/elements/julian_date.h"
 #include "core/ephemeris/refraction.h"
 #include "core/passes/pass_finder.h"
 #include "core/units/angle_between.h"
+#include "tests/fakes/low_orbit.h"
 #include "tests/fakes/text_of.h"
 
 #include <gtest/gtest.h>
@@ -140,13 +140,7 @@ TEST(TargetPath, RisesAndSetsAtTheHorizonAsItAppears)
 // REQ-TARGETS-905: A satellite is airless, and rises and sets as the list of passes has it.
 TEST(TargetPath, ASatelliteGoesAsTheListOfPasses)
 {
-    const orbit::ElementSet elements{.name = "TEST ONE",
-                                     .number = 25544,
-                                     .epoch = orbit::julianDate(kDay),
-                                     .revolutionsPerDay = 15.5,
-                                     .eccentricity = 1e-4,
-                                     .inclination = 51.6_deg,
-                                     .bstar = 1e-5};
+    const orbit::ElementSet elements = fakes::lowOrbit(kDay);
     TargetPath path(satelliteTarget(elements), kLisbon);
     const auto passes = passes::findPasses(
         orbit::Sgp4(elements), {.site = kLisbon, .from = kDay, .to = kDay + std::chrono::days(1), .isClear = {}});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/passes/passes_panel.h"
 
-#include "core/elements/julian_date.h"
+#include "tests/fakes/low_orbit.h"
 #include "tests/fakes/wait_until.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/kit/command_button.h"
@@ -20,19 +20,12 @@
 namespace boresight::ui {
 namespace {
 
-// Near the Earth and over every site below 60° of latitude several times a day.
-orbit::ElementSet lowOrbit(const char* name, std::int64_t number, Angle node, UtcTime epoch)
+orbit::ElementSet satellite(const char* name, std::int64_t number, Angle node, UtcTime epoch)
 {
-    return {.name = name,
-            .number = number,
-            .epoch = orbit::julianDate(epoch),
-            .revolutionsPerDay = 15.5,
-            .eccentricity = 1e-4,
-            .inclination = 51.6_deg,
-            .ascendingNode = node,
-            .perigee = 150_deg,
-            .meanAnomaly = 210_deg,
-            .bstar = 1e-5};
+    orbit::ElementSet elements = fakes::lowOrbit(epoch, node);
+    elements.name = name;
+    elements.number = number;
+    return elements;
 }
 
 class PassesPanelTest : public WindowFixture
@@ -46,9 +39,9 @@ protected:
         profile::Profile profile = *status.profile;
         profile.site = {.known = true, .latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
         status.profile = std::make_shared<const profile::Profile>(profile);
-        status.satellites = std::make_shared<const std::vector<orbit::ElementSet>>(
-            std::vector{lowOrbit("ALPHA ONE", 25544, 10_deg, status.utc), lowOrbit("BETA", 40069, 130_deg, status.utc),
-                        lowOrbit("ALPHA TWO", 43013, 250_deg, status.utc)});
+        status.satellites = std::make_shared<const std::vector<orbit::ElementSet>>(std::vector{
+            satellite("ALPHA ONE", 25544, 10_deg, status.utc), satellite("BETA", 40069, 130_deg, status.utc),
+            satellite("ALPHA TWO", 43013, 250_deg, status.utc)});
         return status;
     }
     void giveFound(const StationStatus& status)
