@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -52,6 +53,11 @@ struct Pass
     std::vector<Stretch> clear;  // of PassSearch::isClear: several rises in one pass, or none
 
     [[nodiscard]] Seconds duration() const { return los.utc - aos.utc; }
+    [[nodiscard]] Seconds clearTime() const
+    {
+        return std::accumulate(clear.begin(), clear.end(), Seconds(0.0),
+                               [](Seconds sum, const Stretch& stretch) { return sum + (stretch.to - stretch.from); });
+    }
     [[nodiscard]] bool isClearAt(UtcTime utc) const
     {
         return std::ranges::any_of(clear,

@@ -16,7 +16,7 @@ std::partial_ordering compare(const WatchedPass& a, const WatchedPass& b, Reason
         case Reason::Priority:
             return a.priority <=> b.priority;
         case Reason::Longer:
-            return b.seen().count() <=> a.seen().count();
+            return b.pass.clearTime().count() <=> a.pass.clearTime().count();
         case Reason::Earlier:
             return a.begins().time_since_epoch().count() <=> b.begins().time_since_epoch().count();
         case Reason::LowerNumber:
@@ -71,15 +71,6 @@ bool fitBoth(const WatchedPass& a, const WatchedPass& b, Seconds lead)
 }
 
 }  // namespace
-
-Seconds WatchedPass::seen() const
-{
-    Seconds sum{0.0};
-    for (const passes::Stretch& part : pass.clear) {
-        sum += part.to - part.from;
-    }
-    return sum;
-}
 
 // The most preferred pass first. What it leaves out cannot leave out others.
 NightPlan planNight(std::vector<WatchedPass> candidates, const PlanRules& rules)

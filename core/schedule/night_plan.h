@@ -24,7 +24,6 @@ struct WatchedPass
     [[nodiscard]] bool isHidden() const { return pass.clear.empty(); }
     [[nodiscard]] UtcTime begins() const { return isHidden() ? pass.aos.utc : pass.clear.front().from; }
     [[nodiscard]] UtcTime ends() const { return isHidden() ? pass.los.utc : pass.clear.back().to; }
-    [[nodiscard]] Seconds seen() const;  // the sum of these parts
 
     bool operator==(const WatchedPass&) const = default;
 };

@@ -45,11 +45,7 @@ QString untilText(const passes::Pass& pass, UtcTime now)
 
 Seconds hiddenTime(const passes::Pass& pass)
 {
-    Seconds clear{0.0};
-    for (const passes::Stretch& stretch : pass.clear) {
-        clear += stretch.to - stretch.from;
-    }
-    return std::max(Seconds(0.0), pass.duration() - clear);
+    return std::max(Seconds(0.0), pass.duration() - pass.clearTime());
 }
 
 QString factsOf(const BookedPass& one, const PassBook& book, UtcTime now)
