@@ -7,9 +7,11 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QThread>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <string>
 
 namespace boresight::ctl {
@@ -23,7 +25,9 @@ struct ScheduleAction
 constexpr std::array kActions{ScheduleAction{"list", local::LocalCommand::ScheduleList},
                               ScheduleAction{"arm", local::LocalCommand::ScheduleArm},
                               ScheduleAction{"disarm", local::LocalCommand::ScheduleDisarm},
-                              ScheduleAction{"report", local::LocalCommand::ScheduleReport}};
+                              ScheduleAction{"report", local::LocalCommand::ScheduleReport},
+                              ScheduleAction{"rehearse", local::LocalCommand::ScheduleRehearse}};
+constexpr std::chrono::milliseconds kBetweenLooks{200};
 
 std::string cell(const QJsonObject& row, const char* key)
 {
@@ -88,6 +92,22 @@ std::string nightText(const QJsonObject& report)
                        report[QStringLiteral("passes")].toArray());
 }
 
+std::string rehearsalText(const QJsonObject& night)
+{
+    std::string text = "rehearsed from " + cell(night, "from_utc") + " to " + cell(night, "to_utc") +
+                       ", passes planned: " + cell(night, "planned") +
+                       ", left out for another: " + cell(night, "conflicts") + ", hidden: " + cell(night, "hidden") +
+                       "\nazimuth axis from " + cell(night, "axis_from_deg") + " to " + cell(night, "axis_to_deg") +
+                       " deg\n" + nightText(night[QStringLiteral("report")].toObject());
+    for (const QJsonValue& remark : night[QStringLiteral("remarks")].toArray()) {
+        text += cell(remark.toObject(), "utc") + "  " + cell(remark.toObject(), "text") + "\n";
+    }
+    if (const std::string why = cell(night, "disarmed"); !why.empty()) {
+        text += "the schedule would end here: " + why + "\n";
+    }
+    return text;
+}
+
 void printAnswer(local::LocalCommand command, const QByteArray& answer, bool json)
 {
     const QJsonDocument document = QJsonDocument::fromJson(answer);
@@ -98,6 +118,9 @@ void printAnswer(local::LocalCommand command, const QByteArray& answer, bool jso
         case local::LocalCommand::ScheduleReport:
             print(json ? document.toJson().toStdString() : nightText(document.object()));
             break;
+        case local::LocalCommand::ScheduleRehearsal:
+            print(json ? document.toJson().toStdString() : rehearsalText(document[QStringLiteral("night")].toObject()));
+            break;
         case local::LocalCommand::ScheduleArm:
             printLine(QStringLiteral("The schedule is armed. The mount moves by itself for each pass."));
             break;
@@ -107,21 +130,40 @@ void printAnswer(local::LocalCommand command, const QByteArray& answer, bool jso
     }
 }
 
+// Its end.
+local::LocalAnswer awaitRehearsal(const profile::ListenAddress& station)
+{
+    while (true) {
+        const local::LocalAnswer answer = askLocally(station, {.command = local::LocalCommand::ScheduleRehearsal});
+        const QJsonDocument document = QJsonDocument::fromJson(answer.value_or(QByteArray()));
+        if (!answer || document[QStringLiteral("progress")].isNull()) {
+            const QString problem = document[QStringLiteral("problem")].toString();
+            return problem.isEmpty() ? answer : failure(ErrorCode::Refused, problem);
+        }
+        QThread::msleep(kBetweenLooks.count());
+    }
+}
+
 ExitStatus runSchedule(Arguments arguments)
 {
     const auto* const action = std::ranges::find_if(
         kActions, [&](const ScheduleAction& one) { return !arguments.empty() && arguments.front() == one.word; });
     if (action == kActions.end()) {
-        return usageError(kScheduleCommand, QStringLiteral("give list, arm, disarm or report"));
+        return usageError(kScheduleCommand, QStringLiteral("give list, arm, disarm, report or rehearse"));
     }
     const auto options = parseStationOptions(arguments.subspan(1), 0);
     if (!options) {
         return usageError(kScheduleCommand, options.error().text);
     }
-    const local::LocalAnswer answer =
-        askLocally(options->station.value_or(profile::ListenAddress{}), {.command = action->command});
+    const profile::ListenAddress station = options->station.value_or(profile::ListenAddress{});
+    local::LocalCommand command = action->command;
+    local::LocalAnswer answer = askLocally(station, {.command = command});
+    if (answer && command == local::LocalCommand::ScheduleRehearse) {
+        command = local::LocalCommand::ScheduleRehearsal;
+        answer = awaitRehearsal(station);
+    }
     if (answer) {
-        printAnswer(action->command, *answer, options->json);
+        printAnswer(command, *answer, options->json);
         return kDone;
     }
     if (answer.error().code == ErrorCode::InvalidInput) {
@@ -136,13 +178,15 @@ ExitStatus runSchedule(Arguments arguments)
 
 const Subcommand kScheduleCommand{
     .name = "schedule",
-    .arguments = "list|arm|disarm|report [--station HOST:PORT] [--format text|json]",
-    .summary = "List, arm or disarm the schedule of passes of a running station, or show its report",
+    .arguments = "list|arm|disarm|report|rehearse [--station HOST:PORT] [--format text|json]",
+    .summary = "List, arm, disarm or rehearse the schedule of passes of a running station, or show its report",
     .details =
         R"(  list                 the passes that are chosen in the next 24 h, and those left out, with the reason
   arm                  the station tracks each of these passes by itself. It takes the control from the clients
   disarm               the pass that is tracked ends, and the mount holds
   report               the passes so far: seconds tracked, within 1 and 3 dB of the beam, rms and peak error, how it ended
+  rehearse             runs the next 24 h in a few seconds on a copy of the mount, from where it stands: the report as it
+                       would be, the part of the cable that is used, and every warning. Nothing moves
   --station HOST:PORT  the rotctld port of the station; 127.0.0.1:4533 without it
                        HOST is localhost, 127.0.0.1 or ::1: the station runs on this computer
   --format text|json   text without it

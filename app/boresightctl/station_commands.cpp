@@ -44,6 +44,8 @@ QString doneText(local::LocalCommand command)
         case local::LocalCommand::ScheduleArm:
         case local::LocalCommand::ScheduleDisarm:
         case local::LocalCommand::ScheduleReport:
+        case local::LocalCommand::ScheduleRehearse:
+        case local::LocalCommand::ScheduleRehearsal:
             break;
     }
     return QStringLiteral("STOP is latched. The mount slows down and holds. Nothing moves it until reset-stop.");

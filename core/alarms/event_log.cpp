@@ -8,6 +8,18 @@
 Q_LOGGING_CATEGORY(lcStation, "boresight.station", QtInfoMsg)
 
 namespace boresight {
+namespace {
+
+void print(const LogEntry& entry)
+{
+    if (entry.severity == Severity::Advisory) {
+        qCInfo(lcStation).noquote() << plainLine(entry);
+    } else {
+        qCWarning(lcStation).noquote() << plainLine(entry);
+    }
+}
+
+}  // namespace
 
 QString plainLine(const LogEntry& entry)
 {
@@ -25,10 +37,8 @@ void EventLog::add(Severity severity, const QString& source, const QString& text
                          .text = text,
                          .kind = kind,
                          .alarm = alarm});
-    if (severity == Severity::Advisory) {
-        qCInfo(lcStation).noquote() << plainLine(m_entries.back());
-    } else {
-        qCWarning(lcStation).noquote() << plainLine(m_entries.back());
+    if (m_echo == Echo::Yes) {
+        print(m_entries.back());
     }
     if (m_entries.size() > kCapacity) {
         m_entries.pop_front();

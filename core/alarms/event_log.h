@@ -10,8 +10,8 @@
 #include <vector>
 
 // The station's own diary: who asked for what, why something moved, what went wrong. Keeps the newest kCapacity
-// entries in memory; each also goes to Qt's log category "boresight.station", so the headless service prints it.
-// Station thread only.
+// entries in memory; each also goes to Qt's log category "boresight.station", so the headless service prints it, unless
+// it is that of a rehearsal. Station thread only.
 namespace boresight {
 
 // Without its time, for files: "azimuth drive [drive.silent]: The azimuth drive does not reply. …"
@@ -22,7 +22,13 @@ class EventLog
 public:
     static constexpr std::size_t kCapacity = 2000;
 
-    explicit EventLog(const Clock& clock) : m_clock(clock) {}
+    enum class Echo
+    {
+        No,
+        Yes  // to Qt's log
+    };
+
+    explicit EventLog(const Clock& clock, Echo echo = Echo::Yes) : m_clock(clock), m_echo(echo) {}
 
     void add(Severity severity, const QString& source, const QString& text, LogKind kind = LogKind::Event,
              const QString& alarm = {});
@@ -33,6 +39,7 @@ public:
 
 private:
     const Clock& m_clock;
+    Echo m_echo;
     std::deque<LogEntry> m_entries;
     std::uint64_t m_lastNumber = 0;
 };

@@ -259,6 +259,12 @@ Result<> StationControl::handle(const ScheduleRequest&, const Source& source)
     return operatorOnly(source);
 }
 
+// The station runs it beside its thread.
+Result<> StationControl::handle(const request::Rehearse&, const Source& source)
+{
+    return operatorOnly(source);
+}
+
 void StationControl::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
     if (before.mount.directions != after.mount.directions) {

@@ -153,6 +153,7 @@ private:
     Result<> handle(const CalibrationRequest& wanted, const Source& source);
     Result<> handle(const TuningRequest& wanted, const Source& source);
     Result<> handle(const ScheduleRequest& wanted, const Source& source);
+    Result<> handle(const request::Rehearse& wanted, const Source& source);
 
     Result<> askSources(const Request& request, const Source& source);
 

@@ -25,6 +25,8 @@ constexpr std::array kWords{std::pair{LocalCommand::Take, "take"},
                             std::pair{LocalCommand::ScheduleArm, "schedule-arm"},
                             std::pair{LocalCommand::ScheduleDisarm, "schedule-disarm"},
                             std::pair{LocalCommand::ScheduleReport, "schedule-report"},
+                            std::pair{LocalCommand::ScheduleRehearse, "schedule-rehearse"},
+                            std::pair{LocalCommand::ScheduleRehearsal, "schedule-rehearsal"},
                             std::pair{LocalCommand::Track, "track"}};
 const QByteArray kAgreed = "ok\n";
 const QByteArray kRefused = "error: ";

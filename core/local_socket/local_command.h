@@ -26,7 +26,9 @@ enum class LocalCommand
     ScheduleList,  // the plan, as JSON
     ScheduleArm,
     ScheduleDisarm,
-    ScheduleReport  // of the passes so far, as JSON
+    ScheduleReport,    // of the passes so far, as JSON
+    ScheduleRehearse,  // begin
+    ScheduleRehearsal  // how far it is, or what came of it, as JSON
 };
 
 struct LocalRequest

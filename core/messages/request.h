@@ -260,6 +260,10 @@ struct ArmSchedule  // the mount tracks its passes, until somebody does anything
 {};
 struct DisarmSchedule  // what it moves ends, and the mount holds
 {};
+struct Rehearse  // the schedule, ahead of time, on a copy of the mount: StationStatus::rehearsal. Moves nothing
+{
+    bool on = true;  // else the rehearsal that runs ends without a result
+};
 
 }  // namespace boresight::request
 
@@ -285,8 +289,8 @@ using Request =
                  request::ApplyProfile, request::Reconnect, request::ReadDrives, request::FixDrives,
                  request::AssignBoard, request::SetGear, request::SwitchOff, request::ReleaseBus, request::TakeBus,
                  request::ChooseTurn, request::ProveCrashStop, request::EndProof, request::ReadGains, request::SetGain,
-                 request::PutGainsBack, request::StoreGains, request::Trial, request::FollowAzel, TuningRequest,
-                 CalibrationRequest, ScheduleRequest>;
+                 request::PutGainsBack, request::StoreGains, request::Trial, request::FollowAzel, request::Rehearse,
+                 TuningRequest, CalibrationRequest, ScheduleRequest>;
 
 // A request of the screen, numbered so that the answer finds the control that sent it.
 struct NumberedRequest

@@ -12,6 +12,7 @@
 #include "core/messages/mount_line.h"
 #include "core/messages/permissions.h"
 #include "core/messages/power_status.h"
+#include "core/messages/rehearsal_status.h"
 #include "core/messages/schedule_status.h"
 #include "core/messages/sensor_status.h"
 #include "core/messages/tuning_status.h"
@@ -276,6 +277,7 @@ struct StationStatus
     std::shared_ptr<const TuningStatus> tuning = std::make_shared<const TuningStatus>();
     // The passes that are tracked by themselves; never null.
     std::shared_ptr<const ScheduleStatus> schedule = std::make_shared<const ScheduleStatus>();
+    RehearsalStatus rehearsal;
 };
 
 // What an axis did in one tick, for the charts. Unknown is empty.

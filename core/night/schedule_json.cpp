@@ -74,6 +74,39 @@ QJsonObject recordObject(const schedule::PassRecord& pass)
             {QStringLiteral("why"), pass.why}};
 }
 
+// Of the last passes.
+QJsonObject reportObject(const schedule::NightReport& report)
+{
+    QJsonArray passes;
+    const std::size_t count = report.passes.size();
+    for (std::size_t i = count - std::min(kMostRows, count); i < count; ++i) {
+        passes.append(recordObject(report.passes[i]));
+    }
+    return {{QStringLiteral("done"), report.done()},
+            {QStringLiteral("interventions"), report.interventions},
+            {QStringLiteral("faults"), report.faults},
+            {QStringLiteral("passes"), passes}};
+}
+
+QJsonObject nightObject(const RehearsedNight& night)
+{
+    QJsonArray remarks;
+    for (const RehearsedNight::Remark& remark : night.remarks) {
+        remarks.append(
+            QJsonObject{{QStringLiteral("utc"), utcSecondText(remark.utc)}, {QStringLiteral("text"), remark.text}});
+    }
+    return {{QStringLiteral("from_utc"), utcSecondText(night.from)},
+            {QStringLiteral("to_utc"), utcSecondText(night.to)},
+            {QStringLiteral("planned"), qint64(night.plan.chosen.size())},
+            {QStringLiteral("conflicts"), qint64(night.plan.conflicts.size())},
+            {QStringLiteral("hidden"), qint64(night.plan.hidden.size())},
+            {QStringLiteral("axis_from_deg"), roundedTo(night.leastAzimuth.degrees(), kTenths)},
+            {QStringLiteral("axis_to_deg"), roundedTo(night.mostAzimuth.degrees(), kTenths)},
+            {QStringLiteral("disarmed"), night.disarmed},
+            {QStringLiteral("report"), reportObject(night.report)},
+            {QStringLiteral("remarks"), remarks}};
+}
+
 QByteArray jsonLine(const QJsonObject& object)
 {
     return QJsonDocument(object).toJson(QJsonDocument::Compact);
@@ -105,15 +138,14 @@ QByteArray planJson(const ScheduleStatus& status)
 
 QByteArray reportJson(const schedule::NightReport& report)
 {
-    QJsonArray passes;
-    const std::size_t count = report.passes.size();
-    for (std::size_t i = count - std::min(kMostRows, count); i < count; ++i) {
-        passes.append(recordObject(report.passes[i]));
-    }
-    return jsonLine({{QStringLiteral("done"), report.done()},
-                     {QStringLiteral("interventions"), report.interventions},
-                     {QStringLiteral("faults"), report.faults},
-                     {QStringLiteral("passes"), passes}});
+    return jsonLine(reportObject(report));
+}
+
+QByteArray rehearsalJson(const RehearsalStatus& status)
+{
+    return jsonLine({{QStringLiteral("progress"), status.progress ? QJsonValue(*status.progress) : QJsonValue()},
+                     {QStringLiteral("problem"), status.problem},
+                     {QStringLiteral("night"), status.night ? QJsonValue(nightObject(*status.night)) : QJsonValue()}});
 }
 
 }  // namespace boresight

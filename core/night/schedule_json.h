@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/messages/rehearsal_status.h"
 #include "core/messages/schedule_status.h"
 
 #include <QByteArray>
 
-// The plan and the report of the schedule for other programs: one line of JSON, times in UTC, angles in degrees. Pure.
+// The plan, the report and the rehearsal of the schedule for other programs: one line of JSON, times in UTC, angles in
+// degrees. Pure.
 namespace boresight {
 
 // The next 100 passes, conflicts and hidden passes are in it.
 [[nodiscard]] QByteArray planJson(const ScheduleStatus& status);
 // The last 100 passes are in it.
 [[nodiscard]] QByteArray reportJson(const schedule::NightReport& report);
+// "progress" is null when none runs, "night" is null without a result.
+[[nodiscard]] QByteArray rehearsalJson(const RehearsalStatus& status);
 
 }  // namespace boresight

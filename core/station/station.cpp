@@ -44,7 +44,8 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_shell({.ask = [this](const Request& request, const Source& by) { return askNow(request, by); },
                .mayShellCommand = [this] { return m_control.mayShellCommand(); },
                .satellites = [this] { return m_elements.satellites(); },
-               .schedule = [this] { return m_night.status(); }},
+               .schedule = [this] { return m_night.status(); },
+               .rehearsal = [this] { return m_rehearsal.status(); }},
               m_log, clock, this),
       m_broker(m_profile, m_log, clock, this),
       m_sensor(m_profile, clock, m_log, m_control.alarms(), m_broker, this),
@@ -325,10 +326,26 @@ Result<> Station::carryOut(const Request& request, const Source& by)
     if (const auto* const wanted = std::get_if<ScheduleRequest>(&request)) {
         return m_night.carryOut(*wanted, by);
     }
+    if (const auto* const wanted = std::get_if<request::Rehearse>(&request)) {
+        return rehearse(*wanted);
+    }
     if (const auto* const wanted = std::get_if<request::Reconnect>(&request)) {
         return mayConnect(wanted->profile).map([&] { reconnect(wanted->profile); });
     }
     return m_mount->carryOut(request);
+}
+
+// From where the mount stands. While that is not known, from where it is parked.
+Result<> Station::rehearse(const request::Rehearse& wanted)
+{
+    if (!wanted.on) {
+        m_rehearsal.stop();
+        return {};
+    }
+    return m_rehearsal.begin({.profile = *m_profile,
+                              .satellites = m_elements.satellites(),
+                              .standing = m_control.measured().value_or(m_profile->park),
+                              .from = m_clock.utc()});
 }
 
 std::optional<DrivesStatus> Station::drives() const
@@ -454,6 +471,7 @@ StationStatus Station::status() const
     judgeCalibration(status);
     m_tuning.fill(status, m_calibration.moves());
     m_night.fill(status);
+    status.rehearsal = m_rehearsal.status();
     return status;
 }
 

@@ -19,6 +19,7 @@
 #include "core/station/station_elements.h"
 #include "core/station/station_passes.h"
 #include "core/station/station_power.h"
+#include "core/station/station_rehearsal.h"
 #include "core/station/station_sensor.h"
 #include "core/station/station_server.h"
 #include "core/station/station_shell.h"
@@ -111,6 +112,7 @@ private:
     void hurry(const Request& request);
     [[nodiscard]] std::optional<DirectionVerdict> verdictOn(const Request& request) const;
     [[nodiscard]] Result<> carryOut(const Request& request, const Source& by);
+    [[nodiscard]] Result<> rehearse(const request::Rehearse& wanted);
     [[nodiscard]] std::optional<DrivesStatus> drives() const;
     void openServer();
     void refuseToStart();
@@ -138,6 +140,7 @@ private:
     StationPasses m_passes{this};
     ReportFile m_reportFile;
     NightDesk m_night;
+    StationRehearsal m_rehearsal{this};
     EventFile m_eventFile;
     QTimer m_tickTimer;
     QTimer m_updateTimer;

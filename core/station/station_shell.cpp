@@ -29,11 +29,14 @@ Request requestOf(local::LocalCommand command)
             return request::ArmSchedule{};
         case local::LocalCommand::ScheduleDisarm:
             return request::DisarmSchedule{};
+        case local::LocalCommand::ScheduleRehearse:
+            return request::Rehearse{};
         case local::LocalCommand::Stop:
         case local::LocalCommand::Track:
         case local::LocalCommand::Satellites:
         case local::LocalCommand::ScheduleList:
         case local::LocalCommand::ScheduleReport:
+        case local::LocalCommand::ScheduleRehearsal:
             break;
     }
     return request::Stop{};
@@ -75,6 +78,9 @@ local::LocalAnswer StationShell::obey(const local::LocalRequest& asked)
     }
     if (asked.command == local::LocalCommand::ScheduleReport) {
         return reportJson(m_station.schedule()->report) + '\n';
+    }
+    if (asked.command == local::LocalCommand::ScheduleRehearsal) {
+        return rehearsalJson(m_station.rehearsal()) + '\n';
     }
     const auto request = [&]() -> local::LocalAnswer {
         return m_station.ask(requestOf(asked.command), shellSource()).map([] { return QByteArray(); });

@@ -27,6 +27,7 @@ public:
         std::function<Result<>()> mayShellCommand;
         std::function<std::shared_ptr<const std::vector<orbit::ElementSet>>()> satellites;
         std::function<std::shared_ptr<const ScheduleStatus>()> schedule;
+        std::function<RehearsalStatus()> rehearsal;
     };
 
     // Log and clock outlive this.

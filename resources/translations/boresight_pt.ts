@@ -7916,6 +7916,18 @@ até %1</translation>
         <source>the drive of %1 was late: no reply for %2 (limit %3)</source>
         <translation>o acionamento do %1 atrasou-se: nenhuma resposta durante %2 (limite %3)</translation>
     </message>
+    <message>
+        <source>The schedule has no pass within a day.</source>
+        <translation>A agenda não tem nenhuma passagem nas próximas 24 horas.</translation>
+    </message>
+    <message>
+        <source>The rehearsal was stopped.</source>
+        <translation>O ensaio foi parado.</translation>
+    </message>
+    <message>
+        <source>A rehearsal runs already. Wait for its end, or stop it.</source>
+        <translation>Já decorre um ensaio. Espere pelo fim, ou pare-o.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -13532,6 +13544,46 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
         <source>Let the mount track each listed pass by itself</source>
         <translation>A montagem segue sozinha cada passagem da lista</translation>
     </message>
+    <message>
+        <source>Rehearsal: %1 of %2 passes are tracked to the end.</source>
+        <translation>Ensaio: %1 de %2 passagens são seguidas até ao fim.</translation>
+    </message>
+    <message>
+        <source>The azimuth axis is used from %1 to %2.</source>
+        <translation>O eixo de azimute é usado de %1 a %2.</translation>
+    </message>
+    <message>
+        <source>The schedule would end at %1Z: %2.</source>
+        <translation>A agenda terminaria às %1Z: %2.</translation>
+    </message>
+    <message>
+        <source>Rehearsal</source>
+        <translation>Ensaio</translation>
+    </message>
+    <message>
+        <source>Rehearse</source>
+        <translation>Ensaiar</translation>
+    </message>
+    <message>
+        <source>Stop rehearsal</source>
+        <translation>Parar ensaio</translation>
+    </message>
+    <message>
+        <source>End the rehearsal without a result</source>
+        <translation>Terminar o ensaio sem resultado</translation>
+    </message>
+    <message>
+        <source>Run the next 24 h now on a copy of the mount. Nothing moves</source>
+        <translation>Corre já as próximas 24 h numa cópia da montagem. Nada se move</translation>
+    </message>
+    <message>
+        <source>Rehearsing: %1 %</source>
+        <translation>A ensaiar: %1 %</translation>
+    </message>
+    <message>
+        <source>Warnings in the table: %1.</source>
+        <translation>Avisos na tabela: %1.</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::ScheduleTable</name>
@@ -13612,6 +13664,18 @@ Erro máximo: %6</translation>
     <message>
         <source>left out, the limits hide it</source>
         <translation>fica de fora, os limites escondem-na</translation>
+    </message>
+    <message>
+        <source>, rehearsed: lost, %1</source>
+        <translation>, ensaio: perdida, %1</translation>
+    </message>
+    <message>
+        <source>, rehearsed: %1 of %2 s within 3 dB</source>
+        <translation>, ensaio: %1 de %2 s dentro de 3 dB</translation>
+    </message>
+    <message>
+        <source>rehearsed: %1</source>
+        <translation>ensaio: %1</translation>
     </message>
 </context>
 <context>

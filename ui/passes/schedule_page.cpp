@@ -51,6 +51,23 @@ QString stateText(const ScheduleStatus& schedule, UtcTime now)
     return sentences.join(QLatin1Char(' ')).trimmed();
 }
 
+// What a rehearsal has found, in words.
+QString rehearsalText(const RehearsedNight& night)
+{
+    QStringList sentences{SchedulePage::tr("Rehearsal: %1 of %2 passes are tracked to the end.")
+                              .arg(night.report.done())
+                              .arg(night.plan.chosen.size()),
+                          SchedulePage::tr("The azimuth axis is used from %1 to %2.")
+                              .arg(angleText(night.leastAzimuth, 0), angleText(night.mostAzimuth, 0))};
+    if (!night.disarmed.isEmpty()) {
+        sentences << SchedulePage::tr("The schedule would end at %1Z: %2.").arg(clockText(night.to), night.disarmed);
+    }
+    if (!night.remarks.empty()) {
+        sentences << SchedulePage::tr("Warnings in the table: %1.").arg(night.remarks.size());
+    }
+    return sentences.join(QLatin1Char(' '));
+}
+
 }  // namespace
 
 SchedulePage::SchedulePage(ProfileDraft& draft, RequestDesk& desk, QWidget* parent)
@@ -59,11 +76,15 @@ SchedulePage::SchedulePage(ProfileDraft& draft, RequestDesk& desk, QWidget* pare
       m_table(makeReadTable(tr("Schedule of passes"), *m_night, this)),
       m_state(new ValueLabel(tr("State of the schedule"), fonts::label(), {}, this)),
       m_refused(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_rehearsed(new ValueLabel(tr("Rehearsal"), fonts::label(), {}, this)),
       m_arm(new CommandButton(tr("Arm schedule"), {}, desk, *m_refused, this)),
+      m_rehearse(new CommandButton(tr("Rehearse"), {}, desk, *m_refused, this)),
       m_watched(new WatchEditor(draft, desk, this))
 {
     build();
     connect(m_arm, &QPushButton::clicked, this, &SchedulePage::armOrDisarm);
+    connect(m_rehearse, &QPushButton::clicked, this,
+            [this] { m_rehearse->ask(request::Rehearse{.on = !m_isRehearsing}); });
 }
 
 void SchedulePage::build()
@@ -76,13 +97,18 @@ void SchedulePage::build()
     m_refused->setLines(2);
     m_refused->setStretching(true);
     m_refused->setCollapsing(true);
+    m_rehearsed->setLines(2);
+    m_rehearsed->setStretching(true);
+    m_rehearsed->setCollapsing(true);
     setEmphasis(*m_arm, Emphasis::Primary);
     auto* const top = new QHBoxLayout;
     top->setSpacing(kGrid);
     top->addWidget(m_state, 1);
+    top->addWidget(m_rehearse, 0, Qt::AlignTop);
     top->addWidget(m_arm, 0, Qt::AlignTop);
     column->addLayout(top);
     column->addWidget(m_refused);
+    column->addWidget(m_rehearsed);
     column->addWidget(m_table, 1);
     column->addWidget(m_watched);
     QHeaderView* const header = m_table->horizontalHeader();
@@ -108,8 +134,25 @@ void SchedulePage::showStatus(const StationStatus& status)
         m_isArmed ? tr("End the schedule. The mount holds") : tr("Let the mount track each listed pass by itself"));
     m_arm->setBlocked(m_isArmed ? QString() : status.permissions.reason(Action::ArmSchedule));
     m_state->setValue(stateText(schedule, status.utc), m_isArmed ? Tone::Normal : Tone::Secondary);
-    m_night->show(status.schedule, status.utc);
+    showRehearsal(status);
+    m_night->show(schedule, status.rehearsal.night.get(), status.utc);
     m_watched->showStatus(status);
+}
+
+void SchedulePage::showRehearsal(const StationStatus& status)
+{
+    const RehearsalStatus& rehearsal = status.rehearsal;
+    m_isRehearsing = rehearsal.progress.has_value();
+    m_rehearse->setCommand(m_isRehearsing ? tr("Stop rehearsal") : tr("Rehearse"),
+                           m_isRehearsing ? tr("End the rehearsal without a result")
+                                          : tr("Run the next 24 h now on a copy of the mount. Nothing moves"));
+    if (m_isRehearsing) {
+        m_rehearsed->setValue(tr("Rehearsing: %1 %").arg(std::lround(*rehearsal.progress * 100.0)), Tone::Secondary);
+    } else if (rehearsal.night) {
+        m_rehearsed->setValue(rehearsalText(*rehearsal.night), Tone::Normal);
+    } else {
+        m_rehearsed->setValue(rehearsal.problem, Tone::Secondary);
+    }
 }
 
 }  // namespace boresight::ui

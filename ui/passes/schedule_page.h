@@ -29,14 +29,18 @@ public:
 private:
     void build();
     void armOrDisarm();
+    void showRehearsal(const StationStatus& status);
 
     ScheduleTable* m_night;
     QTableView* m_table;
     ValueLabel* m_state;
     ValueLabel* m_refused;
+    ValueLabel* m_rehearsed;
     CommandButton* m_arm;
+    CommandButton* m_rehearse;
     WatchEditor* m_watched;
     bool m_isArmed = false;
+    bool m_isRehearsing = false;
 };
 
 }  // namespace boresight::ui

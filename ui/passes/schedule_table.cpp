@@ -13,11 +13,27 @@ namespace {
 // A pass that was found again begins this much earlier or later at most.
 constexpr std::chrono::minutes kFoundAgain{2};
 
-bool isIn(const schedule::NightReport& report, const schedule::WatchedPass& pass)
+const schedule::PassRecord* recordOf(const schedule::NightReport& report, const schedule::WatchedPass& pass)
 {
-    return std::ranges::any_of(report.passes, [&](const schedule::PassRecord& one) {
+    const auto found = std::ranges::find_if(report.passes, [&](const schedule::PassRecord& one) {
         return one.number == pass.number && std::chrono::abs(one.aos - pass.pass.aos.utc) < kFoundAgain;
     });
+    return found == report.passes.end() ? nullptr : &*found;
+}
+
+// How it would be tracked.
+QString rehearsedText(const RehearsedNight* rehearsed, const schedule::WatchedPass& pass)
+{
+    const schedule::PassRecord* const record = rehearsed != nullptr ? recordOf(rehearsed->report, pass) : nullptr;
+    if (record == nullptr) {
+        return {};
+    }
+    if (record->end != schedule::PassEnd::Set) {
+        return ScheduleTable::tr(", rehearsed: lost, %1").arg(record->why);
+    }
+    return ScheduleTable::tr(", rehearsed: %1 of %2 s within 3 dB")
+        .arg(std::lround(record->within3dB.count()))
+        .arg(std::lround(record->tracked.count()));
 }
 
 QString reasonText(const schedule::Conflict& conflict)
@@ -83,19 +99,31 @@ ScheduleTable::Row ScheduleTable::rowOf(const schedule::WatchedPass& pass, const
             .details = {}};
 }
 
-std::vector<ScheduleTable::Row> ScheduleTable::rowsOf(const ScheduleStatus& schedule, UtcTime now)
+ScheduleTable::Row ScheduleTable::rowOf(const RehearsedNight::Remark& remark)
+{
+    return {.begins = remark.utc,
+            .ends = remark.utc,
+            .satellite = {},
+            .highest = {},
+            .what = tr("rehearsed: %1").arg(remark.text),
+            .details = {}};
+}
+
+std::vector<ScheduleTable::Row> ScheduleTable::rowsOf(const ScheduleStatus& schedule, const RehearsedNight* rehearsed,
+                                                      UtcTime now)
 {
     std::vector<Row> rows;
     for (const schedule::PassRecord& record : schedule.report.passes) {
         rows.push_back(rowOf(record));
     }
     const auto isToCome = [&](const schedule::WatchedPass& pass) {
-        return pass.ends() > now && !isIn(schedule.report, pass);
+        return pass.ends() > now && recordOf(schedule.report, pass) == nullptr;
     };
     for (const schedule::WatchedPass& pass : schedule.plan.chosen) {
         if (isToCome(pass)) {
             const Seconds wait = pass.begins() - now;
-            rows.push_back(rowOf(pass, wait > Seconds(0.0) ? tr("in %1").arg(waitText(wait)) : tr("up")));
+            rows.push_back(rowOf(pass, (wait > Seconds(0.0) ? tr("in %1").arg(waitText(wait)) : tr("up")) +
+                                           rehearsedText(rehearsed, pass)));
         }
     }
     for (const schedule::WatchedPass& pass : schedule.plan.hidden) {
@@ -108,14 +136,21 @@ std::vector<ScheduleTable::Row> ScheduleTable::rowsOf(const ScheduleStatus& sche
             rows.push_back(rowOf(conflict.leftOut, reasonText(conflict)));
         }
     }
+    if (rehearsed != nullptr) {
+        for (const RehearsedNight::Remark& remark : rehearsed->remarks) {
+            if (remark.utc > now) {
+                rows.push_back(rowOf(remark));
+            }
+        }
+    }
     std::ranges::stable_sort(rows, {}, &Row::begins);
     return rows;
 }
 
 // What is looked at keeps its place while only the words of rows change.
-void ScheduleTable::show(const std::shared_ptr<const ScheduleStatus>& schedule, UtcTime now)
+void ScheduleTable::show(const ScheduleStatus& schedule, const RehearsedNight* rehearsed, UtcTime now)
 {
-    std::vector<Row> rows = rowsOf(*schedule, now);
+    std::vector<Row> rows = rowsOf(schedule, rehearsed, now);
     if (rows.size() != m_rows.size()) {
         beginResetModel();
         m_rows = std::move(rows);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/messages/rehearsal_status.h"
 #include "core/messages/schedule_status.h"
 #include "ui/kit/table_model.h"
 
@@ -8,7 +9,8 @@
 #include <vector>
 
 // The night as a table in the order of time: passes that are over and how they went, the one that is tracked, those to
-// come, and those that are left out, with the reason. Gui thread.
+// come with how they were rehearsed, those that are left out with the reason, and the warnings of the rehearsal. Gui
+// thread.
 namespace boresight::ui {
 
 class ScheduleTable : public TableModel
@@ -27,7 +29,8 @@ public:
 
     explicit ScheduleTable(QObject* parent = nullptr);
 
-    void show(const std::shared_ptr<const ScheduleStatus>& schedule, UtcTime now);
+    // Without a rehearsal: nullptr.
+    void show(const ScheduleStatus& schedule, const RehearsedNight* rehearsed, UtcTime now);
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
@@ -49,7 +52,9 @@ private:
 
     [[nodiscard]] static Row rowOf(const schedule::PassRecord& record);
     [[nodiscard]] static Row rowOf(const schedule::WatchedPass& pass, const QString& what);
-    [[nodiscard]] static std::vector<Row> rowsOf(const ScheduleStatus& schedule, UtcTime now);
+    [[nodiscard]] static Row rowOf(const RehearsedNight::Remark& remark);
+    [[nodiscard]] static std::vector<Row> rowsOf(const ScheduleStatus& schedule, const RehearsedNight* rehearsed,
+                                                 UtcTime now);
 
     std::vector<Row> m_rows;
 };

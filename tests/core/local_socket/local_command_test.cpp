@@ -14,8 +14,9 @@ namespace {
 // with a target, exactly. The answer is ok and the lines of the answer, or one line: error with the reason.
 TEST(LocalCommandTest, EachHasItsWord)
 {
-    for (const char* const word : {"take", "release", "stop", "reset-stop", "satellites", "schedule-list",
-                                   "schedule-arm", "schedule-disarm", "schedule-report"}) {
+    for (const char* const word :
+         {"take", "release", "stop", "reset-stop", "satellites", "schedule-list", "schedule-arm", "schedule-disarm",
+          "schedule-report", "schedule-rehearse", "schedule-rehearsal"}) {
         const auto request = parseRequest(word);
         ASSERT_TRUE(request) << word;
         EXPECT_EQ(wordOf(request->command), word);

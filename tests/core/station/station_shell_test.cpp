@@ -190,6 +190,11 @@ TEST(StationShell, HasTheSchedule)
     EXPECT_THAT(ask(path, "schedule-report\n"), HasSubstr("\"done\":0,"));
     EXPECT_EQ(ask(path, "schedule-arm\n"), "error: The watch list of the profile is empty.\n");
     EXPECT_EQ(ask(path, "schedule-disarm\n"), "ok\n");
+    EXPECT_EQ(ask(path, "schedule-rehearse\n"), "ok\n");
+    EXPECT_TRUE(fakes::waitUntil([&] {
+        return ask(path, "schedule-rehearsal\n") ==
+               "ok\n{\"night\":null,\"problem\":\"The watch list of the profile is empty.\",\"progress\":null}\n";
+    }));
     EXPECT_EQ(rig.station->status().authority, Authority::Clients) << "nothing was taken";
 }
 

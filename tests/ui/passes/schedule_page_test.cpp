@@ -90,6 +90,49 @@ TEST_F(SchedulePageTest, ShowsTheNightInTheOrderOfTime)
     EXPECT_TRUE(state.endsWith(QStringLiteral("1 of 1 passes tracked to the end."))) << state.toStdString();
 }
 
+// REQ-SCHEDULE-954: Rehearse and Stop rehearsal are one button. Its progress, what came of it, and why it came to
+// nothing stand above the table. In the table each pass has the seconds within 3 dB as rehearsed, and each warning has
+// a row.
+TEST_F(SchedulePageTest, RehearsesTheNight)
+{
+    StationStatus status = withPlan();
+    show(status);
+    auto* const rehearse = named<CommandButton>("Rehearse");
+    QTest::mouseClick(rehearse, Qt::LeftButton);
+    ASSERT_EQ(asked<request::Rehearse>().size(), 1U);
+    EXPECT_TRUE(asked<request::Rehearse>().back().on);
+
+    status.rehearsal.progress = 0.4;
+    show(status);
+    EXPECT_EQ(text("Rehearsal"), QStringLiteral("Rehearsing: 40 %"));
+    QTest::mouseClick(rehearse, Qt::LeftButton);
+    ASSERT_EQ(asked<request::Rehearse>().size(), 2U);
+    EXPECT_FALSE(asked<request::Rehearse>().back().on);
+
+    RehearsedNight night;
+    night.plan = status.schedule->plan;
+    night.report.passes = {{.number = 25544,
+                            .aos = status.utc + std::chrono::minutes(12),
+                            .tracked = Seconds(600.0),
+                            .within3dB = Seconds(588.0),
+                            .end = schedule::PassEnd::Set}};
+    night.leastAzimuth = -40_deg;
+    night.mostAzimuth = 310_deg;
+    night.remarks = {{.utc = status.utc + std::chrono::minutes(14), .text = QStringLiteral("The Sun is near.")}};
+    status.rehearsal = {.progress = {}, .problem = {}, .night = std::make_shared<const RehearsedNight>(night)};
+    show(status);
+    EXPECT_EQ(text("Rehearsal"),
+              QStringLiteral("Rehearsal: 1 of 2 passes are tracked to the end. The azimuth axis is used from -40° to "
+                             "310°. Warnings in the table: 1."));
+    ASSERT_EQ(table().model()->rowCount(), 5);
+    EXPECT_EQ(cell(1, ScheduleTable::What), "in 12 min, rehearsed: 588 of 600 s within 3 dB");
+    EXPECT_EQ(cell(2, ScheduleTable::What), "rehearsed: The Sun is near.");
+
+    status.rehearsal = {.progress = {}, .problem = QStringLiteral("STOP is latched."), .night = {}};
+    show(status);
+    EXPECT_EQ(text("Rehearsal"), QStringLiteral("STOP is latched."));
+}
+
 // REQ-SCHEDULE-951: Arm and Disarm are one button, blocked with the reason of the station. Disarm is never blocked.
 TEST_F(SchedulePageTest, ArmsAndDisarms)
 {

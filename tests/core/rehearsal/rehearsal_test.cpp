@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/rehearsal/rehearsal.h"
+
+#include "tests/fakes/low_orbit.h"
+#include "tests/fakes/manual_clock.h"
+#include "tests/fakes/text_of.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr int kFirst = 90'001;
+
+// Two satellites that pass over it some times a day.
+RehearsalTask nightOfTwo()
+{
+    const UtcTime now = fakes::ManualClock().utc();
+    std::vector<orbit::ElementSet> sets{fakes::lowOrbit(now), fakes::lowOrbit(now, 120_deg, 90_deg)};
+    RehearsalTask task{.profile = {}, .satellites = {}, .standing = {}, .from = now};
+    task.profile.site = {.known = true, .latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        sets[i].number = kFirst + static_cast<int>(i);
+        sets[i].name = "SAT " + std::to_string(sets[i].number);
+        task.profile.schedule.watch.push_back({.number = sets[i].number});
+    }
+    task.satellites = std::make_shared<const std::vector<orbit::ElementSet>>(std::move(sets));
+    return task;
+}
+
+Result<RehearsedNight> rehearsed(const RehearsalTask& task)
+{
+    return rehearse(task, {}, [](double) {});
+}
+
+std::string whyNot(const RehearsalTask& task)
+{
+    const Result<RehearsedNight> night = rehearsed(task);
+    return night ? std::string() : textOf(night.error());
+}
+
+// REQ-SCHEDULE-940: A rehearsal runs the next day of the schedule ahead of time on a copy of the mount, from where it
+// stands. It gives the plan, the report as it would be, and the part of the cable that is used. It is faster than 60
+// times the real time.
+TEST(Rehearsal, TracksEachPassOfThePlan)
+{
+    RehearsalTask task = nightOfTwo();
+    task.standing = {.azimuth = 300_deg, .elevation = 10_deg};
+    double done = 0.0;
+    const Result<RehearsedNight> night = rehearse(task, {}, [&](double part) {
+        EXPECT_GE(part, done);
+        done = part;
+    });
+    ASSERT_TRUE(night);
+    EXPECT_LE(done, 1.0);
+    EXPECT_GT(done, 0.9);
+    EXPECT_EQ(night->from, task.from);
+    ASSERT_GE(night->plan.chosen.size(), 5U);
+    ASSERT_THAT(night->report.passes, SizeIs(night->plan.chosen.size()));
+    EXPECT_EQ(night->report.done(), static_cast<int>(night->plan.chosen.size()));
+    for (std::size_t i = 0; i < night->plan.chosen.size(); ++i) {
+        const schedule::WatchedPass& planned = night->plan.chosen[i];
+        const schedule::PassRecord& record = night->report.passes[i];
+        EXPECT_EQ(record.number, planned.number);
+        EXPECT_NEAR(record.tracked.count(), Seconds(planned.ends() - planned.begins()).count(), 1.0);
+        EXPECT_GT(record.within3dB, 0.9 * record.tracked);
+    }
+    EXPECT_EQ(night->disarmed, QString());
+    EXPECT_GE(night->mostAzimuth, task.standing.azimuth);
+    EXPECT_GE(night->leastAzimuth, task.profile.azimuth.geometry.travel.min);
+    EXPECT_LE(night->mostAzimuth, task.profile.azimuth.geometry.travel.max);
+}
+
+// REQ-SCHEDULE-941: What the mount is too slow for shows as seconds beyond 3 dB.
+TEST(Rehearsal, ShowsWhatASlowMountLoses)
+{
+    RehearsalTask task = nightOfTwo();
+    task.profile.azimuth.limits.rate = AngularRate::fromDegrees(0.3);
+    const Result<RehearsedNight> night = rehearsed(task);
+    ASSERT_TRUE(night);
+    EXPECT_TRUE(std::ranges::any_of(
+        night->report.passes, [](const schedule::PassRecord& pass) { return pass.within3dB < 0.8 * pass.tracked; }));
+}
+
+// REQ-SCHEDULE-942: What would end the schedule ends the rehearsal, with its reason and the warnings of the station.
+TEST(Rehearsal, EndsWhereTheScheduleWould)
+{
+    RehearsalTask task = nightOfTwo();
+    task.profile.sun.keepAway = profile::KeepAway::On;
+    task.profile.sun.radius = 60_deg;
+    task.from += std::chrono::hours(10);
+    const Result<RehearsedNight> night = rehearsed(task);
+    ASSERT_TRUE(night);
+    EXPECT_THAT(night->remarks, testing::Not(IsEmpty()));
+}
+
+// REQ-SCHEDULE-943: A schedule that cannot be armed is not rehearsed, and the reason is that of arming. A rehearsal can
+// be stopped.
+TEST(Rehearsal, SaysWhyItCannotBe)
+{
+    RehearsalTask task = nightOfTwo();
+    task.profile.schedule.watch.clear();
+    EXPECT_EQ(whyNot(task), "The watch list of the profile is empty.");
+    task = nightOfTwo();
+    task.profile.site.known = false;
+    EXPECT_THAT(whyNot(task), HasSubstr("The site of the mount is not set."));
+    task = nightOfTwo();
+    task.satellites = std::make_shared<const std::vector<orbit::ElementSet>>();
+    EXPECT_EQ(whyNot(task), "The schedule has no pass within a day.");
+
+    std::stop_source stop;
+    const Result<RehearsedNight> stopped =
+        rehearse(nightOfTwo(), stop.get_token(), [&](double) { stop.request_stop(); });
+    ASSERT_FALSE(stopped);
+    EXPECT_EQ(textOf(stopped.error()), "The rehearsal was stopped.");
+}
+
+}  // namespace
+}  // namespace boresight
