@@ -226,6 +226,13 @@ struct TimingStatus
     QString scheduling;  // one line; empty where it was not asked for
 };
 
+// The clock of this computer, by which satellites, Sun and Moon are computed.
+struct ClockStatus
+{
+    bool synchronised = true;      // a time source sets it
+    std::optional<Seconds> error;  // as that source reports it
+};
+
 struct StationStatus
 {
     StationState state = StationState::Disconnected;
@@ -278,6 +285,7 @@ struct StationStatus
     // The passes that are tracked by themselves; never null.
     std::shared_ptr<const ScheduleStatus> schedule = std::make_shared<const ScheduleStatus>();
     RehearsalStatus rehearsal;
+    ClockStatus clock;
 };
 
 // What an axis did in one tick, for the charts. Unknown is empty.

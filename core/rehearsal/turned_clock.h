@@ -14,6 +14,8 @@ public:
     [[nodiscard]] SteadyTime now() const override { return m_now; }
     [[nodiscard]] UtcTime utc() const override { return m_utc; }
     [[nodiscard]] bool synchronised() const override { return true; }
+    [[nodiscard]] std::optional<Seconds> error() const override { return std::nullopt; }
+    [[nodiscard]] Seconds slept() const override { return Seconds(0.0); }
 
     void advance(std::chrono::nanoseconds time)
     {

@@ -6,7 +6,7 @@
 #include <optional>
 
 // UTC for a motion that goes on: the clock of the computer is corrected all the time, and a satellite goes 1° across
-// the sky in 150 ms. A small correction is taken up by no more than 1 ms in each call, a set clock at once. Pure.
+// the sky in a second. A small correction is taken up by no more than 1 ms in each call, a set clock at once. Pure.
 namespace boresight::sources {
 
 class SteeredUtc

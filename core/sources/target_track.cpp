@@ -219,7 +219,7 @@ void TargetTrack::step(SteadyTime)
     }
     const CurrentMotion& current = helm().current();
     if (!current.is(Activity::Streaming) || !current.isFor(m_tracked->by)) {
-        m_tracked.reset();  // somebody has ended it, or moves the mount
+        forget();  // somebody has ended it, or moves the mount
         return;
     }
     if (current.errand() != m_tracked->errand) {
@@ -232,6 +232,7 @@ void TargetTrack::step(SteadyTime)
                                            .arg(m_utc.jump().count(), 0, 'f', 1)
                                            .arg(m_tracked->target.name));
     }
+    watchClock();
     m_tracked->isUp = utc > m_tracked->up.rises;
     if (m_tracked->up.sets && utc > *m_tracked->up.sets) {
         end(Severity::Advisory, Text::tr("%1 has set, and the mount holds").arg(m_tracked->target.name));
@@ -253,9 +254,26 @@ void TargetTrack::followOn(UtcTime utc)
     end(Severity::Warning, Text::tr("ends the tracking: %1").arg(place.error().text));
 }
 
-void TargetTrack::end(Severity severity, const QString& why)
+// A direction is where it is at any time.
+void TargetTrack::watchClock()
+{
+    const bool needsTime = !std::holds_alternative<SkyPointing>(m_tracked->target.kind);
+    if (!needsTime || helm().view().clock.synchronised()) {
+        helm().clearAlarm(alarmEntry("track.clock"));
+    } else {
+        helm().raiseAlarm(alarmEntry("track.clock"), {m_tracked->target.name});
+    }
+}
+
+void TargetTrack::forget()
 {
     m_tracked.reset();
+    helm().clearAlarm(alarmEntry("track.clock"));
+}
+
+void TargetTrack::end(Severity severity, const QString& why)
+{
+    forget();
     helm().end(severity, why);
 }
 

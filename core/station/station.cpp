@@ -40,6 +40,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_alarms(m_log, clock),
       m_mount(mount(m_profile, clock, m_log, m_alarms)),
       m_control(m_profile, clock, m_log, m_alarms, m_mount->driver(), motionSources),
+      m_clockGuard(clock, m_log, m_alarms),
       m_server(m_control, m_profile, m_log, clock, this),
       m_shell({.ask = [this](const Request& request, const Source& by) { return askNow(request, by); },
                .mayShellCommand = [this] { return m_control.mayShellCommand(); },
@@ -189,6 +190,7 @@ void Station::keepSample()
 void Station::tick()
 {
     keepSample();
+    m_clockGuard.tick();
     m_calibration.show(m_power.tick());
     m_calibration.tick();
     m_tuning.tick();
@@ -472,6 +474,7 @@ StationStatus Station::status() const
     m_tuning.fill(status, m_calibration.moves());
     m_night.fill(status);
     status.rehearsal = m_rehearsal.status();
+    status.clock = m_clockGuard.status();
     return status;
 }
 

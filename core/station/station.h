@@ -13,6 +13,7 @@
 #include "core/north/calibration_desk.h"
 #include "core/profile/in_force.h"
 #include "core/profile/profile.h"
+#include "core/station/clock_guard.h"
 #include "core/station/real_time.h"
 #include "core/station/station_azel.h"
 #include "core/station/station_broker.h"
@@ -127,6 +128,7 @@ private:
     AlarmBoard m_alarms;
     std::unique_ptr<MountConnection> m_mount;
     StationControl m_control;
+    ClockGuard m_clockGuard;
     StationServer m_server;
     StationShell m_shell;
     StationBroker m_broker;

@@ -211,6 +211,25 @@
     </message>
 </context>
 <context>
+    <name>ClockWords</name>
+    <message>
+        <source>No time source sets the clock of the station. Satellites, Sun and Moon may be elsewhere: a satellite 420 km up moves 1° in a second. Set up NTP or GPS.</source>
+        <translation>Nenhuma fonte de tempo acerta o relógio da estação. Satélites, Sol e Lua podem estar noutro lugar: um satélite a 420 km de altura move-se 1° num segundo. Configure NTP ou GPS.</translation>
+    </message>
+    <message>
+        <source>A time source sets the clock of the station.</source>
+        <translation>Uma fonte de tempo acerta o relógio da estação.</translation>
+    </message>
+    <message>
+        <source>A time source sets the clock of the station. It reports an error of %1 ms.</source>
+        <translation>Uma fonte de tempo acerta o relógio da estação. Indica um erro de %1 ms.</translation>
+    </message>
+    <message>
+        <source>%1 That is %2 for %3.</source>
+        <translation>%1 São %2 para %3.</translation>
+    </message>
+</context>
+<context>
     <name>Format</name>
     <message>
         <source>az %1  el %2</source>
@@ -7927,6 +7946,50 @@ até %1</translation>
     <message>
         <source>A rehearsal runs already. Wait for its end, or stop it.</source>
         <translation>Já decorre um ensaio. Espere pelo fim, ou pare-o.</translation>
+    </message>
+    <message>
+        <source>The clock of this computer is not synchronised, so the beam may miss %1</source>
+        <translation>O relógio deste computador não está sincronizado, por isso o feixe pode falhar %1</translation>
+    </message>
+    <message>
+        <source>Boresight tracks by this clock</source>
+        <translation>O Boresight segue por este relógio</translation>
+    </message>
+    <message>
+        <source>Synchronise the clock by NTP or GPS. A satellite 420 km up moves 1° in a second</source>
+        <translation>Sincronize o relógio por NTP ou GPS. Um satélite a 420 km de altura move-se 1° num segundo</translation>
+    </message>
+    <message>
+        <source>This computer slept for %1 s</source>
+        <translation>Este computador esteve suspenso durante %1 s</translation>
+    </message>
+    <message>
+        <source>Boresight commanded nothing meanwhile. Drives that were moving stopped by their own watchdog</source>
+        <translation>O Boresight nada comandou entretanto. Os controladores em movimento pararam pelo próprio watchdog</translation>
+    </message>
+    <message>
+        <source>Look at the mount. Switch off the suspend of this computer</source>
+        <translation>Olhe para a montagem. Desligue a suspensão deste computador</translation>
+    </message>
+    <message>
+        <source>The clock of this computer was set by %1 s</source>
+        <translation>O relógio deste computador foi acertado em %1 s</translation>
+    </message>
+    <message>
+        <source>Boresight computes satellites, Sun and Moon by the new time</source>
+        <translation>O Boresight calcula satélites, Sol e Lua pela nova hora</translation>
+    </message>
+    <message>
+        <source>Check the time source if this was not expected</source>
+        <translation>Verifique a fonte de tempo se isto não era esperado</translation>
+    </message>
+    <message>
+        <source>this computer slept for %1 s</source>
+        <translation>este computador esteve suspenso durante %1 s</translation>
+    </message>
+    <message>
+        <source>the clock of this computer was set by %1 s</source>
+        <translation>o relógio deste computador foi acertado em %1 s</translation>
     </message>
 </context>
 <context>

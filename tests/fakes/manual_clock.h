@@ -14,12 +14,18 @@ class ManualClock final : public Clock
 public:
     ManualClock() = default;
     // For rigs that are returned by value.
-    ManualClock(const ManualClock& other) : m_now(other.now()), m_utc(other.utc()), m_synchronised(other.synchronised())
+    ManualClock(const ManualClock& other)
+        : m_now(other.now()), m_utc(other.utc()), m_synchronised(other.synchronised()), m_slept(other.slept())
     {}
 
     [[nodiscard]] SteadyTime now() const override { return m_now; }
     [[nodiscard]] UtcTime utc() const override { return m_utc; }
     [[nodiscard]] bool synchronised() const override { return m_synchronised; }
+    [[nodiscard]] std::optional<Seconds> error() const override
+    {
+        return m_synchronised ? std::optional(Seconds(0.001)) : std::nullopt;
+    }
+    [[nodiscard]] Seconds slept() const override { return m_slept.load(); }
     void advance(Seconds time)
     {
         m_now = m_now.load() + std::chrono::duration_cast<SteadyTime::duration>(time);
@@ -28,11 +34,18 @@ public:
     void stepUtc(Seconds by) { m_utc = m_utc.load() + std::chrono::duration_cast<UtcTime::duration>(by); }
     void setUtc(UtcTime utc) { m_utc = utc; }
     void setSynchronised(bool synchronised) { m_synchronised = synchronised; }
+    // The computer was suspended for so long.
+    void sleep(Seconds time)
+    {
+        m_slept = m_slept.load() + time;
+        stepUtc(time);
+    }
 
 private:
     std::atomic<SteadyTime> m_now{SteadyTime(std::chrono::hours(1))};
     std::atomic<UtcTime> m_utc{std::chrono::sys_days{std::chrono::year{2026} / 11 / 21}};
     std::atomic<bool> m_synchronised = true;
+    std::atomic<Seconds> m_slept = Seconds(0.0);
 };
 
 }  // namespace boresight::fakes

@@ -7,6 +7,7 @@
 #include "ui/kit/widest.h"
 #include "ui/look/glyph.h"
 #include "ui/window/authority_button.h"
+#include "ui/window/clock_words.h"
 #include "ui/window/stop_button.h"
 
 #include <QGridLayout>
@@ -271,7 +272,7 @@ HeaderBar::HeaderBar(AuthorityButton& authority, QWidget* parent)
       m_elevation(new ValueLabel(tr("Elevation drive"), fonts::label(), widestDrive(tr("EL")), this)),
       m_sensor(new ValueLabel(tr("Orientation sensor"), fonts::label(), tr("Sensor awaited"), this)),
       m_control(new ValueLabel(tr("Who has control"), fonts::label(), {}, this)),
-      m_utc(new ValueLabel(tr("UTC"), fonts::clock(), QStringLiteral("00:00:00Z"), this)),
+      m_utc(new ValueLabel(tr("UTC"), fonts::clock(), QStringLiteral("00:00:00Z?"), this)),
       m_simulated(new ValueLabel(tr("Simulated mount"), fonts::label(), tr("SIMULATED"), this)),
       m_menu(new QToolButton(this)),
       m_stop(new StopButton(this))
@@ -346,7 +347,8 @@ void HeaderBar::showStatus(const StationStatus& status)
     showState(status);
     showTarget(status);
     showLinks(status);
-    m_utc->setValue(clockText(status.utc) + QLatin1Char('Z'));
+    m_utc->setValue(utcText(status), status.clock.synchronised ? Tone::Normal : Tone::Warning);
+    m_utc->setToolTip(clockHelp(status));
     m_simulated->setValue(status.simulated ? tr("SIMULATED") : QString(), Tone::Advisory);
 }
 

@@ -20,5 +20,13 @@ TEST(Clock, IsSynchronisedWhenTheKernelSaysSo)
     EXPECT_FALSE(isSynchronised(-1, 0)) << "a sandbox forbids to ask";
 }
 
+// REQ-BASE-10: The error of a clock is what its time source still has to correct and what it estimates. The kernel
+// counts the first in nanoseconds or microseconds.
+TEST(Clock, HasTheErrorThatTheTimeSourceReports)
+{
+    EXPECT_DOUBLE_EQ(reportedError(-2'000'000, 500, STA_PLL | STA_NANO).count(), 0.0025);
+    EXPECT_DOUBLE_EQ(reportedError(2'000, 500, STA_PLL).count(), 0.0025);
+}
+
 }  // namespace
 }  // namespace boresight

@@ -244,6 +244,21 @@ TEST_F(StationSatellitePass, EverythingElseEndsIt)
     }
 }
 
+// REQ-TRACK-912: While something is tracked by a clock that nothing sets, an alarm says so. It is over with the
+// tracking.
+TEST_F(StationSatellite, AClockThatNothingSetsIsAnAlarm)
+{
+    follow();
+    rig.run(Seconds(0.2));
+    EXPECT_FALSE(rig.alarms.active(alarmEntry("track.clock")));
+    rig.clock.setSynchronised(false);
+    rig.run(Seconds(0.2));
+    EXPECT_TRUE(rig.alarms.active(alarmEntry("track.clock")));
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    rig.run(Seconds(0.2));
+    EXPECT_FALSE(rig.alarms.active(alarmEntry("track.clock")));
+}
+
 // REQ-TRACK-904: A small correction of the clock is taken up by at most 1 ms in a tick: no set-point leaps. A clock
 // that is set by more than half a second is followed at once, within the limits of the mount, and is a line of the log.
 TEST_F(StationSatellite, ACorrectionOfTheClockLeapsNowhere)

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr int kFirst = 90'001;
+constexpr std::int64_t kFirst = 90'001;
 
 // Two satellites that pass over it some times a day.
 RehearsalTask nightOfTwo()
@@ -26,7 +26,7 @@ RehearsalTask nightOfTwo()
     RehearsalTask task{.profile = {}, .satellites = {}, .standing = {}, .from = now};
     task.profile.site = {.known = true, .latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
     for (std::size_t i = 0; i < sets.size(); ++i) {
-        sets[i].number = kFirst + static_cast<int>(i);
+        sets[i].number = kFirst + static_cast<std::int64_t>(i);
         sets[i].name = "SAT " + std::to_string(sets[i].number);
         task.profile.schedule.watch.push_back({.number = sets[i].number});
     }
@@ -81,7 +81,7 @@ TEST(Rehearsal, TracksEachPassOfThePlan)
 TEST(Rehearsal, ShowsWhatASlowMountLoses)
 {
     RehearsalTask task = nightOfTwo();
-    task.profile.azimuth.limits.rate = AngularRate::fromDegrees(0.3);
+    task.profile.azimuth.limits.speed = AngularRate::fromDegrees(0.3);
     const Result<RehearsedNight> night = rehearsed(task);
     ASSERT_TRUE(night);
     EXPECT_TRUE(std::ranges::any_of(

@@ -57,6 +57,29 @@ TEST_F(WindowTest, ShowsStateTargetSourceLinksAndTime)
     EXPECT_EQ(named<ValueLabel>("Line to the mount")->symbol(), Symbol::Alarm);
 }
 
+// REQ-UI-1440: The clock says how far it is off by its time source, and what that is on the sky for what is tracked.
+// One that nothing sets has a question mark and says what to do.
+TEST_F(WindowTest, TheClockSaysHowFarItIsOff)
+{
+    StationStatus status = samples::operatorMoving();
+    status.clock = {.synchronised = true, .error = Seconds(0.004)};
+    status.tracked = TrackedTarget{.name = QStringLiteral("ISS")};
+    status.azimuth.commandedRate = 6_deg_s;
+    status.elevation.commandedRate = AngularRate{};
+    status.elevation.actual = 60_deg;
+    give(samples::update(status));
+    EXPECT_EQ(text("UTC"), QStringLiteral("17:06:19Z"));
+    EXPECT_EQ(
+        named<ValueLabel>("UTC")->toolTip(),
+        QStringLiteral("A time source sets the clock of the station. It reports an error of 4.0 ms. That is 0.012° "
+                       "for ISS."));
+    status.clock = {.synchronised = false, .error = {}};
+    give(samples::update(status));
+    EXPECT_EQ(text("UTC"), QStringLiteral("17:06:19Z?"));
+    EXPECT_EQ(named<ValueLabel>("UTC")->tone(), Tone::Warning);
+    EXPECT_TRUE(named<ValueLabel>("UTC")->toolTip().endsWith(QStringLiteral("Set up NTP or GPS.")));
+}
+
 TEST_F(WindowTest, TheClientListIsInTheTooltip)
 {
     give(samples::update(samples::withClients(samples::tracking(1), 3)));
