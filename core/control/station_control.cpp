@@ -436,7 +436,7 @@ void StationControl::watchFitness()
 }
 
 // Logs what holds a motion, and ends one that has no way left because the region was drawn again. A stream of a client
-// waits.
+// waits. Why there is no way is logged once: it names where the target is, and that moves on.
 void StationControl::watchRegion()
 {
     if (m_current.goesToAPlace() && !m_motion.noWay().isEmpty()) {
@@ -448,7 +448,7 @@ void StationControl::watchRegion()
                        : m_motion.noWay().isEmpty() ? QString()
                                                     : Text::tr("held: %1").arg(m_motion.noWay());
     const bool pressed = m_current.runsFreely() || (m_current.is(Activity::Streaming) && !m_motion.noWay().isEmpty());
-    if (pressed && !at.isEmpty() && at != m_heldAt) {
+    if (pressed && !at.isEmpty() && (m_heldAt.isEmpty() || (held && at != m_heldAt))) {
         tell(Severity::Warning, m_current.commander(), at);
     }
     m_heldAt = pressed ? at : QString();

@@ -4,7 +4,7 @@
 #include "core/alarms/alarm_board.h"
 #include "core/base/text.h"
 #include "core/control/station_control.h"
-#include "core/rehearsal/perfect_mount.h"
+#include "core/perfect_mount/perfect_mount.h"
 #include "core/rehearsal/turned_clock.h"
 #include "core/sources/motion_sources.h"
 

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr std::int64_t kFirst = 90'001;
+constexpr int kFirst = 90'001;
 
 // Two satellites that pass over it some times a day.
 RehearsalTask nightOfTwo()
@@ -25,10 +25,10 @@ RehearsalTask nightOfTwo()
     std::vector<orbit::ElementSet> sets{fakes::lowOrbit(now), fakes::lowOrbit(now, 120_deg, 90_deg)};
     RehearsalTask task{.profile = {}, .satellites = {}, .standing = {}, .from = now};
     task.profile.site = {.known = true, .latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
-    for (std::size_t i = 0; i < sets.size(); ++i) {
-        sets[i].number = kFirst + static_cast<std::int64_t>(i);
-        sets[i].name = "SAT " + std::to_string(sets[i].number);
-        task.profile.schedule.watch.push_back({.number = sets[i].number});
+    for (int number = kFirst; orbit::ElementSet & set : sets) {
+        set.number = number;
+        set.name = "SAT " + std::to_string(number);
+        task.profile.schedule.watch.push_back({.number = number++, .leastElevation = 30_deg});
     }
     task.satellites = std::make_shared<const std::vector<orbit::ElementSet>>(std::move(sets));
     return task;
@@ -61,7 +61,7 @@ TEST(Rehearsal, TracksEachPassOfThePlan)
     EXPECT_LE(done, 1.0);
     EXPECT_GT(done, 0.9);
     EXPECT_EQ(night->from, task.from);
-    ASSERT_GE(night->plan.chosen.size(), 5U);
+    ASSERT_GE(night->plan.chosen.size(), 2U);
     ASSERT_THAT(night->report.passes, SizeIs(night->plan.chosen.size()));
     EXPECT_EQ(night->report.done(), static_cast<int>(night->plan.chosen.size()));
     for (std::size_t i = 0; i < night->plan.chosen.size(); ++i) {
@@ -88,16 +88,17 @@ TEST(Rehearsal, ShowsWhatASlowMountLoses)
         night->report.passes, [](const schedule::PassRecord& pass) { return pass.within3dB < 0.8 * pass.tracked; }));
 }
 
-// REQ-SCHEDULE-942: What would end the schedule ends the rehearsal, with its reason and the warnings of the station.
-TEST(Rehearsal, EndsWhereTheScheduleWould)
+// REQ-SCHEDULE-942: Each warning that the station would log is in it, with its time.
+TEST(Rehearsal, HasTheWarningsOfTheStation)
 {
     RehearsalTask task = nightOfTwo();
-    task.profile.sun.keepAway = profile::KeepAway::On;
-    task.profile.sun.radius = 60_deg;
-    task.from += std::chrono::hours(10);
+    task.profile.limits.keepOuts = {
+        {.name = "roof", .azimuthFrom = 0_deg, .azimuthTo = 359.9_deg, .elevationMin = 32_deg, .elevationMax = 38_deg}};
     const Result<RehearsedNight> night = rehearsed(task);
     ASSERT_TRUE(night);
-    EXPECT_THAT(night->remarks, testing::Not(IsEmpty()));
+    ASSERT_THAT(night->remarks, testing::Not(IsEmpty()));
+    EXPECT_THAT(night->remarks.front().text.toStdString(), HasSubstr("roof"));
+    EXPECT_GE(night->remarks.front().utc, night->plan.chosen.front().begins());
 }
 
 // REQ-SCHEDULE-943: A schedule that cannot be armed is not rehearsed, and the reason is that of arming. A rehearsal can

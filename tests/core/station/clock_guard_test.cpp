@@ -57,7 +57,7 @@ TEST_F(ClockGuardTest, AClockThatIsSetIsReported)
     tick();
     tick();
     EXPECT_THAT(lines(), ElementsAre("the clock of this computer was set by +90.3 s"));
-    EXPECT_THAT(alarmsShown(), ElementsAre("The clock of this computer was set by +90.3 s"));
+    EXPECT_THAT(alarmsShown(), ElementsAre("The clock of this computer was set by +90.3 s."));
     clock.stepUtc(Seconds(-3600.0));
     tick();
     EXPECT_THAT(lines(), ElementsAre(testing::_, "the clock of this computer was set by -3600.0 s"));
@@ -70,7 +70,7 @@ TEST_F(ClockGuardTest, AComputerThatSleptIsReported)
     tick();
     tick();
     EXPECT_THAT(lines(), ElementsAre("this computer slept for 20.0 s"));
-    EXPECT_THAT(alarmsShown(), ElementsAre("This computer slept for 20.0 s"));
+    EXPECT_THAT(alarmsShown(), ElementsAre("This computer slept for 20.0 s."));
 }
 
 // REQ-STATION-232: The state of the clock is asked for once a second.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/rehearsal/perfect_mount.h"
+#include "core/perfect_mount/perfect_mount.h"
 
 #include "core/base/text.h"
 
