@@ -96,6 +96,11 @@ void StatePublisher::sayOnline()
     m_lastTime.reset();
 }
 
+void StatePublisher::tell(const QByteArray& moment)
+{
+    m_client.publish({.topic = m_prefix + QStringLiteral("schedule"), .payload = moment});
+}
+
 void StatePublisher::sayOffline()
 {
     m_client.publish(will(m_prefix));

@@ -53,6 +53,8 @@ public:
 
     // To be called as often as the state may have changed; publishes when it is time.
     void show(const PublishedState& state);
+    // A moment of the schedule, as one line of JSON on PREFIXschedule.
+    void tell(const QByteArray& moment);
     void sayOffline();
 
 private:

@@ -17,8 +17,6 @@ namespace boresight {
 namespace {
 
 constexpr Seconds kShowPeriod{1.0};
-// A pass that was found again ends this much earlier or later at most.
-constexpr std::chrono::seconds kSamePass{30};
 // The control may end a pass this much earlier than the plan.
 constexpr std::chrono::seconds kAboutToSet{2};
 
@@ -53,8 +51,14 @@ const Source& scheduleSource()
 }
 
 NightDesk::NightDesk(StationControl& control, const profile::InForce& profile, ReportFile& file, const Clock& clock,
-                     EventLog& log, Search search)
-    : m_control(control), m_profile(profile), m_file(file), m_clock(clock), m_log(log), m_search(std::move(search))
+                     EventLog& log, Search search, PassMoments::Tell tell)
+    : m_control(control),
+      m_profile(profile),
+      m_file(file),
+      m_clock(clock),
+      m_log(log),
+      m_search(std::move(search)),
+      m_moments(log, clock, std::move(tell))
 {
     goOnWithReport();
 }
@@ -161,6 +165,10 @@ void NightDesk::disarm(const Interruption& by)
     }
     m_log.add(Severity::Warning, scheduleSource().name, Text::tr("the schedule is off: %1").arg(by.why));
     m_control.alarms().raise(alarmEntry("schedule.disarmed"), {by.why});
+    if (by.end == schedule::PassEnd::Fault) {
+        m_moments.fault(by.why);
+    }
+    m_moments.end(by.end, by.why);
     show();
 }
 
@@ -295,7 +303,7 @@ void NightDesk::plan(const std::vector<schedule::WatchedPass>& known, const std:
 
 const schedule::WatchedPass* NightDesk::next() const
 {
-    const UtcTime over = std::max(m_clock.utc(), m_handledUntil + kSamePass);
+    const UtcTime over = std::max(m_clock.utc(), m_handledUntil + schedule::kSamePass);
     const auto found =
         std::ranges::find_if(m_plan.chosen, [&](const schedule::WatchedPass& one) { return one.ends() > over; });
     return found == m_plan.chosen.end() ? nullptr : &*found;
@@ -304,7 +312,9 @@ const schedule::WatchedPass* NightDesk::next() const
 void NightDesk::move()
 {
     const UtcTime utc = m_clock.utc();
+    const Seconds before = m_profile->schedule.hooks.before;
     if (m_tracked) {
+        m_moments.follow(m_tracked->pass(), before);
         m_tracked->look(m_control.direction(), utc, m_clock.now(), m_profile->mount.beamWidth);
         if (utc >= m_tracked->ends() || !m_control.obeys(scheduleSource())) {
             finish();
@@ -312,6 +322,7 @@ void NightDesk::move()
         return;
     }
     const schedule::WatchedPass* const pass = next();
+    m_moments.expect(pass, before);
     if (pass != nullptr && Seconds(pass->begins() - utc) <= m_profile->schedule.lead) {
         begin(*pass);
     }
@@ -333,6 +344,7 @@ void NightDesk::begin(const schedule::WatchedPass& pass)
         m_log.add(Severity::Warning, scheduleSource().name,
                   Text::tr("the pass of %1 is left out: %2").arg(pass.name, begun.error().text));
         keep(tracked.tally().ended(schedule::PassEnd::Refused, begun.error().text));
+        m_moments.end(schedule::PassEnd::Refused, begun.error().text);
     }
     show();
 }
@@ -341,6 +353,7 @@ void NightDesk::finish()
 {
     keep(m_tracked->tally().ended(schedule::PassEnd::Set, {}));
     m_tracked.reset();
+    m_moments.end(schedule::PassEnd::Set, {});
     holdNow();
     restBetween();
     show();

@@ -5,6 +5,7 @@
 #include "core/control/station_control.h"
 #include "core/messages/request.h"
 #include "core/messages/schedule_status.h"
+#include "core/night/pass_moments.h"
 #include "core/night/report_file.h"
 #include "core/night/tracked_pass.h"
 #include "core/passes/pass_finder.h"
@@ -45,7 +46,7 @@ public:
 
     // All of them outlive the desk.
     NightDesk(StationControl& control, const profile::InForce& profile, ReportFile& file, const Clock& clock,
-              EventLog& log, Search search);
+              EventLog& log, Search search, PassMoments::Tell tell = {});
     ~NightDesk();  // a pass that goes on comes into the report
     NightDesk(const NightDesk&) = delete;
     NightDesk& operator=(const NightDesk&) = delete;
@@ -107,6 +108,7 @@ private:
     std::uint64_t m_errand = 0;
     UtcTime m_handledUntil{};  // passes that end before are over
     std::optional<TrackedPass> m_tracked;
+    PassMoments m_moments;
     schedule::NightReport m_report;
     QString m_fileProblem;  // that the log has
     std::shared_ptr<const ScheduleStatus> m_shown = std::make_shared<const ScheduleStatus>();

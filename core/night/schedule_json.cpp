@@ -4,7 +4,6 @@
 #include <QDateTime>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QJsonObject>
 
 #include <algorithm>
 #include <array>
@@ -39,6 +38,12 @@ QString endWord(schedule::PassEnd end)
 {
     constexpr std::array kWords{"done", "manual", "fault", "refused", "running"};
     return QLatin1String(kWords.at(static_cast<std::size_t>(end)));
+}
+
+QString momentWord(schedule::Moment moment)
+{
+    constexpr std::array kWords{"before_aos", "aos", "los", "fault"};
+    return QLatin1String(kWords.at(static_cast<std::size_t>(moment)));
 }
 
 QJsonObject passObject(const schedule::WatchedPass& one)
@@ -146,6 +151,27 @@ QByteArray rehearsalJson(const RehearsalStatus& status)
     return jsonLine({{QStringLiteral("progress"), status.progress ? QJsonValue(*status.progress) : QJsonValue()},
                      {QStringLiteral("problem"), status.problem},
                      {QStringLiteral("night"), status.night ? QJsonValue(nightObject(*status.night)) : QJsonValue()}});
+}
+
+QJsonObject momentObject(const schedule::PassMoment& moment, const QString& mount, bool simulated)
+{
+    const QJsonObject pass = moment.pass ? passObject(*moment.pass) : QJsonObject();
+    const auto ofPass = [&pass](const char* key) {
+        const QJsonValue value = pass.value(QLatin1String(key));
+        return value.isUndefined() ? QJsonValue() : value;
+    };
+    QJsonObject all{{QStringLiteral("event"), momentWord(moment.moment)},
+                    {QStringLiteral("utc"), utcSecondText(moment.utc)},
+                    {QStringLiteral("mount"), mount},
+                    {QStringLiteral("simulated"), simulated},
+                    {QStringLiteral("satellite"), ofPass("name")},
+                    {QStringLiteral("end"),
+                     moment.moment == schedule::Moment::Los ? QJsonValue(endWord(moment.end)) : QJsonValue()},
+                    {QStringLiteral("why"), moment.why.isEmpty() ? QJsonValue() : QJsonValue(moment.why)}};
+    for (const char* const key : {"norad", "priority", "aos_utc", "los_utc", "max_el"}) {
+        all.insert(QLatin1String(key), ofPass(key));
+    }
+    return all;
 }
 
 }  // namespace boresight

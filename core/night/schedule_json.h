@@ -3,8 +3,10 @@
 
 #include "core/messages/rehearsal_status.h"
 #include "core/messages/schedule_status.h"
+#include "core/schedule/pass_moment.h"
 
 #include <QByteArray>
+#include <QJsonObject>
 
 // The plan, the report and the rehearsal of the schedule for other programs: one line of JSON, times in UTC, angles in
 // degrees. Pure.
@@ -16,5 +18,7 @@ namespace boresight {
 [[nodiscard]] QByteArray reportJson(const schedule::NightReport& report);
 // "progress" is null when none runs, "night" is null without a result.
 [[nodiscard]] QByteArray rehearsalJson(const RehearsalStatus& status);
+// All keys are there. What does not apply is null.
+[[nodiscard]] QJsonObject momentObject(const schedule::PassMoment& moment, const QString& mount, bool simulated);
 
 }  // namespace boresight

@@ -203,6 +203,20 @@ enum class ParkAfter
     On  // when no pass follows for half an hour
 };
 
+// A program with its arguments, that runs at a moment of a pass. Empty: none.
+using Command = std::vector<std::string>;
+
+struct PassHooks
+{
+    Command beforeAos;
+    Command aos;
+    Command los;
+    Command fault;
+    Seconds before{60.0};  // from the first one to AOS
+
+    bool operator==(const PassHooks&) const = default;
+};
+
 // The passes that Boresight tracks by itself while the schedule is armed.
 struct ScheduleSettings
 {
@@ -212,6 +226,7 @@ struct ScheduleSettings
     BetweenPasses between = BetweenPasses::Unwind;
     ParkAfter parkAfter = ParkAfter::On;
     Unattended unattended = Unattended::Off;
+    PassHooks hooks;
 
     bool operator==(const ScheduleSettings&) const = default;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The passes that the mount tracks by itself.
+#include "core/base/control_characters.h"
 #include "core/base/text.h"
 #include "core/profile/setting_groups.h"
 #include "core/profile/setting_makers.h"
@@ -29,6 +30,61 @@ std::vector<SettingOf<schedule::WatchEntry>> makeWatchSettings()
                 {QT_TRANSLATE_NOOP("Text", "Lowest elevation"),
                  QT_TRANSLATE_NOOP("Text", "Its passes count from this elevation on.")},
                 [](auto& row) -> auto& { return row.leastElevation; })};
+}
+
+constexpr std::size_t kLongestArgument = 1000;
+
+Result<> checkArgument(const std::string& text)
+{
+    return text.size() > kLongestArgument || hasControlCharacters(text)
+               ? failure(ErrorCode::InvalidInput, Text::tr("texts of one line, of at most 1000 bytes, are expected"))
+               : Result<>{};
+}
+
+// No shell and no search path: what is started is the file that stands here.
+template <class Access>
+Setting command(const std::string& key, const Words& words, Access access)
+{
+    Setting made = textList(key, kNow, words, access, checkArgument);
+    made.set = [set = made.set](Profile& p, const SettingValue& value) -> Result<> {
+        const auto* const list = std::get_if<TextList>(&value);
+        return list == nullptr || list->empty() || list->front().starts_with('/')
+                   ? set(p, value)
+                   : failure(ErrorCode::InvalidInput, Text::tr("the path of a program from / on is expected first"));
+    };
+    return made;
+}
+
+void addPassHooks(std::vector<Setting>& list)
+{
+    list.push_back(command(
+        "schedule.hook_before_aos",
+        {QT_TRANSLATE_NOOP("Text", "Program before AOS"),
+         QT_TRANSLATE_NOOP("Text",
+                           "A program with its arguments that runs before a pass of the armed schedule. Its path "
+                           "begins with /. There is no shell. Empty: none.")},
+        [](auto& p) -> auto& { return p.schedule.hooks.beforeAos; }));
+    list.push_back(number(
+        "schedule.hook_before_aos_s", "s", {10.0, 900.0}, kNow,
+        {QT_TRANSLATE_NOOP("Text", "Time before AOS"),
+         QT_TRANSLATE_NOOP("Text",
+                           "The program before AOS runs this long before it, or after LOS of the pass before.")},
+        [](auto& p) -> auto& { return p.schedule.hooks.before; }));
+    list.push_back(command(
+        "schedule.hook_aos",
+        {QT_TRANSLATE_NOOP("Text", "Program at AOS"),
+         QT_TRANSLATE_NOOP("Text", "The same when a pass begins that the schedule tracks.")},
+        [](auto& p) -> auto& { return p.schedule.hooks.aos; }));
+    list.push_back(command(
+        "schedule.hook_los",
+        {QT_TRANSLATE_NOOP("Text", "Program at LOS"),
+         QT_TRANSLATE_NOOP("Text", "The same when such a pass ends, also before its time.")},
+        [](auto& p) -> auto& { return p.schedule.hooks.los; }));
+    list.push_back(command(
+        "schedule.hook_fault",
+        {QT_TRANSLATE_NOOP("Text", "Program at a fault"),
+         QT_TRANSLATE_NOOP("Text", "The same when a fault ends the armed schedule.")},
+        [](auto& p) -> auto& { return p.schedule.hooks.fault; }));
 }
 
 }  // namespace
@@ -64,6 +120,7 @@ void addSchedule(std::vector<Setting>& list)
                            "With \"off\" nothing moves after a start until a person arms the schedule. With "
                            "\"on\" it arms itself once after each start, and the mount moves without anybody.")},
         [](auto& p) -> auto& { return p.schedule.unattended; }));
+    addPassHooks(list);
 }
 
 std::span<const SettingOf<schedule::WatchEntry>> watchSettings()

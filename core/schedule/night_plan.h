@@ -28,6 +28,13 @@ struct WatchedPass
     bool operator==(const WatchedPass&) const = default;
 };
 
+// A pass that was searched again begins and ends this much earlier or later at most.
+inline constexpr std::chrono::seconds kSamePass{30};
+[[nodiscard]] inline bool isSamePass(const WatchedPass& one, const WatchedPass& other)
+{
+    return one.number == other.number && std::chrono::abs(one.pass.aos.utc - other.pass.aos.utc) < kSamePass;
+}
+
 // Why one of two passes was chosen. The first that tells them apart counts.
 enum class Reason
 {

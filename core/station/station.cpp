@@ -56,11 +56,14 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_calibrationFile(calibrationPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_calibration(m_control, m_profile, m_calibrationFile, clock, m_log),
       m_tuning(m_control, clock, m_log),
+      m_hooks(m_profile, m_mount->simulated(), m_log, m_broker, this),
       m_reportFile(reportPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
-      m_night(m_control, m_profile, m_reportFile, clock, m_log,
-              [this](std::vector<passes::SatelliteSearch> searches, NightDesk::Found found) {
-                  m_passes.search(std::move(searches), std::move(found));
-              }),
+      m_night(
+          m_control, m_profile, m_reportFile, clock, m_log,
+          [this](std::vector<passes::SatelliteSearch> searches, NightDesk::Found found) {
+              m_passes.search(std::move(searches), std::move(found));
+          },
+          [this](const schedule::PassMoment& moment) { m_hooks.tell(moment); }),
       m_eventFile(stateDir, m_log, clock, this),
       m_tickTimer(this),
       m_updateTimer(this),

@@ -18,6 +18,7 @@
 #include "core/station/station_azel.h"
 #include "core/station/station_broker.h"
 #include "core/station/station_elements.h"
+#include "core/station/station_hooks.h"
 #include "core/station/station_passes.h"
 #include "core/station/station_power.h"
 #include "core/station/station_rehearsal.h"
@@ -140,6 +141,7 @@ private:
     CalibrationDesk m_calibration;
     TuningDesk m_tuning;
     StationPasses m_passes{this};
+    StationHooks m_hooks;
     ReportFile m_reportFile;
     NightDesk m_night;
     StationRehearsal m_rehearsal{this};

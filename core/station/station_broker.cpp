@@ -159,6 +159,13 @@ void StationBroker::show(const StationStatus& status)
     }
 }
 
+void StationBroker::tell(const QByteArray& momentOfTheSchedule)
+{
+    if (isPublishing()) {
+        m_publisher->tell(momentOfTheSchedule);
+    }
+}
+
 std::optional<Seconds> StationBroker::untilNext() const
 {
     const auto& next = m_client.nextAttempt();

@@ -8,6 +8,7 @@
 #include "core/mqtt/threaded_client.h"
 #include "core/profile/in_force.h"
 
+#include <QByteArray>
 #include <QObject>
 
 #include <memory>
@@ -38,6 +39,8 @@ public:
     [[nodiscard]] bool isPublishing() const { return m_publisher != nullptr && m_client.isConnected(); }
     // To be called some times a second, while it publishes.
     void show(const StationStatus& status);
+    // What has no reader now is lost.
+    void tell(const QByteArray& momentOfTheSchedule);
     [[nodiscard]] BrokerStatus status() const;
 
 private:

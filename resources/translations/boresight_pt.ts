@@ -7990,6 +7990,96 @@ até %1</translation>
     <message>
         <source>the clock of this computer was set by %1 s</source>
         <translation>o relógio deste computador foi acertado em %1 s</translation>
+        <source>another plan has no such pass</source>
+        <translation>outro plano não tem esta passagem</translation>
+    </message>
+    <message>
+        <source>AOS of %1</source>
+        <translation>AOS de %1</translation>
+    </message>
+    <message>
+        <source>the pass of %1 begins at %2</source>
+        <translation>a passagem de %1 começa às %2</translation>
+    </message>
+    <message>
+        <source>LOS of %1</source>
+        <translation>LOS de %1</translation>
+    </message>
+    <message>
+        <source>the pass of %1 ends before its LOS</source>
+        <translation>a passagem de %1 acaba antes do seu LOS</translation>
+    </message>
+    <message>
+        <source>texts of one line, of at most 1000 bytes, are expected</source>
+        <translation>esperam-se textos de uma linha, com 1000 bytes no máximo</translation>
+    </message>
+    <message>
+        <source>the path of a program from / on is expected first</source>
+        <translation>espera-se primeiro o caminho de um programa a partir de /</translation>
+    </message>
+    <message>
+        <source>Program before AOS</source>
+        <translation>Programa antes do AOS</translation>
+    </message>
+    <message>
+        <source>A program with its arguments that runs before a pass of the armed schedule. Its path begins with /. There is no shell. Empty: none.</source>
+        <translation>Um programa com os seus argumentos, que corre antes de uma passagem da agenda armada. O seu caminho começa por /. Não há shell. Vazio: nenhum.</translation>
+    </message>
+    <message>
+        <source>Time before AOS</source>
+        <translation>Tempo antes do AOS</translation>
+    </message>
+    <message>
+        <source>The program before AOS runs this long before it, or after LOS of the pass before.</source>
+        <translation>O programa antes do AOS corre este tempo antes dele, ou depois do LOS da passagem anterior.</translation>
+    </message>
+    <message>
+        <source>Program at AOS</source>
+        <translation>Programa no AOS</translation>
+    </message>
+    <message>
+        <source>The same when a pass begins that the schedule tracks.</source>
+        <translation>O mesmo quando começa uma passagem que a agenda segue.</translation>
+    </message>
+    <message>
+        <source>Program at LOS</source>
+        <translation>Programa no LOS</translation>
+    </message>
+    <message>
+        <source>Program at a fault</source>
+        <translation>Programa numa falha</translation>
+    </message>
+    <message>
+        <source>The same when a fault ends the armed schedule.</source>
+        <translation>O mesmo quando uma falha termina a agenda armada.</translation>
+    </message>
+    <message>
+        <source>%1 was not started: %2 programs run already</source>
+        <translation>%1 não foi iniciado: já correm %2 programas</translation>
+    </message>
+    <message>
+        <source>could not be started: %1</source>
+        <translation>não pôde ser iniciado: %1</translation>
+    </message>
+    <message>
+        <source>ended after %1 s</source>
+        <translation>acabou ao fim de %1 s</translation>
+    </message>
+    <message>
+        <source>was ended after %1 s, the longest time for a program</source>
+        <translation>foi terminado ao fim de %1 s, o tempo máximo de um programa</translation>
+    </message>
+    <message>
+        <source>crashed after %1 s</source>
+        <translation>falhou ao fim de %1 s</translation>
+    </message>
+    <message>
+        <source>ended with status %1 after %2 s</source>
+        <translation>acabou com o estado %1 ao fim de %2 s</translation>
+    </message>
+    <message>
+        <source>The same when such a pass ends, also before its time.</source>
+        <translation>O mesmo quando uma tal passagem acaba, também antes do tempo.</translation>
     </message>
 </context>
 <context>

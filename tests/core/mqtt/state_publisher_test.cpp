@@ -85,6 +85,15 @@ TEST_F(MqttStatePublisher, TellsEachSecondAndAtEveryChangeOfState)
     EXPECT_THAT(published(), ElementsAre(telling(stopped)));
 }
 
+// REQ-HOOKS-15: A moment of the schedule goes to the broker as it comes, and is not kept there.
+TEST_F(MqttStatePublisher, TellsTheMomentsOfTheSchedule)
+{
+    (void)published();
+    publisher->tell(R"({"event":"aos"})");
+    EXPECT_THAT(published(),
+                ElementsAre(Message{.topic = kPrefix + QStringLiteral("/schedule"), .payload = R"({"event":"aos"})"}));
+}
+
 // REQ-MQTT-07
 TEST_F(MqttStatePublisher, SaysOfflineWhenItEndsAndTheBrokerSaysItWhenItDies)
 {

@@ -110,8 +110,8 @@ TEST(ProfileDiff, KnowsEveryKey)
                     : setting.key == "sensor.deviation_unreliable" ? "40.0-80.0"
                                                                    : "::1";
         }
-        if (setting.key == "orbit.elements") {
-            other = TextList{"/srv/elements"};
+        if (setting.key == "orbit.elements" || setting.key.starts_with("schedule.hook_")) {
+            other = setting.type == SettingType::TextList ? SettingValue(TextList{"/srv/elements"}) : other;
         }
         if (setting.key == "bus.watched") {
             other = TextList{"3 polarisation"};

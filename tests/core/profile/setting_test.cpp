@@ -77,6 +77,29 @@ TEST(Settings, RefuseWhatIsOutOfRange)
     }
 }
 
+// REQ-HOOKS-20: A program for a moment of a pass is a list of its path, which begins with /, and its arguments, each
+// one line. An empty list is none, and that is the default.
+TEST(Settings, AProgramIsAPathAndArguments)
+{
+    for (const char* const key :
+         {"schedule.hook_before_aos", "schedule.hook_aos", "schedule.hook_los", "schedule.hook_fault"}) {
+        const Setting& setting = *findSetting(key);
+        Profile profile;
+        EXPECT_EQ(setting.get(profile), SettingValue(TextList{}));
+        for (const TextList& bad : {TextList{"record"}, TextList{"./record"}, TextList{"~/record"}, TextList{""},
+                                    TextList{"/bin/x", "one\ntwo"}, TextList{"/bin/x", std::string(1001, 'a')}}) {
+            EXPECT_FALSE(setting.set(profile, bad)) << bad.front();
+        }
+        EXPECT_FALSE(setting.set(profile, std::string("/bin/x")));
+        EXPECT_EQ(profile, Profile{});
+        const TextList good{"/usr/local/bin/record", "--name", "$(id) *", ""};
+        ASSERT_TRUE(setting.set(profile, good));
+        EXPECT_EQ(setting.get(profile), SettingValue(good));
+        ASSERT_TRUE(setting.set(profile, TextList{}));
+        EXPECT_EQ(profile, Profile{});
+    }
+}
+
 TEST(Settings, ChoicesAreAllTaken)
 {
     for (const Setting& setting : settings()) {

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/edge_thread.h"
+#include "core/programs/job.h"
+
+#include <QObject>
+
+#include <memory>
+
+// Runs programs of the operator beside the thread on which it lives, and never makes that wait but at its own end: what
+// runs then has Limits::patience. No shell: arguments are handed over as they are. The thread begins with the first
+// program, and neither it nor a program has more than normal priority.
+namespace boresight::programs {
+
+class ProgramWorker;
+
+class ProgramRunner final : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit ProgramRunner(const Limits& limits, QObject* parent = nullptr);
+    ~ProgramRunner() override;
+
+    void run(const Job& job);
+
+Q_SIGNALS:
+    // Once for each job.
+    void ended(const boresight::programs::Ending& ending);
+
+private:
+    Limits m_limits;
+    ProgramWorker* m_worker = nullptr;  // lives on m_thread and belongs to it
+    std::unique_ptr<EdgeThread> m_thread;
+};
+
+}  // namespace boresight::programs

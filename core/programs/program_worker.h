@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/programs/running_program.h"
+
+#include <QObject>
+
+#include <memory>
+#include <vector>
+
+// The side of ProgramRunner that lives on the thread: the programs that run.
+namespace boresight::programs {
+
+class ProgramWorker final : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit ProgramWorker(const Limits& limits) : m_limits(limits) {}
+    ~ProgramWorker() override;  // what runs has Limits::patience to end
+
+    void start(const Job& job);
+
+Q_SIGNALS:
+    void ended(const boresight::programs::Ending& ending);
+
+private:
+    void forget(const RunningProgram* program);
+
+    Limits m_limits;
+    std::vector<std::unique_ptr<RunningProgram>> m_running;
+};
+
+}  // namespace boresight::programs

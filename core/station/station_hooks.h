@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/event_log.h"
+#include "core/profile/in_force.h"
+#include "core/programs/program_runner.h"
+#include "core/schedule/pass_moment.h"
+#include "core/station/station_broker.h"
+
+#include <QObject>
+
+// What a moment of the schedule leads to outside: a program of the profile, and a message to the broker. How the
+// program ended is a line of the log, and nothing more follows from it. Station thread.
+namespace boresight {
+
+class StationHooks : public QObject
+{
+    Q_OBJECT
+
+public:
+    // Profile, log and broker outlive this.
+    StationHooks(const profile::InForce& profile, bool simulated, EventLog& log, StationBroker& broker,
+                 QObject* parent);
+
+    void tell(const schedule::PassMoment& moment);
+
+private:
+    const profile::InForce& m_profile;
+    bool m_simulated;
+    EventLog& m_log;
+    StationBroker& m_broker;
+    programs::ProgramRunner m_runner;
+};
+
+}  // namespace boresight
