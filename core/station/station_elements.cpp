@@ -7,6 +7,8 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace boresight {
@@ -14,6 +16,7 @@ namespace {
 
 const QString kElementSource = QStringLiteral("satellites");
 constexpr std::chrono::seconds kSettleTime{1};
+constexpr std::chrono::seconds kLookAgain{30};
 constexpr qsizetype kMostProblems = 10;
 
 }  // namespace
@@ -25,6 +28,9 @@ StationElements::StationElements(const profile::InForce& profile, EventLog& log,
     m_settled.setSingleShot(true);
     m_settled.setInterval(kSettleTime);
     connect(&m_settled, &QTimer::timeout, this, &StationElements::read);
+    m_again.setSingleShot(true);
+    m_again.setInterval(kLookAgain);
+    connect(&m_again, &QTimer::timeout, this, &StationElements::read);
     connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, [this] { m_settled.start(); });
     connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, [this] { m_settled.start(); });
 }
@@ -58,11 +64,11 @@ QStringList StationElements::paths() const
 
 void StationElements::read()
 {
+    m_again.stop();
     watch();
     m_reader.start([this, paths = paths()] {
         orbit::ElementFiles files = orbit::readElementFiles(paths);
-        Reading reading{.satellites = std::make_shared<const std::vector<orbit::ElementSet>>(std::move(files.sets)),
-                        .problems = std::move(files.problems)};
+        Reading reading{.paths = paths, .sets = std::move(files.sets), .problems = std::move(files.problems)};
         QMetaObject::invokeMethod(
             this, [this, reading = std::move(reading)] { take(reading); }, Qt::QueuedConnection);
     });
@@ -70,23 +76,41 @@ void StationElements::read()
 
 void StationElements::take(const Reading& reading)
 {
-    if (reading.problems != m_problems) {
-        m_problems = reading.problems;
-        for (const QString& problem : m_problems.mid(0, kMostProblems)) {
-            m_log.add(Severity::Warning, kElementSource, problem);
-        }
-        if (m_problems.size() > kMostProblems) {
-            m_log.add(Severity::Warning, kElementSource,
-                      Text::tr("%1 further problems in the element files").arg(m_problems.size() - kMostProblems));
-        }
+    std::vector<orbit::ElementSet> sets = reading.sets;
+    if (!reading.problems.isEmpty() && reading.paths == m_paths) {
+        sets.clear();
+        std::ranges::set_union(reading.sets, *m_satellites, std::back_inserter(sets), {}, &orbit::ElementSet::number,
+                               &orbit::ElementSet::number);
     }
-    if (*reading.satellites == *m_satellites) {
+    m_paths = reading.paths;
+    tell(reading.problems, sets.size() - reading.sets.size());
+    if (sets == *m_satellites) {
         return;
     }
-    m_satellites = reading.satellites;
+    m_satellites = std::make_shared<const std::vector<orbit::ElementSet>>(std::move(sets));
     m_log.add(Severity::Advisory, kElementSource,
               Text::tr("the elements of %1 satellites are read").arg(m_satellites->size()));
     Q_EMIT changed();
+}
+
+void StationElements::tell(const QStringList& problems, std::size_t kept)
+{
+    if (problems == m_problems) {
+        return;
+    }
+    m_problems = problems;
+    for (const QString& problem : m_problems.mid(0, kMostProblems)) {
+        m_log.add(Severity::Warning, kElementSource, problem);
+    }
+    if (m_problems.size() > kMostProblems) {
+        m_log.add(Severity::Warning, kElementSource,
+                  Text::tr("%1 further problems in the element files").arg(m_problems.size() - kMostProblems));
+    }
+    if (kept > 0) {
+        m_log.add(
+            Severity::Warning, kElementSource,
+            Text::tr("satellites that are missing there, and keep the elements that were read before: %1").arg(kept));
+    }
 }
 
 // A file that was replaced is watched anew: the watcher loses it.
@@ -97,7 +121,9 @@ void StationElements::watch()
     }
     for (const QString& path : paths()) {
         const QString satdata = path + QStringLiteral("/satdata");
-        m_watcher.addPath(QFileInfo(satdata).isDir() ? satdata : path);
+        if (!m_watcher.addPath(QFileInfo(satdata).isDir() ? satdata : path)) {
+            m_again.start();
+        }
     }
 }
 

@@ -16,7 +16,8 @@
 
 // The satellites that the station knows: the element files that the profile names, or those of Gpredict, read beside
 // the station thread at the start, with each change of the profile, and when a file changes. What cannot be used is in
-// the log with its file, line and reason. Station thread only.
+// the log with its file, line and reason. Satellites that are missing only because a file is broken or gone stay as
+// they were read before, and the file is looked for again. Station thread only.
 namespace boresight {
 
 class StationElements : public QObject
@@ -39,21 +40,25 @@ Q_SIGNALS:
 private:
     struct Reading
     {
-        Satellites satellites;
+        QStringList paths;
+        std::vector<orbit::ElementSet> sets;
         QStringList problems;
     };
 
     [[nodiscard]] QStringList paths() const;
     void read();
     void take(const Reading& reading);
+    void tell(const QStringList& problems, std::size_t kept);
     void watch();
 
     const profile::InForce& m_profile;
     EventLog& m_log;
     Satellites m_satellites = std::make_shared<const std::vector<orbit::ElementSet>>();
+    QStringList m_paths;     // where they were read
     QStringList m_problems;  // as told last
     QFileSystemWatcher m_watcher{this};
     QTimer m_settled{this};  // a file that is being written changes many times
+    QTimer m_again{this};    // nothing tells when a file that is gone comes back
     QThreadPool m_reader;    // last: it ends before what it tells
     bool m_open = false;
 };

@@ -7990,6 +7990,14 @@ até %1</translation>
     <message>
         <source>the clock of this computer was set by %1 s</source>
         <translation>o relógio deste computador foi acertado em %1 s</translation>
+        <source>plans the passes again, because the clock of this computer was set back by %1 s</source>
+        <translation>planeia as passagens de novo, porque o relógio deste computador foi atrasado %1 s</translation>
+    </message>
+    <message>
+        <source>the clock of this computer was set back</source>
+        <translation>o relógio deste computador foi atrasado</translation>
+    </message>
+    <message>
         <source>another plan has no such pass</source>
         <translation>outro plano não tem esta passagem</translation>
     </message>
@@ -8080,6 +8088,10 @@ até %1</translation>
     <message>
         <source>The same when such a pass ends, also before its time.</source>
         <translation>O mesmo quando uma tal passagem acaba, também antes do tempo.</translation>
+    </message>
+    <message>
+        <source>satellites that are missing there, and keep the elements that were read before: %1</source>
+        <translation>satélites que lá faltam e mantêm os elementos lidos antes: %1</translation>
     </message>
 </context>
 <context>

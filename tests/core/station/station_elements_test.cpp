@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/station_elements.h"
 
+#include "tests/fakes/hand_turned_timers.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/wait_until.h"
 
@@ -90,6 +91,42 @@ TEST_F(StationElementsTest, ReadsAgainWhenAFileOrTheProfileChanges)
     profile.apply(naming(file() + QStringLiteral(".not-there")));
     elements.profileChanged(*before, *profile);
     ASSERT_TRUE(waitFor(elements, 0));
+}
+
+// Story: a downloader removed the file and wrote it anew two seconds later. The schedule had no satellites meanwhile,
+// and nobody read the new file.
+// REQ-TRACK-909: Satellites that are missing because a file is broken or gone stay as they were read before, with a
+// warning. A file that comes back is found again.
+TEST_F(StationElementsTest, KeepsWhatItKnowsWhileAFileIsGoneOrBroken)
+{
+    write(kFirst);
+    profile::InForce profile(naming(file()));
+    StationElements elements(profile, log, nullptr);
+    fakes::HandTurnedTimers timers(elements, clock);
+    const auto laterWarned = [&](const char* words) {
+        return fakes::waitUntil([&] {
+            timers.elapse(Seconds(1.0));
+            const std::vector<std::string> warnings = lines(Severity::Warning);
+            return std::ranges::any_of(warnings,
+                                       [&](const std::string& line) { return line.find(words) != std::string::npos; });
+        });
+    };
+    elements.open();
+    ASSERT_TRUE(waitFor(elements, 1));
+    ASSERT_TRUE(QFile::remove(file()));
+    ASSERT_TRUE(laterWarned("No such file"));
+    ASSERT_TRUE(laterWarned("keep the elements that were read before: 1"));
+    EXPECT_EQ(elements.satellites()->size(), 1U);
+    write("<html>503 Service Unavailable</html>");
+    ASSERT_TRUE(laterWarned("There is no element set in this file"));
+    EXPECT_EQ(elements.satellites()->size(), 1U);
+    QByteArray newer = kFirst;
+    newer.replace("FIRST", "AGAIN");
+    write(newer);
+    EXPECT_TRUE(fakes::waitUntil([&] {
+        timers.elapse(Seconds(1.0));
+        return elements.satellites()->front().name == "AGAIN";
+    }));
 }
 
 }  // namespace
