@@ -203,6 +203,7 @@ void NightDesk::profileChanged(const profile::Profile& before, const profile::Pr
 
 void NightDesk::tick()
 {
+    noticeClock();
     lookForPasses();
     armByPolicy();
     if (m_armed) {
@@ -245,6 +246,23 @@ std::optional<NightDesk::Interruption> NightDesk::interruption() const
         return because(schedule::PassEnd::Refused, Text::tr("the station ended the tracking. The log says why"));
     }
     return std::nullopt;
+}
+
+// Set back, the clock has passes before it that it had behind it. The one that is tracked comes later, after them.
+void NightDesk::noticeClock()
+{
+    const UtcTime utc = m_utc.now(m_clock);
+    if (m_utc.jump() >= Seconds(0.0)) {
+        return;
+    }
+    m_log.add(Severity::Warning, scheduleSource().name,
+              Text::tr("plans the passes again, because the clock of this computer was set back by %1 s")
+                  .arg(-m_utc.jump().count(), 0, 'f', 1));
+    m_handledUntil = {};
+    m_searched.reset();
+    if (m_tracked && m_tracked->pass().begins() - utc > m_profile->schedule.lead) {
+        finish(schedule::PassEnd::Refused, Text::tr("the clock of this computer was set back"));
+    }
 }
 
 // A pass that is tracked stays as it was planned.
@@ -317,7 +335,7 @@ void NightDesk::move()
         m_moments.follow(m_tracked->pass(), before);
         m_tracked->look(m_control.direction(), utc, m_clock.now(), m_profile->mount.beamWidth);
         if (utc >= m_tracked->ends() || !m_control.obeys(scheduleSource())) {
-            finish();
+            finish(schedule::PassEnd::Set, {});
         }
         return;
     }
@@ -349,11 +367,11 @@ void NightDesk::begin(const schedule::WatchedPass& pass)
     show();
 }
 
-void NightDesk::finish()
+void NightDesk::finish(schedule::PassEnd end, const QString& why)
 {
-    keep(m_tracked->tally().ended(schedule::PassEnd::Set, {}));
+    keep(m_tracked->tally().ended(end, why));
     m_tracked.reset();
-    m_moments.end(schedule::PassEnd::Set, {});
+    m_moments.end(end, why);
     holdNow();
     restBetween();
     show();

@@ -10,6 +10,7 @@
 #include "core/night/tracked_pass.h"
 #include "core/passes/pass_finder.h"
 #include "core/profile/in_force.h"
+#include "core/sources/steered_utc.h"
 
 #include <cstdint>
 #include <functional>
@@ -76,12 +77,13 @@ private:
     void armByPolicy();
     void disarm(const Interruption& by);
     [[nodiscard]] std::optional<Interruption> interruption() const;
+    void noticeClock();
     void lookForPasses();
     void plan(const std::vector<schedule::WatchedPass>& known, const std::vector<passes::PassList>& found);
     [[nodiscard]] const schedule::WatchedPass* next() const;
     void move();
     void begin(const schedule::WatchedPass& pass);
-    void finish();
+    void finish(schedule::PassEnd end, const QString& why);
     void holdNow();
     void restBetween();
     Result<> ask(const Request& request);
@@ -107,6 +109,7 @@ private:
     QString m_why;              // it was disarmed
     std::uint64_t m_errand = 0;
     UtcTime m_handledUntil{};  // passes that end before are over
+    sources::SteeredUtc m_utc;
     std::optional<TrackedPass> m_tracked;
     PassMoments m_moments;
     schedule::NightReport m_report;

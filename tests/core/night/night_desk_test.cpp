@@ -453,6 +453,36 @@ TEST_F(NightDeskTest, AFaultIsTold)
     EXPECT_THAT(told, SizeIs(4)) << "it is not armed any more";
 }
 
+// Story: the mount waited for an hour where the satellite rises, and missed the passes of this hour.
+// REQ-SCHEDULE-919: When the clock is set back the passes that come again are planned again. A pass that is tracked and
+// now begins later is left with the reason, and tracked at its time.
+TEST_F(NightDeskTest, AClockThatIsSetBackMakesANewPlan)
+{
+    const schedule::WatchedPass one = status().plan.chosen[0];
+    const schedule::WatchedPass two = status().plan.chosen[1];
+    ASSERT_EQ(arm(), "");
+    skipToBefore(two);
+    runUntil(two.begins() + std::chrono::seconds(2));
+    ASSERT_EQ(status().tracked, two.number);
+    rig.clock.setUtc(one.begins() - std::chrono::seconds(80));
+    run(Seconds(1.0));
+    EXPECT_FALSE(status().tracked);
+    EXPECT_EQ(status().report.passes.back().end, schedule::PassEnd::Refused);
+    EXPECT_TRUE(status().armed);
+    ASSERT_FALSE(status().plan.chosen.empty());
+    EXPECT_EQ(first().number, one.number);
+    runUntil(one.begins() + std::chrono::seconds(2));
+    EXPECT_EQ(status().tracked, one.number);
+    rig.clock.stepUtc(Seconds(-10.0));
+    run(Seconds(1.0));
+    EXPECT_EQ(status().tracked, one.number) << "it is about to begin";
+    skipTo(one.ends() - std::chrono::seconds(2));
+    runUntil(one.ends() + std::chrono::seconds(5));
+    skipToBefore(two);
+    runUntil(two.begins() + std::chrono::seconds(2));
+    EXPECT_EQ(status().tracked, two.number);
+}
+
 class UnattendedNight : public NightDeskTest
 {
 protected:
