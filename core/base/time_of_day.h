@@ -15,4 +15,11 @@ namespace boresight {
     return QDateTime::fromSecsSinceEpoch(time.count(), Qt::UTC).toString(QStringLiteral("HH:mm:ss'Z'"));
 }
 
+// Of days ago: "2026-11-26 14:02Z".
+[[nodiscard]] inline QString dayAndTimeText(UtcTime utc)
+{
+    const auto time = std::chrono::floor<std::chrono::seconds>(utc).time_since_epoch();
+    return QDateTime::fromSecsSinceEpoch(time.count(), Qt::UTC).toString(QStringLiteral("yyyy-MM-dd HH:mm'Z'"));
+}
+
 }  // namespace boresight

@@ -19,8 +19,7 @@ namespace boresight::orbit {
 
 namespace {
 
-constexpr qint64 kMegabyte = 1 << 20;
-constexpr qint64 kMostMegabytes = 64;  // 30,000 satellites as JSON: 15 MB
+constexpr qint64 kMostBytes = kMostElementMegabytes * (qint64(1) << 20);
 // A file without any good set is most likely no file of elements, with a problem in each line.
 constexpr std::size_t kMostProblemsWithoutASet = 20;
 
@@ -82,13 +81,13 @@ void readFile(const QString& path, FileReading& all)
 {
     QFile file(path);
     const bool isOpen = file.open(QIODevice::ReadOnly);
-    const QByteArray bytes = isOpen ? file.read(kMostMegabytes * kMegabyte + 1) : QByteArray();
+    const QByteArray bytes = isOpen ? file.read(kMostBytes + 1) : QByteArray();
     if (!isOpen || file.error() != QFileDevice::NoError) {
         all.problems.append(QStringLiteral("%1: %2").arg(path, file.errorString()));
         return;
     }
-    if (bytes.size() > kMostMegabytes * kMegabyte) {
-        all.problems.append(Text::tr("%1: The file is larger than %2 MB.").arg(path).arg(kMostMegabytes));
+    if (bytes.size() > kMostBytes) {
+        all.problems.append(Text::tr("%1: The file is larger than %2 MB.").arg(path).arg(kMostElementMegabytes));
         return;
     }
     ElementList list = readElements(std::string_view(bytes.data(), static_cast<std::size_t>(bytes.size())));

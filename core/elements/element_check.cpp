@@ -42,10 +42,9 @@ QString elementProblem(const ElementSet& elements)
     return {};
 }
 
-QString quoted(std::string_view text)
+QString quoted(std::string_view text, std::size_t longest)
 {
-    constexpr std::size_t kLongest = 40;
-    return printableStart(text, kLongest);
+    return printableStart(text, longest);
 }
 
 std::string nameOf(std::string_view text)

@@ -5,6 +5,7 @@
 
 #include <QString>
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -15,7 +16,7 @@ namespace boresight::orbit {
 [[nodiscard]] QString elementProblem(const ElementSet& elements);
 
 // A text of a file as a message quotes it: printable, and not longer than a line of a message.
-[[nodiscard]] QString quoted(std::string_view text);
+[[nodiscard]] QString quoted(std::string_view text, std::size_t longest = 40);
 
 // A name or a designator of a file as a set keeps it: printable UTF-8 of a length that a list can show.
 [[nodiscard]] std::string nameOf(std::string_view text);

@@ -9,6 +9,9 @@
 // itself shows which one it is, since names of files and types of servers do not. Pure.
 namespace boresight::orbit {
 
+// Larger files and answers are not read. 30,000 satellites as JSON: 15 MB.
+inline constexpr int kMostElementMegabytes = 64;
+
 enum class ElementForm
 {
     Tle,

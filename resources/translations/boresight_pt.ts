@@ -8092,6 +8092,96 @@ até %1</translation>
     <message>
         <source>satellites that are missing there, and keep the elements that were read before: %1</source>
         <translation>satélites que lá faltam e mantêm os elementos lidos antes: %1</translation>
+        <source>%1: this folder cannot be made</source>
+        <translation>%1: não é possível criar esta pasta</translation>
+    </message>
+    <message>
+        <source>The server says: &quot;%1&quot;.</source>
+        <translation>O servidor diz: &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>The server has sent nothing for %1 s.</source>
+        <translation>O servidor não envia nada há %1 s.</translation>
+    </message>
+    <message>
+        <source>The download has taken more than %1 minutes.</source>
+        <translation>A transferência demorou mais de %1 minutos.</translation>
+    </message>
+    <message>
+        <source>The server leads from one address to the next, more than %1 times.</source>
+        <translation>O servidor encaminha de um endereço para o seguinte, mais de %1 vezes.</translation>
+    </message>
+    <message>
+        <source>The server leads to %1, which does not begin with https://.</source>
+        <translation>O servidor encaminha para %1, que não começa por https://.</translation>
+    </message>
+    <message>
+        <source>The answer is larger than %1 MB.</source>
+        <translation>A resposta é maior do que %1 MB.</translation>
+    </message>
+    <message>
+        <source>No network, or no server %1.</source>
+        <translation>Sem rede, ou não há servidor %1.</translation>
+    </message>
+    <message>
+        <source>The download has failed: %1.</source>
+        <translation>A transferência falhou: %1.</translation>
+    </message>
+    <message>
+        <source>The server answers %1.</source>
+        <translation>O servidor responde %1.</translation>
+    </message>
+    <message>
+        <source>The answer is empty.</source>
+        <translation>A resposta está vazia.</translation>
+    </message>
+    <message>
+        <source>The answer has no element set. It begins with &quot;%1&quot;.</source>
+        <translation>A resposta não tem elementos orbitais. Começa por &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>The answer is cut or damaged. Line %1: %2</source>
+        <translation>A resposta está cortada ou danificada. Linha %1: %2</translation>
+    </message>
+    <message>
+        <source>The answer cannot be stored: %1.</source>
+        <translation>Não é possível guardar a resposta: %1.</translation>
+    </message>
+    <message>
+        <source>The cache cannot be written, so nothing is downloaded: %1.</source>
+        <translation>Não é possível escrever na cache, por isso nada é transferido: %1.</translation>
+    </message>
+    <message>
+        <source>Elements of %1 from the cache are used.</source>
+        <translation>São usados os elementos de %1 que estão na cache.</translation>
+    </message>
+    <message>
+        <source>The cache has no elements of it.</source>
+        <translation>A cache não tem elementos dele.</translation>
+    </message>
+    <message>
+        <source>Next download: %1.</source>
+        <translation>Próxima transferência: %1.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no name of a CelesTrak group. One is expected like celestrak:stations</source>
+        <translation>&quot;%1&quot; não é nome de um grupo do CelesTrak. Espera-se, por exemplo, celestrak:stations</translation>
+    </message>
+    <message>
+        <source>CelesTrak group %1</source>
+        <translation>Grupo %1 do CelesTrak</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no address</source>
+        <translation>&quot;%1&quot; não é um endereço</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not begin with https://. Anybody on the way could change the elements</source>
+        <translation>&quot;%1&quot; não começa por https://. Qualquer um no caminho poderia alterar os elementos</translation>
+    </message>
+    <message>
+        <source>the address must not hold a user name or a password</source>
+        <translation>o endereço não pode conter nome de utilizador nem palavra-passe</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+
+#include <QString>
+#include <QUrl>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Where element sets are downloaded from: an address, or a group of CelesTrak by its name. Pure.
+namespace boresight::orbit {
+
+struct ElementAddress
+{
+    QString
+        name;  // in messages, without what may be a secret: "CelesTrak group stations", "https://example.org/a.json"
+    QUrl url;
+    QString file;  // the name of its file in the cache
+
+    bool operator==(const ElementAddress&) const = default;
+};
+
+// An entry of a list of element files that is no path: "celestrak:stations", "https://example.org/a.json".
+[[nodiscard]] bool isElementAddress(std::string_view entry);
+
+// https, and for mirrors on this computer http as well.
+[[nodiscard]] Result<ElementAddress> parseElementAddress(std::string_view entry);
+
+// Of those entries that are good addresses, each once.
+[[nodiscard]] std::vector<ElementAddress> elementAddresses(const std::vector<std::string>& entries);
+
+// Whether a download may go there: an address may lead to another one.
+[[nodiscard]] bool isPermittedAddress(const QUrl& url);
+
+}  // namespace boresight::orbit

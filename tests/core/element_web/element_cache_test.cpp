@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/element_web/element_cache.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <gmock/gmock.h>
+
+namespace boresight::orbit {
+namespace {
+
+class ElementCacheTest : public testing::Test
+{
+protected:
+    void writeState(const QByteArray& bytes) const
+    {
+        QFile file(cache.fileOf(address) + QStringLiteral(".state"));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+    }
+
+    QTemporaryDir folder;
+    ElementCache cache{folder.filePath(QStringLiteral("new/elements"))};
+    ElementAddress address = *parseElementAddress("celestrak:weather");
+};
+
+// REQ-ELEMENTWEB-02: The cache has a file of each address, with what the next question needs. What is broken in it is
+// as if nobody had asked.
+TEST_F(ElementCacheTest, WhatIsKeptComesBack)
+{
+    EXPECT_EQ(cache.state(address), CacheState{});
+    const CacheState state{.etag = "\"a1\"",
+                           .lastModified = "Thu, 26 Nov 2026 14:02:00 GMT",
+                           .lastTry = UtcTime(std::chrono::seconds(1'800'000'000)),
+                           .fetched = UtcTime(std::chrono::seconds(1'790'000'000)),
+                           .failures = 2,
+                           .problem = QStringLiteral("The server answers 500.")};
+    ASSERT_TRUE(cache.keepContent(address, "sets"));
+    ASSERT_TRUE(cache.keepState(address, state));
+    EXPECT_EQ(cache.state(address), state);
+    EXPECT_EQ(cache.state(*parseElementAddress("celestrak:stations")), CacheState{}) << "each has its own";
+}
+
+// REQ-ELEMENTWEB-02
+TEST_F(ElementCacheTest, WithoutTheElementsTheQuestionHasNoCondition)
+{
+    ASSERT_TRUE(cache.keepState(address, {.etag = "\"a1\"",
+                                          .lastTry = UtcTime(std::chrono::seconds(1'800'000'000)),
+                                          .fetched = UtcTime(std::chrono::seconds(1'790'000'000))}));
+    const CacheState state = cache.state(address);
+    EXPECT_TRUE(state.etag.isEmpty());
+    EXPECT_FALSE(state.fetched);
+    EXPECT_TRUE(state.lastTry);
+}
+
+// REQ-ELEMENTWEB-02
+TEST_F(ElementCacheTest, ABrokenStateIsNone)
+{
+    ASSERT_TRUE(cache.keepContent(address, "sets"));
+    for (const char* const broken : {"", "{", "[1]", R"({"last_try": "x", "failures": -3, "etag": "a\r\nHost: b"})",
+                                     R"({"last_try": 1e300, "fetched": -1, "etag": 5})"}) {
+        writeState(broken);
+        const CacheState state = cache.state(address);
+        EXPECT_TRUE(state.etag.isEmpty()) << broken;
+        EXPECT_FALSE(state.lastTry) << broken;
+        EXPECT_EQ(state.failures, 0) << broken;
+        EXPECT_TRUE(state.fetched) << "by the time of the file";
+    }
+}
+
+}  // namespace
+}  // namespace boresight::orbit
