@@ -4,6 +4,7 @@
 #include "core/base/bus_name.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/elements/element_address.h"
 #include "core/profile/commissioning.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_store.h"
@@ -65,8 +66,8 @@ void addOptions(QCommandLineParser& parser)
                       QStringLiteral("HOST:PORT")});
     parser.addOption(
         {kElements,
-         QStringLiteral("File or folder with the elements of satellites. May be given again. Overrides the "
-                        "profile."),
+         QStringLiteral("File, folder or https address with the elements of satellites, or celestrak:GROUP. May be "
+                        "given again. Overrides the profile."),
          QStringLiteral("PATH")});
     parser.addOption({kStateDir, QStringLiteral("Folder of the log, the position journal and the window layout."),
                       QStringLiteral("DIR")});
@@ -192,16 +193,22 @@ Result<> applyListen(Options& options, const QCommandLineParser& parser)
         });
 }
 
-void applyElements(Options& options, const QCommandLineParser& parser)
+Result<> applyElements(Options& options, const QCommandLineParser& parser)
 {
     if (!parser.isSet(kElements)) {
-        return;
+        return {};
     }
     options.profile.orbit.elements.clear();
-    for (const QString& path : parser.values(kElements)) {
-        options.profile.orbit.elements.push_back(QFileInfo(path).absoluteFilePath().toStdString());
+    for (const QString& value : parser.values(kElements)) {
+        const std::string entry = value.toStdString();
+        const bool isAddress = orbit::isElementAddress(entry);
+        if (const auto address = orbit::parseElementAddress(entry); isAddress && !address) {
+            return failure(address.error().code, QStringLiteral("--elements: ") + address.error().text);
+        }
+        options.profile.orbit.elements.push_back(isAddress ? entry : QFileInfo(value).absoluteFilePath().toStdString());
     }
     options.overridden.emplace_back("orbit.elements");
+    return {};
 }
 
 Result<> applyStandingAt(Options& options, const QCommandLineParser& parser)
@@ -292,7 +299,7 @@ tl::expected<Options, NoStart> readOptions(const QStringList& arguments, const Q
         .and_then([&] { return applyBus(options, parser).map_error(byArguments); })
         .and_then([&] { return fitsItsMount(options).map_error(byProfile); })
         .and_then([&] { return applyListen(options, parser).map_error(byArguments); })
-        .map([&] { applyElements(options, parser); })
+        .and_then([&] { return applyElements(options, parser).map_error(byArguments); })
         .and_then([&] { return applyStandingAt(options, parser).map_error(byArguments); })
         .and_then([&] { return makeStateDir(parser).map_error(byArguments); })
         .map([&](const QString& stateDir) {

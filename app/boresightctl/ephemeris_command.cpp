@@ -197,7 +197,8 @@ const Subcommand kEphemerisCommand{
         "Print where a satellite, the Sun, the Moon, a planet or a radio source stands over a site at given times",
     .details =
         R"(  --elements FILE      element sets: TLE, OMM as JSON, CSV, XML or KVN, or NUMBER.sat of Gpredict. A folder: its files,
-                       that of Gpredict its satdata. NAME.mod: the satellites of that module of Gpredict. May be given
+                       that of Gpredict its satdata. NAME.mod: the satellites of that module of Gpredict. An https
+                       address, or celestrak:GROUP: downloaded into the cache, at most every two hours. May be given
                        again. The newest epoch of a number is used
   --norad N            the number of the satellite in the catalogue
   --body NAME          in place of both: sun, moon, mercury, venus, mars, jupiter, saturn, uranus, neptune, or a radio source:

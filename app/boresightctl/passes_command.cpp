@@ -116,7 +116,8 @@ const Subcommand kPassesCommand{
     .summary = "List when satellites are up over a site",
     .details =
         R"(  --elements FILE      element sets: TLE, OMM as JSON, CSV, XML or KVN, or NUMBER.sat of Gpredict. A folder: its files,
-                       that of Gpredict its satdata. NAME.mod: the satellites of that module of Gpredict. May be given
+                       that of Gpredict its satdata. NAME.mod: the satellites of that module of Gpredict. An https
+                       address, or celestrak:GROUP: downloaded into the cache, at most every two hours. May be given
                        again. The newest epoch of a number is used
   --norad N            one satellite, by its number in the catalogue. All of them without it
   --site LAT,LON,ALT   degrees north, degrees east, metres above the ellipsoid of WGS-84. Or a NAME.qth of Gpredict

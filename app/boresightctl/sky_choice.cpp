@@ -2,16 +2,73 @@
 #include "app/boresightctl/sky_choice.h"
 
 #include "app/log_output.h"
+#include "core/base/clock.h"
 #include "core/base/text.h"
 #include "core/element_files/element_files.h"
+#include "core/element_web/element_web.h"
+#include "core/elements/element_address.h"
 #include "core/gpredict/gpredict_qth.h"
 #include "core/profile/small_file.h"
 
+#include <QEventLoop>
+#include <QFileInfo>
+
 namespace boresight::ctl {
+
+namespace {
+
+QString commaSeparated(const std::vector<std::string>& entries)
+{
+    QStringList all;
+    for (const std::string& entry : entries) {
+        all << toQString(entry);
+    }
+    return all.join(QStringLiteral(", "));
+}
+
+// Asks the addresses that are due, as the station does, and returns the files of the cache.
+QStringList downloaded(const std::vector<orbit::ElementAddress>& addresses)
+{
+    const QString folder = orbit::ElementCache::userFolder();
+    const SystemClock clock;
+    orbit::ElementWeb web(clock, folder);
+    QEventLoop loop;
+    QObject::connect(&web, &orbit::ElementWeb::idle, &loop, &QEventLoop::quit);
+    web.setAddresses(addresses);
+    if (web.isBusy()) {
+        app::printError(QStringLiteral("Boresight downloads element sets …"));
+        loop.exec();
+    }
+    for (const QString& problem : web.problems()) {
+        app::printError(problem);
+    }
+    QStringList files;
+    for (const orbit::ElementAddress& address : addresses) {
+        if (const QString file = orbit::ElementCache(folder).fileOf(address); QFileInfo::exists(file)) {
+            files << file;
+        }
+    }
+    return files;
+}
+
+// Of files and addresses.
+QStringList filesOf(const std::vector<std::string>& entries)
+{
+    QStringList files;
+    for (const std::string& entry : entries) {
+        if (!orbit::isElementAddress(entry)) {
+            files << toQString(entry);
+        }
+    }
+    const auto addresses = orbit::elementAddresses(entries);
+    return addresses.empty() ? files : files + downloaded(addresses);
+}
+
+}  // namespace
 
 std::vector<orbit::ElementSet> chosenSatellites(const Subcommand& subcommand, const SkyOptions& options)
 {
-    orbit::ElementFiles files = orbit::readElementFiles(options.elements);
+    orbit::ElementFiles files = orbit::readElementFiles(filesOf(options.elements));
     for (const QString& problem : files.problems) {
         app::printError(problem);
     }
@@ -19,7 +76,7 @@ std::vector<orbit::ElementSet> chosenSatellites(const Subcommand& subcommand, co
         std::erase_if(files.sets, [&](const orbit::ElementSet& set) { return set.number != *options.number; });
     }
     if (files.sets.empty()) {
-        const QString where = options.elements.join(QStringLiteral(", "));
+        const QString where = commaSeparated(options.elements);
         complain(
             subcommand,
             (options.number

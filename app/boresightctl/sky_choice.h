@@ -6,10 +6,10 @@
 
 #include <vector>
 
-// The satellites and the site that a command line means. Blocking: they are in files.
+// The satellites and the site that a command line means. Blocking: they are in files, or downloaded.
 namespace boresight::ctl {
 
-// The element sets of the files, or the one of the number. Reports each bad set, and when none is left.
+// The element sets of the files and addresses, or the one of the number. Reports each bad set, and when none is left.
 [[nodiscard]] std::vector<orbit::ElementSet> chosenSatellites(const Subcommand& subcommand, const SkyOptions& options);
 
 // "ISS (ZARYA) (25544)" in messages.

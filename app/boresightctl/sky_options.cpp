@@ -5,6 +5,7 @@
 #include "app/boresightctl/sky_time.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/elements/element_address.h"
 #include "core/elements/element_set.h"
 #include "core/targets/target_text.h"
 
@@ -52,6 +53,15 @@ Result<> takeSite(const std::string& text, SkyOptions& options)
                 "LAT,LON,ALT (degrees north -90…90, degrees east -180…360, metres -1000…100000), or FILE.qth"));
     }
     options.site = {Angle::fromDegrees(numbers[0]), Angle::fromDegrees(numbers[1]), numbers[2]};
+    return {};
+}
+
+Result<> takeElements(const std::string& text, SkyOptions& options)
+{
+    options.elements.push_back(text);
+    if (const auto address = orbit::parseElementAddress(text); orbit::isElementAddress(text) && !address) {
+        return failure(address.error().code, QStringLiteral("--elements: ") + address.error().text);
+    }
     return {};
 }
 
@@ -130,10 +140,7 @@ struct SkyOption
     Result<> (*take)(const std::string& text, SkyOptions& options);
 };
 
-constexpr SkyOption kElements{"elements", [](const std::string& text, SkyOptions& options) {
-                                  options.elements.append(toQString(text));
-                                  return Result<>();
-                              }};
+constexpr SkyOption kElements{"elements", takeElements};
 constexpr SkyOption kTimes{"times", [](const std::string& text, SkyOptions& options) {
                                options.times = toQString(text);
                                return Result<>();
@@ -192,17 +199,17 @@ Result<SkyOptions> complete(SkyOptions options, const QString& missing)
 Result<SkyOptions> parseEphemerisOptions(Arguments arguments)
 {
     const auto check = [](SkyOptions options) -> Result<SkyOptions> {
-        if (options.object && (options.number || !options.elements.isEmpty())) {
+        if (options.object && (options.number || !options.elements.empty())) {
             return failure(
                 ErrorCode::InvalidInput,
                 QStringLiteral(
                     "--body and --radec need no elements: give either one of them, or --elements and --norad"));
         }
-        const QString missing = !options.object && options.elements.isEmpty() ? QStringLiteral("--elements FILE")
-                                : !options.object && !options.number          ? QStringLiteral("--norad N")
-                                : !hasSite(options)                           ? QStringLiteral("--site LAT,LON,ALT")
-                                : options.times.isEmpty()                     ? QStringLiteral("--times FILE")
-                                                                              : QString();
+        const QString missing = !options.object && options.elements.empty() ? QStringLiteral("--elements FILE")
+                                : !options.object && !options.number        ? QStringLiteral("--norad N")
+                                : !hasSite(options)                         ? QStringLiteral("--site LAT,LON,ALT")
+                                : options.times.isEmpty()                   ? QStringLiteral("--times FILE")
+                                                                            : QString();
         return complete(std::move(options), missing);
     };
     return read(arguments, kEphemerisOptions).and_then(check);
@@ -211,11 +218,11 @@ Result<SkyOptions> parseEphemerisOptions(Arguments arguments)
 Result<SkyOptions> parsePassesOptions(Arguments arguments)
 {
     const auto check = [](SkyOptions options) {
-        const QString missing = options.elements.isEmpty() ? QStringLiteral("--elements FILE")
-                                : !hasSite(options)        ? QStringLiteral("--site LAT,LON,ALT")
-                                : !options.from            ? QStringLiteral("--from UTC")
-                                : !options.days            ? QStringLiteral("--days D")
-                                                           : QString();
+        const QString missing = options.elements.empty() ? QStringLiteral("--elements FILE")
+                                : !hasSite(options)      ? QStringLiteral("--site LAT,LON,ALT")
+                                : !options.from          ? QStringLiteral("--from UTC")
+                                : !options.days          ? QStringLiteral("--days D")
+                                                         : QString();
         return complete(std::move(options), missing);
     };
     return read(arguments, kPassesOptions).and_then(check);

@@ -8,17 +8,19 @@
 #include "core/ephemeris/sky_object.h"
 #include "core/units/site.h"
 
-#include <QStringList>
+#include <QString>
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 // The command lines of `boresightctl ephemeris` and `boresightctl passes`, as values. Pure, but for "now".
 namespace boresight::ctl {
 
 struct SkyOptions
 {
-    QStringList elements;  // files and folders
+    std::vector<std::string> elements;  // files, folders and addresses
     std::optional<std::int64_t> number;
     std::optional<ephemeris::SkyObject> object;
     std::optional<Site> site;

@@ -258,6 +258,7 @@ struct StationStatus
     // Whose elements are known, in the order of their numbers. Never null.
     std::shared_ptr<const std::vector<orbit::ElementSet>> satellites =
         std::make_shared<const std::vector<orbit::ElementSet>>();
+    QStringList elementProblems;  // of element files and downloads: what cannot be used, and why. The first ones
     AzelStatus azel;
     std::vector<BodyPlace> bodies;       // empty: the site is not set
     Permissions permissions;             // of the operator

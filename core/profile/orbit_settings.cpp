@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The satellites that are known, and the Moon of azel.dat.
 #include "core/base/text.h"
+#include "core/elements/element_address.h"
 #include "core/profile/setting_groups.h"
 #include "core/profile/setting_makers.h"
 
@@ -16,6 +17,17 @@ Result<> checkPath(const std::string& path)
                                  : failure(ErrorCode::InvalidInput, Text::tr("a path from / on is expected"));
 }
 
+Result<> checkElements(const std::string& entry)
+{
+    if (orbit::isElementAddress(entry)) {
+        return orbit::parseElementAddress(entry).map([](const orbit::ElementAddress&) {});
+    }
+    return entry.starts_with('/')
+               ? Result<>{}
+               : failure(ErrorCode::InvalidInput, Text::tr("a path from / on, an address that begins with https://, or "
+                                                           "celestrak:GROUP is expected"));
+}
+
 }  // namespace
 
 void addOrbit(std::vector<Setting>& list)
@@ -23,10 +35,12 @@ void addOrbit(std::vector<Setting>& list)
     list.push_back(textList(
         "orbit.elements", kNow,
         {QT_TRANSLATE_NOOP("Text", "Element files"),
-         QT_TRANSLATE_NOOP("Text",
-                           "Files and folders with the orbital elements of satellites: TLE, or OMM as JSON, CSV, XML "
-                           "or KVN. Empty: the satellites of Gpredict on this computer.")},
-        [](auto& p) -> auto& { return p.orbit.elements; }, checkPath));
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "Files, folders and https addresses with the orbital elements of satellites: TLE, or OMM as "
+             "JSON, CSV, XML or KVN. celestrak:stations is a group of CelesTrak. Empty: the satellites of "
+             "Gpredict on this computer.")},
+        [](auto& p) -> auto& { return p.orbit.elements; }, checkElements));
     list.push_back(number(
         "orbit.oldest_days", "d", {1.0, 3650.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Oldest elements"),

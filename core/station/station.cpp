@@ -51,7 +51,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_broker(m_profile, m_log, clock, this),
       m_sensor(m_profile, clock, m_log, m_control.alarms(), m_broker, this),
       m_power(m_profile, clock, m_log, this),
-      m_elements(m_profile, m_log, this),
+      m_elements(m_profile, m_log, clock, this),
       m_azel(m_profile, this),
       m_calibrationFile(calibrationPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_calibration(m_control, m_profile, m_calibrationFile, clock, m_log),
@@ -472,6 +472,7 @@ StationStatus Station::status() const
     status.broker = m_broker.status();
     status.sensor = m_sensor.status();
     status.satellites = m_elements.satellites();
+    status.elementProblems = m_elements.problems();
     m_calibration.fill(status);
     judgeCalibration(status);
     m_tuning.fill(status, m_calibration.moves());

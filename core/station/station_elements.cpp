@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/element_files/element_files.h"
+#include "core/elements/element_address.h"
 #include "core/gpredict/gpredict_qth.h"
 
 #include <QFileInfo>
@@ -17,12 +18,11 @@ namespace {
 const QString kElementSource = QStringLiteral("satellites");
 constexpr std::chrono::seconds kSettleTime{1};
 constexpr std::chrono::seconds kLookAgain{30};
-constexpr qsizetype kMostProblems = 10;
 
 }  // namespace
 
-StationElements::StationElements(const profile::InForce& profile, EventLog& log, QObject* parent)
-    : QObject(parent), m_profile(profile), m_log(log)
+StationElements::StationElements(const profile::InForce& profile, EventLog& log, const Clock& clock, QObject* parent)
+    : QObject(parent), m_profile(profile), m_log(log), m_clock(clock)
 {
     m_reader.setMaxThreadCount(1);
     m_settled.setSingleShot(true);
@@ -38,25 +38,34 @@ StationElements::StationElements(const profile::InForce& profile, EventLog& log,
 void StationElements::open()
 {
     m_open = true;
+    download();
     read();
 }
 
 void StationElements::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
     if (m_open && (before.orbit.elements != after.orbit.elements || before.gpredict != after.gpredict)) {
+        download();
         read();
     }
 }
 
-// A Gpredict that is not there is no mistake of anybody.
+// A Gpredict that is not there is no mistake of anybody, and what is not downloaded yet is told by the download.
 QStringList StationElements::paths() const
 {
     QStringList all;
     for (const std::string& path : m_profile->orbit.elements) {
-        all << toQString(path);
+        if (!orbit::isElementAddress(path)) {
+            all << toQString(path);
+        }
+    }
+    for (const orbit::ElementAddress& address : orbit::elementAddresses(m_profile->orbit.elements)) {
+        if (const QString file = m_cache.fileOf(address); QFileInfo::exists(file)) {
+            all << file;
+        }
     }
     const QString gpredict = profile::gpredictFolder(m_profile->gpredict);
-    if (all.isEmpty() && QFileInfo(gpredict + QStringLiteral("/satdata")).isDir()) {
+    if (m_profile->orbit.elements.empty() && QFileInfo(gpredict + QStringLiteral("/satdata")).isDir()) {
         all << gpredict;
     }
     return all;
@@ -83,7 +92,11 @@ void StationElements::take(const Reading& reading)
                                &orbit::ElementSet::number);
     }
     m_paths = reading.paths;
-    tell(reading.problems, sets.size() - reading.sets.size());
+    if (reading.problems != m_problems) {
+        m_problems = reading.problems;
+        tell(m_problems, {});
+        tellKept(sets.size() - reading.sets.size());
+    }
     if (sets == *m_satellites) {
         return;
     }
@@ -93,23 +106,49 @@ void StationElements::take(const Reading& reading)
     Q_EMIT changed();
 }
 
-void StationElements::tell(const QStringList& problems, std::size_t kept)
+// The thread begins with the first address.
+void StationElements::download()
 {
-    if (problems == m_problems) {
+    const auto addresses = orbit::elementAddresses(m_profile->orbit.elements);
+    if (addresses.empty() && !m_webThread) {
         return;
     }
-    m_problems = problems;
-    for (const QString& problem : m_problems.mid(0, kMostProblems)) {
-        m_log.add(Severity::Warning, kElementSource, problem);
+    if (!m_webThread) {
+        auto web = std::make_unique<orbit::ElementWeb>(m_clock, orbit::ElementCache::userFolder());
+        m_web = web.get();
+        connect(m_web, &orbit::ElementWeb::stored, this, [this] { m_settled.start(); });
+        connect(m_web, &orbit::ElementWeb::problemsChanged, this, &StationElements::takeDownloadProblems);
+        m_webThread = std::make_unique<EdgeThread>(QStringLiteral("elements"), std::move(web));
     }
-    if (m_problems.size() > kMostProblems) {
+    m_webThread->post([web = m_web, addresses] { web->setAddresses(addresses); });
+}
+
+void StationElements::takeDownloadProblems(const QStringList& problems)
+{
+    tell(problems, std::exchange(m_downloadProblems, problems));
+}
+
+// Those that were not told before.
+void StationElements::tell(const QStringList& problems, const QStringList& before)
+{
+    for (const QString& problem : problems.mid(0, kMostProblems)) {
+        if (!before.contains(problem)) {
+            m_log.add(Severity::Warning, kElementSource, problem);
+        }
+    }
+    if (problems.size() > kMostProblems) {
         m_log.add(Severity::Warning, kElementSource,
-                  Text::tr("%1 further problems in the element files").arg(m_problems.size() - kMostProblems));
+                  Text::tr("%1 further problems with the elements of satellites").arg(problems.size() - kMostProblems));
     }
-    if (kept > 0) {
+    m_shownProblems = m_downloadProblems.mid(0, kMostProblems) + m_problems.mid(0, kMostProblems);
+}
+
+void StationElements::tellKept(std::size_t count)
+{
+    if (count > 0) {
         m_log.add(
             Severity::Warning, kElementSource,
-            Text::tr("satellites that are missing there, and keep the elements that were read before: %1").arg(kept));
+            Text::tr("satellites that are missing there, and keep the elements that were read before: %1").arg(count));
     }
 }
 

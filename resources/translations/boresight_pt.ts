@@ -7400,10 +7400,6 @@ até %1</translation>
         <translation>Ficheiros de elementos</translation>
     </message>
     <message>
-        <source>Files and folders with the orbital elements of satellites: TLE, or OMM as JSON, CSV, XML or KVN. Empty: the satellites of Gpredict on this computer.</source>
-        <translation>Ficheiros e pastas com os elementos orbitais dos satélites: TLE, ou OMM em JSON, CSV, XML ou KVN. Vazio: os satélites do Gpredict neste computador.</translation>
-    </message>
-    <message>
         <source>Oldest elements</source>
         <translation>Elementos mais antigos</translation>
     </message>
@@ -7458,10 +7454,6 @@ até %1</translation>
     <message>
         <source>ends the tracking: %1</source>
         <translation>termina o seguimento: %1</translation>
-    </message>
-    <message>
-        <source>%1 further problems in the element files</source>
-        <translation>mais %1 problemas nos ficheiros de elementos</translation>
     </message>
     <message>
         <source>the elements of %1 satellites are read</source>
@@ -8182,6 +8174,18 @@ até %1</translation>
     <message>
         <source>the address must not hold a user name or a password</source>
         <translation>o endereço não pode conter nome de utilizador nem palavra-passe</translation>
+    </message>
+    <message>
+        <source>a path from / on, an address that begins with https://, or celestrak:GROUP is expected</source>
+        <translation>espera-se um caminho a partir de /, um endereço que comece por https:// ou celestrak:GRUPO</translation>
+    </message>
+    <message>
+        <source>Files, folders and https addresses with the orbital elements of satellites: TLE, or OMM as JSON, CSV, XML or KVN. celestrak:stations is a group of CelesTrak. Empty: the satellites of Gpredict on this computer.</source>
+        <translation>Ficheiros, pastas e endereços https com os elementos orbitais de satélites: TLE, ou OMM em JSON, CSV, XML ou KVN. celestrak:stations é um grupo do CelesTrak. Vazio: os satélites do Gpredict deste computador.</translation>
+    </message>
+    <message>
+        <source>%1 further problems with the elements of satellites</source>
+        <translation>mais %1 problemas com os elementos dos satélites</translation>
     </message>
 </context>
 <context>
@@ -12423,8 +12427,16 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>%1 passagens de %2 satélites num dia</translation>
     </message>
     <message>
-        <source>Boresight knows no satellites. Open the setting and name a file or folder with their elements.</source>
-        <translation>O Boresight não conhece satélites. Abra a definição e indique um ficheiro ou pasta com os elementos deles.</translation>
+        <source>Problems with the elements</source>
+        <translation>Problemas com os elementos</translation>
+    </message>
+    <message>
+        <source>Boresight knows no satellites. Open the setting and name a file or address with their elements.</source>
+        <translation>O Boresight não conhece satélites. Abra a definição e indique um ficheiro ou endereço com os respetivos elementos.</translation>
+    </message>
+    <message>
+        <source>The log has more problems.</source>
+        <translation>O registo tem mais problemas.</translation>
     </message>
 </context>
 <context>

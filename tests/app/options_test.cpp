@@ -51,7 +51,8 @@ private:
 
 }  // namespace
 
-// REQ-TRACK-907: --elements names files and folders in place of those of the profile. It may be given again.
+// REQ-TRACK-907: --elements names files, folders and addresses in place of those of the profile. It may be
+// given again.
 TEST_F(OptionsTest, ElementsOverrideTheProfile)
 {
     const auto options = read({QStringLiteral("--elements"), QStringLiteral("/data/weather.tle"),
@@ -61,6 +62,18 @@ TEST_F(OptionsTest, ElementsOverrideTheProfile)
     EXPECT_EQ(options->profile.orbit.elements[0], "/data/weather.tle");
     EXPECT_EQ(options->profile.orbit.elements[1], QDir::currentPath().toStdString() + "/own.json");
     EXPECT_EQ(options->overridden, std::vector<std::string>{"orbit.elements"});
+}
+
+// REQ-TRACK-907
+TEST_F(OptionsTest, ElementsMayBeAddresses)
+{
+    const auto options = read({QStringLiteral("--elements"), QStringLiteral("celestrak:stations")});
+    ASSERT_TRUE(options) << textOf(options.error());
+    EXPECT_EQ(options->profile.orbit.elements, std::vector<std::string>{"celestrak:stations"});
+    const auto refused = read({QStringLiteral("--elements"), QStringLiteral("http://example.org/a")});
+    ASSERT_FALSE(refused);
+    EXPECT_TRUE(
+        textOf(refused.error()).starts_with("--elements: \"http://example.org/a\" does not begin with https://"));
 }
 
 TEST_F(OptionsTest, WithoutAnyProfileItIsTheFirstStart)

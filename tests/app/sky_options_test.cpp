@@ -38,7 +38,7 @@ TEST(SkyOptions, AreReadInAnyOrderWithBlankOrEquals)
     const auto options =
         parsePassesOptions(with(kPasses, {"--min-el=-2.5", "--elements", "more", "--format", "table", "--norad", "7"}));
     ASSERT_TRUE(options) << textOf(options.error());
-    EXPECT_EQ(options->elements, (QStringList{QStringLiteral("a.tle"), QStringLiteral("more")}));
+    EXPECT_EQ(options->elements, (std::vector<std::string>{"a.tle", "more"}));
     EXPECT_EQ(options->site, (Site{38.757_deg, -9.117_deg, 80.0}));
     EXPECT_EQ(options->days, 2.0);
     EXPECT_EQ(options->minimumElevation, -2.5_deg);
@@ -63,6 +63,8 @@ TEST(SkyOptions, AreRefusedWithWhatIsExpected)
 {
     EXPECT_EQ(refusalOfPasses({}), "--elements FILE is missing");
     EXPECT_EQ(refusalOfPasses({"--elements", "a"}), "--site LAT,LON,ALT is missing");
+    EXPECT_THAT(refusalOfPasses({"--elements", "http://example.org/a"}),
+                HasSubstr("--elements: \"http://example.org/a\" does not begin with https://"));
     EXPECT_EQ(refusalOfPasses({"--elements", "a", "--site", "1,2,3"}), "--from UTC is missing");
     EXPECT_EQ(refusalOfPasses({"--elements", "a", "--site", "1,2,3", "--from", "now"}), "--days D is missing");
     EXPECT_EQ(refusalOfPasses({"--times", "a"}), "there is no option --times");

@@ -32,6 +32,7 @@ constexpr std::chrono::hours kSearchAgain{6};
 // So far back that a pass that goes on now has its own beginning.
 constexpr std::chrono::minutes kBack{30};
 constexpr int kFactLines = 7;
+constexpr int kProblemLines = 3;
 constexpr double kHighestFilter = 89.0;  // °
 
 }  // namespace
@@ -45,6 +46,7 @@ PassesPanel::PassesPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent
       m_lowest(new DecimalBox(this)),
       m_note(new ValueLabel(tr("About the passes"), fonts::label(), {}, this)),
       m_openSetting(makePushButton({.text = tr("Open the setting"), .help = tr("The files with element sets")}, this)),
+      m_problem(new ValueLabel(tr("Problems with the elements"), fonts::label(), {}, this)),
       m_facts(new ValueLabel(tr("The selected pass"), fonts::label(), {}, this)),
       m_refused(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_track(new CommandButton(tr("Track"),
@@ -86,6 +88,10 @@ void PassesPanel::build()
     notes->addWidget(m_note, 1);
     notes->addWidget(m_openSetting);
     column->addLayout(notes);
+    m_problem->setLines(kProblemLines);
+    m_problem->setStretching(true);
+    m_problem->setCollapsing(true);
+    column->addWidget(m_problem);
     column->addWidget(m_table, 1);
     column->addWidget(makeSelection());
     QHeaderView* const header = m_table->horizontalHeader();
@@ -164,6 +170,7 @@ void PassesPanel::showStatus(const StationStatus& status)
     if (!m_searcher->isSearching()) {
         showNote(status);
     }
+    showProblems(status.elementProblems);
 }
 
 // The clock of the station may be set, also back.
@@ -262,7 +269,7 @@ void PassesPanel::showNote(const StationStatus& status)
     m_openSetting->setVisible(!areKnown);
     if (!areKnown) {
         m_note->setValue(
-            tr("Boresight knows no satellites. Open the setting and name a file or folder with their elements."),
+            tr("Boresight knows no satellites. Open the setting and name a file or address with their elements."),
             Tone::Warning, Symbol::Warning);
     } else if (!status.profile->site.known) {
         m_note->setValue(tr("The site is not set. Enter it on the page Profile, or in the guide."), Tone::Warning,
@@ -272,6 +279,17 @@ void PassesPanel::showNote(const StationStatus& status)
             tr("%1 passes of %2 satellites within a day").arg(m_passes->rowCount()).arg(status.satellites->size()),
             Tone::Secondary);
     }
+}
+
+// The satellites that are known are listed all the same.
+void PassesPanel::showProblems(const QStringList& problems)
+{
+    if (problems.isEmpty()) {
+        m_problem->setValue({});
+        return;
+    }
+    const QString further = problems.size() > 1 ? QLatin1Char(' ') + tr("The log has more problems.") : QString();
+    m_problem->setValue(problems.constFirst() + further, Tone::Warning, Symbol::Warning);
 }
 
 }  // namespace boresight::ui

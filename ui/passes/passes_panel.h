@@ -79,6 +79,7 @@ private:
     void showSelected();
     void tellWay();
     void showNote(const StationStatus& status);
+    void showProblems(const QStringList& problems);
 
     PassSearcher* m_searcher;
     PassTable* m_passes;
@@ -87,6 +88,7 @@ private:
     QDoubleSpinBox* m_lowest;
     ValueLabel* m_note;
     QPushButton* m_openSetting;
+    ValueLabel* m_problem;
     ValueLabel* m_facts;
     ValueLabel* m_refused;
     CommandButton* m_track;

@@ -340,6 +340,21 @@ TEST(ProfileFile, SavesAllOrNothing)
     EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1);  // no temporary file is left behind
 }
 
+// REQ-ELEMENTWEB-01
+TEST(ProfileFile, AddressesOfElementsAreCheckedWithTheirKey)
+{
+    EXPECT_EQ(errorsOf("version = 1\n[orbit]\nelements = [\"/srv/a.tle\", \"celestrak:stations\", "
+                       "\"https://example.org/a\"]\n"),
+              "accepted");
+    for (const auto& [entry, reason] :
+         {std::pair("http://example.org/a", "does not begin with https://"),
+          std::pair("celestrak:a b", "is no name of a CelesTrak group"), std::pair("a.tle", "a path from / on")}) {
+        const std::string errors = errorsOf(std::string("version = 1\n[orbit]\nelements = [\"") + entry + "\"]\n");
+        EXPECT_NE(errors.find("orbit.elements"), std::string::npos) << errors;
+        EXPECT_NE(errors.find(reason), std::string::npos) << errors;
+    }
+}
+
 TEST(ProfileFile, AnAbsentFileIsNoDevice)
 {
     const auto profile = loadProfile(QStringLiteral("/nowhere/mount.toml"));

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/station_elements.h"
 
+#include "tests/fakes/canned_web.h"
 #include "tests/fakes/hand_turned_timers.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/wait_until.h"
 
+#include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 
@@ -25,9 +27,15 @@ const QByteArray kBroken =
     "1 90002U 26001B   26001.50000000  .00001000  00000-0  20000-4 0   106\n"
     "2 90002  51.6000 100.0000 0010000  90.0000 270.0000 15.50000000000017\n";
 
+// With a cache of its own.
 class StationElementsTest : public ::testing::Test
 {
 protected:
+    StationElementsTest() { qputenv("XDG_CACHE_HOME", QFile::encodeName(m_folder.path())); }
+    ~StationElementsTest() override { qputenv("XDG_CACHE_HOME", m_before); }
+    StationElementsTest(const StationElementsTest&) = delete;
+    StationElementsTest& operator=(const StationElementsTest&) = delete;
+
     void write(const QByteArray& text) const
     {
         QFile out(file());
@@ -35,10 +43,11 @@ protected:
         out.write(text);
     }
     [[nodiscard]] QString file() const { return m_folder.filePath(QStringLiteral("some.tle")); }
-    [[nodiscard]] profile::Profile naming(const QString& path) const
+    [[nodiscard]] static profile::Profile naming(const QString& path) { return naming({path.toStdString()}); }
+    [[nodiscard]] static profile::Profile naming(const std::vector<std::string>& entries)
     {
         profile::Profile profile;
-        profile.orbit.elements = {path.toStdString()};
+        profile.orbit.elements = entries;
         return profile;
     }
     [[nodiscard]] std::vector<std::string> lines(Severity severity) const
@@ -61,6 +70,7 @@ protected:
 
 private:
     QTemporaryDir m_folder;
+    QByteArray m_before = qgetenv("XDG_CACHE_HOME");
 };
 
 // REQ-TRACK-908: The station reads the element files of the profile at its start, with a change of the profile and when
@@ -69,7 +79,7 @@ TEST_F(StationElementsTest, ReadsTheFilesOfTheProfileAndTellsWhatIsWrong)
 {
     write(kFirst + kBroken);
     profile::InForce profile(naming(file()));
-    StationElements elements(profile, log, nullptr);
+    StationElements elements(profile, log, clock, nullptr);
     EXPECT_TRUE(elements.satellites()->empty()) << "nobody has opened it";
     elements.open();
     ASSERT_TRUE(waitFor(elements, 1));
@@ -82,7 +92,7 @@ TEST_F(StationElementsTest, ReadsAgainWhenAFileOrTheProfileChanges)
 {
     write(kBroken);
     profile::InForce profile(naming(file()));
-    StationElements elements(profile, log, nullptr);
+    StationElements elements(profile, log, clock, nullptr);
     elements.open();
     ASSERT_TRUE(fakes::waitUntil([&] { return !lines(Severity::Warning).empty(); }));
     write(kFirst);
@@ -101,7 +111,7 @@ TEST_F(StationElementsTest, KeepsWhatItKnowsWhileAFileIsGoneOrBroken)
 {
     write(kFirst);
     profile::InForce profile(naming(file()));
-    StationElements elements(profile, log, nullptr);
+    StationElements elements(profile, log, clock, nullptr);
     fakes::HandTurnedTimers timers(elements, clock);
     const auto laterWarned = [&](const char* words) {
         return fakes::waitUntil([&] {
@@ -127,6 +137,49 @@ TEST_F(StationElementsTest, KeepsWhatItKnowsWhileAFileIsGoneOrBroken)
         timers.elapse(Seconds(1.0));
         return elements.satellites()->front().name == "AGAIN";
     }));
+}
+
+// REQ-ELEMENTWEB-09: The station downloads the addresses of the profile and uses them as files. Without a network it
+// starts with what the cache has. What is wrong is in the log once, and in the status as long as it is so.
+TEST_F(StationElementsTest, DownloadsTheAddressesOfTheProfile)
+{
+    fakes::CannedWeb server;
+    server.answersWith("/good", "200 OK", {}, kFirst);
+    server.answersWith("/gone", "404 Not Found", {}, {});
+    profile::InForce profile(naming({server.address("/good"), server.address("/gone")}));
+    {
+        StationElements elements(profile, log, clock, nullptr);
+        elements.open();
+        ASSERT_TRUE(waitFor(elements, 1));
+        ASSERT_TRUE(fakes::waitUntil([&] { return !elements.problems().isEmpty(); }));
+        const auto isGone = testing::StartsWith(server.address("/gone") + ": The server answers 404 Not Found.");
+        EXPECT_THAT(elements.problems().constFirst().toStdString(), isGone);
+        EXPECT_THAT(lines(Severity::Warning), testing::ElementsAre(isGone));
+        const auto before = profile.shared();
+        profile.apply(naming({server.address("/good")}));
+        elements.profileChanged(*before, *profile);
+        ASSERT_TRUE(fakes::waitUntil([&] { return elements.problems().isEmpty(); }));
+        EXPECT_EQ(elements.satellites()->size(), 1U);
+    }
+    server.stopListening();
+    StationElements later(profile, log, clock, nullptr);
+    later.open();
+    EXPECT_TRUE(waitFor(later, 1)) << "from the cache";
+}
+
+// A profile with addresses only does not fall back on Gpredict while nothing is downloaded.
+TEST_F(StationElementsTest, WithoutAnAnswerThereAreNoSatellites)
+{
+    fakes::CannedWeb server;
+    server.answersWith("/gone", "404 Not Found", {}, {});
+    profile::Profile wanted = naming({server.address("/gone")});
+    QDir().mkpath(file() + QStringLiteral("/satdata"));
+    wanted.gpredict.folder = file().toStdString();
+    profile::InForce profile(wanted);
+    StationElements elements(profile, log, clock, nullptr);
+    elements.open();
+    ASSERT_TRUE(fakes::waitUntil([&] { return !elements.problems().isEmpty(); }));
+    EXPECT_THAT(lines(Severity::Warning), testing::SizeIs(1));
 }
 
 }  // namespace

@@ -112,6 +112,25 @@ TEST_F(PassesPanelTest, WordsAndHeightSelect)
     EXPECT_EQ(text("The selected pass"), QString());
 }
 
+// REQ-PASSES-957: What is wrong with the elements stands above the passes of those that are good, a download without a
+// network included. It takes no room while all is well.
+TEST_F(PassesPanelTest, TellsWhatIsWrongWithTheElements)
+{
+    StationStatus status = withSatellites();
+    giveFound(status);
+    EXPECT_EQ(text("Problems with the elements"), QString());
+    const QString problem = QStringLiteral(
+        "CelesTrak group stations: No network, or no server celestrak.org. Elements of 2026-11-26 "
+        "14:02Z from the cache are used.");
+    status.elementProblems = {problem};
+    give(samples::update(status));
+    EXPECT_EQ(text("Problems with the elements"), problem);
+    EXPECT_GT(rows(), 0);
+    status.elementProblems << QStringLiteral("/srv/a.tle:5: wrong");
+    give(samples::update(status));
+    EXPECT_EQ(text("Problems with the elements"), problem + QStringLiteral(" The log has more problems."));
+}
+
 // REQ-PASSES-951: The selected pass is shown with its way over the sky, its times and what the limits of the mount hide
 // of it. Track asks the station to follow that satellite. A new search keeps the selection.
 TEST_F(PassesPanelTest, TrackAsksForTheSelectedSatellite)
