@@ -7980,8 +7980,6 @@ até %1</translation>
         <translation>este computador esteve suspenso durante %1 s</translation>
     </message>
     <message>
-        <source>the clock of this computer was set by %1 s</source>
-        <translation>o relógio deste computador foi acertado em %1 s</translation>
         <source>plans the passes again, because the clock of this computer was set back by %1 s</source>
         <translation>planeia as passagens de novo, porque o relógio deste computador foi atrasado %1 s</translation>
     </message>
@@ -8082,8 +8080,6 @@ até %1</translation>
         <translation>O mesmo quando uma tal passagem acaba, também antes do tempo.</translation>
     </message>
     <message>
-        <source>satellites that are missing there, and keep the elements that were read before: %1</source>
-        <translation>satélites que lá faltam e mantêm os elementos lidos antes: %1</translation>
         <source>%1: this folder cannot be made</source>
         <translation>%1: não é possível criar esta pasta</translation>
     </message>
@@ -8186,6 +8182,14 @@ até %1</translation>
     <message>
         <source>%1 further problems with the elements of satellites</source>
         <translation>mais %1 problemas com os elementos dos satélites</translation>
+    </message>
+    <message>
+        <source>the clock of this computer was set by %1 s</source>
+        <translation>o relógio deste computador foi acertado em %1 s</translation>
+    </message>
+    <message>
+        <source>satellites that are missing there, and keep the elements that were read before: %1</source>
+        <translation>satélites que lá faltam e mantêm os elementos lidos antes: %1</translation>
     </message>
 </context>
 <context>
