@@ -65,9 +65,11 @@ NightDesk::NightDesk(StationControl& control, const profile::InForce& profile, R
 
 NightDesk::~NightDesk()
 {
+    const QString why = Text::tr("Boresight was closed");
     if (m_tracked) {
-        store(m_tracked->tally().ended(schedule::PassEnd::Manual, Text::tr("Boresight was closed")));
+        store(m_tracked->tally().ended(schedule::PassEnd::Manual, why));
     }
+    m_moments.end(schedule::PassEnd::Manual, why);
 }
 
 void NightDesk::goOnWithReport()

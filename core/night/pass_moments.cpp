@@ -38,12 +38,13 @@ void PassMoments::follow(const WatchedPass& pass, Seconds before)
 
 void PassMoments::announce(const WatchedPass& pass)
 {
-    if (!m_pass) {
-        m_log.add(Severity::Advisory, QStringLiteral("schedule"),
-                  Text::tr("the pass of %1 begins at %2").arg(pass.name, timeOfDayText(pass.begins())));
-        tell({.moment = Moment::BeforeAos, .pass = pass});
+    if (m_pass) {
+        return;
     }
     m_pass = pass;
+    m_log.add(Severity::Advisory, QStringLiteral("schedule"),
+              Text::tr("the pass of %1 begins at %2").arg(pass.name, timeOfDayText(pass.begins())));
+    tell({.moment = Moment::BeforeAos, .pass = pass});
 }
 
 void PassMoments::end(PassEnd end, const QString& why)

@@ -51,6 +51,7 @@ RunningProgram::~RunningProgram()
     m_process.disconnect(this);
     if (m_process.state() != QProcess::NotRunning) {
         signalAll(SIGKILL);
+        m_process.waitForFinished();
     }
 }
 

@@ -350,13 +350,16 @@ TEST_F(NightDeskTest, TheReportGoesOnAfterARestart)
     EXPECT_EQ(reportNow(), schedule::NightReport{});
 }
 
+// REQ-HOOKS-11
 TEST_F(NightDeskTest, APassThatTheProgramLeavesIsInTheReport)
 {
     {
-        NightDesk other(rig.control, rig.inForce, file, rig.clock, rig.log,
-                        [](const std::vector<passes::SatelliteSearch>& searches, const NightDesk::Found& found) {
-                            found(passes::findPasses(searches));
-                        });
+        NightDesk other(
+            rig.control, rig.inForce, file, rig.clock, rig.log,
+            [](const std::vector<passes::SatelliteSearch>& searches, const NightDesk::Found& found) {
+                found(passes::findPasses(searches));
+            },
+            [this](const schedule::PassMoment& moment) { told.push_back(moment); });
         other.setSatellites(threeSatellites());
         other.tick();
         ASSERT_TRUE(other.carryOut(request::ArmSchedule{}, kOperator));
@@ -369,6 +372,7 @@ TEST_F(NightDeskTest, APassThatTheProgramLeavesIsInTheReport)
     }
     ASSERT_THAT(file.report().passes, SizeIs(1));
     EXPECT_EQ(file.report().passes[0].end, schedule::PassEnd::Manual);
+    EXPECT_THAT(moments(), ElementsAre(Moment::BeforeAos, Moment::Los));
 }
 
 // REQ-HOOKS-10: The moments of a pass are told once each, in order: before AOS, at AOS, at LOS. Each is a line of the
