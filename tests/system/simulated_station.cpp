@@ -32,6 +32,7 @@ profile::Profile anyPort()
 }
 
 SimulatedStation::SimulatedStation(const profile::Profile& profile, const sim::PairSettings& pair)
+    : step(profile.control.tickPeriod())
 {
     auto owned = std::make_unique<SimulatedLink>(clock, pair);
     link = owned.get();
@@ -58,7 +59,7 @@ bool SimulatedStation::ready() const
 
 void SimulatedStation::tick()
 {
-    clock.advance(kTick);
+    clock.advance(step);
     link->deliver();
     station->tick();
     link->deliver();  // replies that are not late come back within the tick
@@ -70,7 +71,7 @@ void SimulatedStation::tick()
 
 void SimulatedStation::run(Seconds time)
 {
-    const auto ticks = std::lround(time / kTick);
+    const auto ticks = std::lround(time / step);
     for (long i = 0; i < ticks; ++i) {
         tick();
     }
@@ -78,7 +79,7 @@ void SimulatedStation::run(Seconds time)
 
 bool SimulatedStation::runUntil(const std::function<bool()>& condition, Seconds limit)
 {
-    for (Seconds waited{0.0}; !condition(); waited += kTick) {
+    for (Seconds waited{0.0}; !condition(); waited += step) {
         if (waited > limit) {
             return false;
         }

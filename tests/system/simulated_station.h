@@ -13,7 +13,7 @@
 #include <memory>
 
 // The whole path in one process: TCP → rotctld → station → bus → simulated drives with all their physics. Time is
-// turned by hand in ticks of 20 ms, so a pass of ten minutes takes seconds and each run is the same. Angles are those
+// turned by hand in ticks, so a pass of ten minutes takes seconds and each run is the same. Angles are those
 // of the profile's axes; truth is where the antenna really is.
 namespace boresight::system_test {
 
@@ -23,7 +23,7 @@ namespace boresight::system_test {
 class SimulatedStation
 {
 public:
-    static constexpr Seconds kTick{0.02};
+    static constexpr Seconds kTick{0.02};  // of the built-in profile
 
     // Drives surveyed, fit and standing where they say.
     explicit SimulatedStation(const profile::Profile& profile = anyPort(),
@@ -52,6 +52,7 @@ public:
 
     fakes::ManualClock clock;
     SimulatedLink* link = nullptr;
+    const Seconds step;  // of the clock in one tick, by the profile
     std::unique_ptr<Station> station;
     std::vector<LogEntry> log;
     std::function<void()> onTick;  // looks on after each tick
