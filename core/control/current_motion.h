@@ -54,6 +54,10 @@ public:
     [[nodiscard]] std::uint64_t errand() const { return m_errand; }
     void setErrand(std::uint64_t errand) { m_errand = errand; }
 
+    // The axes for the last point of a stream.
+    void aim(const AxisPosition& point) { m_point = point; }
+    [[nodiscard]] const std::optional<AxisPosition>& point() const { return m_point; }
+
     // Not the direction that was asked for is driven but the nearest permitted place.
     void limit(const QString& reason, const SkyPointing& asked);
     [[nodiscard]] const QString& limitedReason() const { return m_limitedReason; }  // empty: it is driven
@@ -66,6 +70,7 @@ private:
     Source m_commander;
     std::uint64_t m_errand = 0;
     QString m_text;
+    std::optional<AxisPosition> m_point;
     QString m_limitedReason;
     std::optional<SkyPointing> m_limitedDirection;
 };

@@ -224,6 +224,7 @@ Result<> Helm::follow(pointing::Resolved resolved, const SkyPointing& asked, con
                 Text::tr("goes to the nearest permitted point because of a limit (%1)").arg(current().limitedReason()));
         }
     }
+    m_of.current.aim(resolved.position);
     m_of.motion.follow(resolved.position, now());
     return {};
 }

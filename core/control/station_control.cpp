@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/mount/mount_service.h"
+#include "core/pointing/nearest_permitted.h"
 #include "core/profile/setting.h"
 
 #include <algorithm>
@@ -324,6 +325,12 @@ void StationControl::setSensor(const std::optional<Angle>& azimuth, const std::o
 std::optional<AxisPosition> StationControl::trimInUse() const
 {
     return m_current.is(Activity::Streaming) && followsClient() ? std::optional(m_motion.trim()) : std::nullopt;
+}
+
+std::optional<AxisPosition> StationControl::streamGoal() const
+{
+    const auto& point = m_current.point();
+    return !point || region().permits(*point) ? point : pointing::nearestPermitted(region(), *point);
 }
 
 void StationControl::tick()

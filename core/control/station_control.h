@@ -121,6 +121,8 @@ public:
     [[nodiscard]] std::optional<SkyPointing> directionBy(const pointing::PointingTerms& terms) const;
     // What is added to the targets of the client that is followed now: it receives positions without it.
     [[nodiscard]] std::optional<AxisPosition> trimInUse() const;
+    // Where the last point of the stream sends the axes: there, or to the nearest permitted place.
+    [[nodiscard]] std::optional<AxisPosition> streamGoal() const;
     // What the operator adds to whatever is followed.
     [[nodiscard]] const AxisPosition& trim() const { return m_motion.trim(); }
     // Both axes are this near to where they are sent.

@@ -137,8 +137,8 @@ struct ClientStatus
 {
     std::uint64_t id = 0;
     QString address;
-    QString program;  // recognised, or empty
-    QString lastCommand;
+    QString program;                 // recognised, or empty
+    QString lastCommand;             // why it was refused, or what became of its target
     double commandsPerSecond = 0.0;  // over the last seconds
     bool driving = false;            // the mount follows its target now
     bool leading = false;            // its motion commands are accepted, other clients' are not

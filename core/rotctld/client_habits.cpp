@@ -21,6 +21,7 @@ void ClientHabits::take(const Command& command, SteadyTime now)
 {
     m_lastCommand.clear();
     m_lastRefusal.clear();
+    m_became.clear();
     if (command.spec->letter < 0x80) {
         m_lastCommand += static_cast<char>(command.spec->letter);
     } else {
@@ -33,14 +34,18 @@ void ClientHabits::take(const Command& command, SteadyTime now)
     noteMotion(command, now);
 }
 
-void ClientHabits::answered(const Result<>& outcome)
+void ClientHabits::answered(const Result<>& outcome, const QString& became)
 {
+    m_became = became;
     m_lastRefusal = outcome ? QString() : printable(outcome.error().text);
 }
 
 QString ClientHabits::lastInWords() const
 {
-    return m_lastRefusal.isEmpty() ? lastCommand() : Text::tr("%1: refused. %2").arg(lastCommand(), m_lastRefusal);
+    if (!m_lastRefusal.isEmpty()) {
+        return Text::tr("%1: refused. %2").arg(lastCommand(), m_lastRefusal);
+    }
+    return m_became.isEmpty() ? lastCommand() : QStringLiteral("%1 → %2").arg(lastCommand(), m_became);
 }
 
 void ClientHabits::noteMotion(const Command& command, SteadyTime now)

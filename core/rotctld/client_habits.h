@@ -31,12 +31,13 @@ public:
     // Each command, before it is run; one that was understood, afterwards; a line without sense.
     void take(const Command& command, SteadyTime now);
     void understood(const Command& command) { m_program.observe(command); }
-    void answered(const Result<>& outcome);  // the last command
+    // The last command. `became`: what an accepted target became, empty if nothing else than the client wrote.
+    void answered(const Result<>& outcome, const QString& became = {});
     void countOdd() { ++m_oddCommands; }
 
     [[nodiscard]] std::string_view program() const { return m_program.name(); }
     [[nodiscard]] QString lastCommand() const { return shownText(m_lastCommand); }
-    // The last command, and why it was refused if it was: "P 400 30: refused. Azimuth 400.0° is above the limit."
+    // The last command, and why it was refused if it was, or what became of its target: "P 400 30 → az 40.0°".
     [[nodiscard]] QString lastInWords() const;
     [[nodiscard]] std::uint64_t oddCommands() const { return m_oddCommands; }
     [[nodiscard]] double commandsPerSecond(SteadyTime now) const { return m_rate.perSecond(now); }
@@ -52,6 +53,7 @@ private:
     std::optional<SteadyTime> m_lastMotion;
     std::string m_lastCommand;
     QString m_lastRefusal;  // empty: accepted
+    QString m_became;
     std::uint64_t m_oddCommands = 0;
 };
 

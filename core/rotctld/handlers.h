@@ -22,6 +22,7 @@ struct Context
 {
     Rotator& rotator;
     const Client& client;
+    QString& outcome;  // for the list of clients: what became of an accepted target, in words
     DumpStateForm dumpState = DumpStateForm::OldAndNew;
 };
 

@@ -34,7 +34,8 @@ Result<> pointTo(const Command& command, const Context& context)
                                                     .arg(toQString(formatFixed(static_cast<double>(*elevation), 2))));
     }
     const auto degrees = [](float value) { return Angle::fromDegrees(static_cast<double>(value)); };
-    return context.rotator.pointTo(context.client, {.azimuth = degrees(*azimuth), .elevation = degrees(*elevation)});
+    return context.rotator.pointTo(context.client, {.azimuth = degrees(*azimuth), .elevation = degrees(*elevation)})
+        .map([&](const QString& became) { context.outcome = became; });
 }
 
 Result<> position(const Context& context, ReplyWriter& reply)

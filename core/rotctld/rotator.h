@@ -4,6 +4,8 @@
 #include "core/base/result.h"
 #include "core/units/sky.h"
 
+#include <QString>
+
 #include <chrono>
 #include <cstdint>
 #include <string>
@@ -69,7 +71,8 @@ public:
     [[nodiscard]] virtual Result<SkyPointing> position(const Client& client) = 0;
     [[nodiscard]] virtual MotionFlags motion() const = 0;
 
-    virtual Result<> pointTo(const Client& client, const PointRequest& request) = 0;
+    // Accepted: what became of the target, in words, where that is not what the client wrote. Else empty.
+    virtual Result<QString> pointTo(const Client& client, const PointRequest& request) = 0;
     // Runs until stop, a limit or the end of that client's connection. Speed in percent of the fastest jog rate as
     // the client wrote it, -1 for "default".
     virtual Result<> move(const Client& client, MoveDirection direction, int speed) = 0;

@@ -41,7 +41,7 @@ struct ClientInfo
     std::uint64_t id = 0;
     std::string address;
     std::string program;  // recognised, or empty
-    QString lastCommand;  // and why it was refused, if it was
+    QString lastCommand;  // why it was refused, or what became of its target
     std::uint64_t oddCommands = 0;
     double commandsPerSecond = 0.0;        // over the last seconds
     std::optional<SteadyTime> lastMotion;  // its last command for a motion, accepted or not

@@ -117,9 +117,10 @@ void Session::run(std::string& reply)
     }
     const std::size_t before = reply.size();
     ReplyWriter writer(command, reply);
-    const Result<> outcome = execute(command, writer);
+    QString became;
+    const Result<> outcome = execute(command, writer, became);
     writer.finish(outcome);
-    m_habits.answered(outcome);
+    m_habits.answered(outcome, became);
     if (outcome || outcome.error().code == ErrorCode::Refused) {
         m_habits.understood(command);
     }
@@ -145,12 +146,13 @@ void Session::failed(const Error& error, std::string& reply, std::size_t replySt
     }
 }
 
-Result<> Session::execute(const Command& command, ReplyWriter& writer)
+Result<> Session::execute(const Command& command, ReplyWriter& writer, QString& became)
 {
     if (command.spec->id == CommandId::Pause) {
         return pause(command);
     }
-    return runCommand(command, {.rotator = m_rotator, .client = m_client, .dumpState = m_dumpState}, writer);
+    return runCommand(command, {.rotator = m_rotator, .client = m_client, .outcome = became, .dumpState = m_dumpState},
+                      writer);
 }
 
 // Only this client waits. Hamlib sleeps with its lock held, so that nobody can stop the mount meanwhile.

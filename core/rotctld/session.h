@@ -45,7 +45,7 @@ private:
     void failed(const Error& error, std::string& reply, std::size_t replyStart);
     void drop(const QString& reason);
     void endAsStranger();
-    Result<> execute(const Command& command, ReplyWriter& writer);
+    Result<> execute(const Command& command, ReplyWriter& writer, QString& became);
     Result<> pause(const Command& command);
     void unknown(std::string_view restOfLine);
     void odd(const QString& text);

@@ -5,6 +5,7 @@
 #include "core/base/peer_address.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
+#include "core/station/target_reading.h"
 #include "core/units/degrees_text.h"
 
 #include <algorithm>
@@ -110,22 +111,26 @@ rotctld::Limits StationRotator::limits() const
 Result<SkyPointing> StationRotator::position(const rotctld::Client& client)
 {
     m_control.positionRead(client.id);
-    return m_control.measured().map([&](AxisPosition axes) {
+    return m_control.measured().map([this](AxisPosition axes) {
         // In the client's own frame: else it would go on correcting what the operator has trimmed.
         if (const auto trim = m_control.trimInUse()) {
             axes = {axes.azimuth - trim->azimuth, axes.elevation - trim->elevation};
         }
-        const SkyPointing beam = model().toSky(axes);
-        switch (m_profile->rotctld.azimuth) {
-            case profile::AzimuthConvention::ZeroTo360:
-                return SkyPointing{.azimuth = beam.azimuth.wrapped360(), .elevation = beam.elevation};
-            case profile::AzimuthConvention::PlusMinus180:
-                return SkyPointing{.azimuth = beam.azimuth.wrapped180(), .elevation = beam.elevation};
-            case profile::AzimuthConvention::Continuous:
-                break;
-        }
-        return beam;
+        return inConvention(model().toSky(axes));
     });
+}
+
+SkyPointing StationRotator::inConvention(const SkyPointing& beam) const
+{
+    switch (m_profile->rotctld.azimuth) {
+        case profile::AzimuthConvention::ZeroTo360:
+            return {.azimuth = beam.azimuth.wrapped360(), .elevation = beam.elevation};
+        case profile::AzimuthConvention::PlusMinus180:
+            return {.azimuth = beam.azimuth.wrapped180(), .elevation = beam.elevation};
+        case profile::AzimuthConvention::Continuous:
+            break;
+    }
+    return beam;
 }
 
 rotctld::MotionFlags StationRotator::motion() const
@@ -173,24 +178,34 @@ std::optional<AxisPosition> StationRotator::placeOf(const SkyPointing& continuou
                                                                                     : std::nullopt;
 }
 
-Result<> StationRotator::pointTo(const rotctld::Client& client, const rotctld::PointRequest& request)
+Result<QString> StationRotator::pointTo(const rotctld::Client& client, const rotctld::PointRequest& request)
 {
     const QString command =
         QStringLiteral("P %1 %2").arg(request.azimuth.degrees(), 0, 'f', 2).arg(request.elevation.degrees(), 0, 'f', 2);
     if (const Result<> allowed = permitted(request); !allowed) {
         m_control.clientAsked(clientSource(client));
         logRefusal(client, command, allowed.error());
-        return allowed;
+        return tl::unexpected(allowed.error());
     }
     const rotctld::Limits range = limits();
     const Angle azimuth = snapped(request.azimuth, range.minAzimuth, range.maxAzimuth);
     const Angle elevation = snapped(request.elevation, range.minElevation, range.maxElevation);
-    if (m_profile->rotctld.azimuth == profile::AzimuthConvention::Continuous) {
-        if (const auto place = placeOf({.azimuth = azimuth, .elevation = elevation})) {
-            return ask(client, request::PointAxes{*place}, command);
-        }
+    const SkyPointing direction{.azimuth = azimuth, .elevation = elevation};
+    const bool counted = m_profile->rotctld.azimuth == profile::AzimuthConvention::Continuous;
+    const auto place = counted ? placeOf(direction) : std::nullopt;
+    return (place ? ask(client, request::PointAxes{*place}, command)
+                  : ask(client, request::PointSky{direction}, command))
+        .map([&] { return becameOf(request); });
+}
+
+QString StationRotator::becameOf(const rotctld::PointRequest& request) const
+{
+    const auto place = m_control.streamGoal();
+    if (!place) {
+        return {};
     }
-    return ask(client, request::PointSky{{.azimuth = azimuth, .elevation = elevation}}, command);
+    const SkyPointing asked{.azimuth = request.azimuth, .elevation = request.elevation};
+    return targetReading(asked, inConvention(model().toSky(*place)), m_control.limitedReason());
 }
 
 Result<> StationRotator::move(const rotctld::Client& client, rotctld::MoveDirection direction, int speed)

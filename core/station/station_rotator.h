@@ -23,7 +23,7 @@ public:
     [[nodiscard]] Result<SkyPointing> position(const rotctld::Client& client) override;
     [[nodiscard]] rotctld::MotionFlags motion() const override;
 
-    Result<> pointTo(const rotctld::Client& client, const rotctld::PointRequest& request) override;
+    Result<QString> pointTo(const rotctld::Client& client, const rotctld::PointRequest& request) override;
     Result<> move(const rotctld::Client& client, rotctld::MoveDirection direction, int speed) override;
     Result<> stop(const rotctld::Client& client) override;
     Result<> park(const rotctld::Client& client) override;
@@ -38,6 +38,8 @@ public:
 
 private:
     [[nodiscard]] const pointing::PointingModel& model() const { return m_control.pointing(); }
+    [[nodiscard]] SkyPointing inConvention(const SkyPointing& beam) const;
+    [[nodiscard]] QString becameOf(const rotctld::PointRequest& request) const;
     [[nodiscard]] std::optional<AxisPosition> placeOf(const SkyPointing& continuous) const;
     Result<> ask(const rotctld::Client& client, const Request& request, const QString& command);
     [[nodiscard]] Result<> permitted(const rotctld::PointRequest& request) const;

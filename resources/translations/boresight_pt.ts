@@ -8190,6 +8190,28 @@ até %1</translation>
     <message>
         <source>satellites that are missing there, and keep the elements that were read before: %1</source>
         <translation>satélites que lá faltam e mantêm os elementos lidos antes: %1</translation>
+        <source>one turn less</source>
+        <translation>uma volta a menos</translation>
+    </message>
+    <message>
+        <source>one turn more</source>
+        <translation>uma volta a mais</translation>
+    </message>
+    <message>
+        <source>%1 turns less</source>
+        <translation>%1 voltas a menos</translation>
+    </message>
+    <message>
+        <source>%1 turns more</source>
+        <translation>%1 voltas a mais</translation>
+    </message>
+    <message>
+        <source>%1 (the same direction)</source>
+        <translation>%1 (a mesma direção)</translation>
+    </message>
+    <message>
+        <source>az %1 (%2)</source>
+        <translation>az %1 (%2)</translation>
     </message>
 </context>
 <context>

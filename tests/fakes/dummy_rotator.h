@@ -38,14 +38,14 @@ public:
                 .movingDown = elevation < 0.0_deg};
     }
 
-    Result<> pointTo(const rotctld::Client& /*client*/, const rotctld::PointRequest& request) override
+    Result<QString> pointTo(const rotctld::Client& /*client*/, const rotctld::PointRequest& request) override
     {
         lastRequest = request;
         if (request.azimuth < m_limits.minAzimuth || request.azimuth > m_limits.maxAzimuth ||
             request.elevation < m_limits.minElevation || request.elevation > m_limits.maxElevation) {
             return failure(ErrorCode::OutOfRange, QStringLiteral("outside the limits"));
         }
-        return drive(request.azimuth, request.elevation);
+        return drive(request.azimuth, request.elevation).map([this] { return became; });
     }
     Result<> move(const rotctld::Client& client, rotctld::MoveDirection direction, int speed) override
     {
@@ -92,6 +92,7 @@ public:
     }
 
     std::optional<Error> fault;
+    QString became;  // an accepted target, in words
     std::optional<rotctld::PointRequest> lastRequest;
     int lastSpeed = 0;
     int actions = 0;    // accepted or refused: calls that would move or stop a mount

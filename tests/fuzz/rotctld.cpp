@@ -45,14 +45,14 @@ public:
     [[nodiscard]] Result<SkyPointing> position(const Client&) override { return SkyPointing{123.45_deg, 67.89_deg}; }
     [[nodiscard]] MotionFlags motion() const override { return {.movingLeft = true, .limitUp = true}; }
 
-    Result<> pointTo(const Client&, const PointRequest& request) override
+    Result<QString> pointTo(const Client&, const PointRequest& request) override
     {
         require(request.azimuth.isFinite() && request.elevation.isFinite(), "a requested position is finite");
         const double elevation = request.elevation.degrees();
         require(elevation > -90.0001 && elevation < 180.0001, "a requested elevation is within -90°…180°");
         requireNumber(1, request.azimuth.degrees());
         requireNumber(2, elevation);
-        return outcome();
+        return outcome().map([] { return QString(); });
     }
     Result<> move(const Client&, MoveDirection, int speed) override
     {

@@ -26,7 +26,7 @@ struct ModelRig : StationRig
 {
     explicit ModelRig(const profile::Profile& settings = leaning()) : StationRig(settings) { run(Seconds(0.2)); }
 
-    Result<> pointTo(double trueAzimuth, double trueElevation)
+    Result<QString> pointTo(double trueAzimuth, double trueElevation)
     {
         return rotator.pointTo(
             kGpredict, {.azimuth = Angle::fromDegrees(trueAzimuth), .elevation = Angle::fromDegrees(trueElevation)});

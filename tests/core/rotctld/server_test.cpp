@@ -278,6 +278,19 @@ TEST(RotctldServer, ListsWhyTheLastCommandWasRefused)
     EXPECT_EQ(fixture.server->clients()[0].lastCommand.toStdString(), "P 12.34 5.60");
 }
 
+// REQ-ROTCTLD-1411: The list of the clients shows beside the last command what became of an accepted target where the
+// mount does not go to what the client wrote.
+TEST(RotctldServer, ListsWhatBecameOfTheLastTarget)
+{
+    ServerFixture fixture;
+    const auto client = fixture.connect();
+    fixture.rotator.became = QStringLiteral("az 40.0° (one turn less)");
+    EXPECT_EQ(client->ask("P 400 30\n"), "RPRT 0\n");
+    EXPECT_EQ(fixture.server->clients()[0].lastCommand.toStdString(), "P 400 30 → az 40.0° (one turn less)");
+    client->ask("p\n", 2);
+    EXPECT_EQ(fixture.server->clients()[0].lastCommand.toStdString(), "p");
+}
+
 TEST(RotctldServer, RefusesClientsAboveItsLimit)
 {
     ServerFixture fixture({.maxClients = 2});

@@ -18,7 +18,7 @@ struct RotatorRig : StationRig
 {
     explicit RotatorRig(const profile::Profile& settings = {}) : StationRig(settings) { run(Seconds(0.2)); }
 
-    Result<> pointTo(double azimuthDegrees_, double elevationDegrees_)
+    Result<QString> pointTo(double azimuthDegrees_, double elevationDegrees_)
     {
         return rotator.pointTo(kRotatorGpredict, {.azimuth = Angle::fromDegrees(azimuthDegrees_),
                                                   .elevation = Angle::fromDegrees(elevationDegrees_)});
@@ -193,6 +193,48 @@ TEST(StationRotator, AContinuousAzimuthOutsideTheTravelIsADirection)
     ASSERT_TRUE(rig.pointTo(400.0, 30.0));
     rig.settle();
     EXPECT_NEAR(rig.azimuthDegrees(), 400.0, 0.001);
+}
+
+std::string becameOf(RotatorRig& rig, double azimuthDegrees, double elevationDegrees)
+{
+    const Result<QString> answer = rig.pointTo(azimuthDegrees, elevationDegrees);
+    rig.run(Seconds(0.1));
+    return answer ? answer->toStdString() : "refused";
+}
+
+// REQ-ROTCTLD-1412: What became of a client's target is said in words where the mount does not go to what the client
+// wrote: another turn, another side of the zenith, or the nearest permitted place, with the reason.
+TEST(StationRotator, SaysWhatBecameOfATarget)
+{
+    RotatorRig rig;
+    EXPECT_EQ(becameOf(rig, 335, 55), "");
+    EXPECT_EQ(becameOf(rig, 0, 55), "");
+    EXPECT_EQ(becameOf(rig, 360, 55), "");
+    EXPECT_EQ(becameOf(rig, 400, 30), "az 40.0° (one turn less)");
+    EXPECT_EQ(becameOf(rig, -10, 30), "az 350.0° (one turn more)");
+    EXPECT_EQ(becameOf(rig, 760, 30), "az 40.0° (2 turns less)");
+    EXPECT_EQ(becameOf(rig, 30, 120), "210.0° / 60.0° (the same direction)");
+    EXPECT_EQ(becameOf(rig, 30, -1), "30.0° / 0.0°: elevation -1.0° below limit 0.0°");
+}
+
+TEST(StationRotator, SaysWhichTurnATargetBeyondTheTravelBecomes)
+{
+    RotatorRig rig(withConvention(profile::AzimuthConvention::Continuous));
+    EXPECT_EQ(becameOf(rig, 400, 30), "");
+    EXPECT_EQ(becameOf(rig, -60, 30), "");
+    EXPECT_EQ(becameOf(rig, -200, 30), "az 160.0° (one turn more)");
+    RotatorRig half(withConvention(profile::AzimuthConvention::PlusMinus180));
+    EXPECT_EQ(becameOf(half, -180, 30), "");
+    EXPECT_EQ(becameOf(half, 190, 30), "az -170.0° (one turn less)");
+}
+
+TEST(StationRotator, SaysWhereItGoesForATargetInAKeepOut)
+{
+    profile::Profile profile;
+    profile.limits.keepOuts = {
+        {.name = "mast", .azimuthFrom = 300_deg, .azimuthTo = 330_deg, .elevationMin = 0_deg, .elevationMax = 40_deg}};
+    RotatorRig rig(profile);
+    EXPECT_EQ(becameOf(rig, 328, 10), "330.0° / 10.0°: 328.0° / 10.0° lies in keep-out \"mast\"");
 }
 
 TEST(StationRotator, StopOfTheOperatorRefusesTheClient)
