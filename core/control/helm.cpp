@@ -11,8 +11,7 @@ namespace boresight {
 
 QString Helm::directionText(const AxisPosition& place) const
 {
-    const SkyPointing beam = view().model.pointing().toSky(place);
-    return boresight::directionText({beam.azimuth.wrapped360(), beam.elevation});
+    return boresight::directionText(view().model.pointing().toSky(place));
 }
 
 Result<> Helm::mayGoTo(const AxisPosition& place) const
@@ -211,7 +210,8 @@ Result<> Helm::follow(pointing::Resolved resolved, const SkyPointing& asked, con
     const bool wasLimited = !current().limitedReason().isEmpty();
     const bool newStream = !current().is(Activity::Streaming) || !current().isFor(by);
     const auto back = turnBackTo(resolved.position, by);
-    begin(Activity::Streaming, by, what.isEmpty() ? QStringLiteral("P ") + boresight::directionText(asked) : what);
+    begin(Activity::Streaming, by,
+          what.isEmpty() ? QStringLiteral("P ") + placeText({asked.azimuth, asked.elevation}) : what);
     beginTurnBack(back);
     if (newStream) {
         m_of.motion.rest();  // the points of another client do not continue here
@@ -269,9 +269,8 @@ void Helm::setTrim(const AxisPosition& trim, const Source& by)
 {
     m_of.motion.setTrim(trim);
     m_of.log.insist(Severity::Advisory, by,
-                    Text::tr("trims the tracked target by %1° in azimuth, %2° in elevation")
-                        .arg(trim.azimuth.degrees(), 0, 'f', 2)
-                        .arg(trim.elevation.degrees(), 0, 'f', 2));
+                    Text::tr("trims the tracked target by %1 in azimuth, %2 in elevation")
+                        .arg(degreesText(trim.azimuth, 2), degreesText(trim.elevation, 2)));
 }
 
 void Helm::settleStream(const Source& by)

@@ -3,12 +3,13 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/units/degrees_text.h"
 
 namespace boresight::memory {
 
 QString inWords(Angle angle)
 {
-    return QString::fromStdString(formatFixed(angle.degrees(), 1)) + QStringLiteral("°");
+    return degreesText(angle);
 }
 
 // Two units of the smaller kind are still told in it: 90 s, but 2 min.

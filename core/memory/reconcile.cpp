@@ -5,6 +5,7 @@
 #include "core/memory/place_words.h"
 #include "core/memory/places.h"
 #include "core/memory/power_proof.h"
+#include "core/units/degrees_text.h"
 
 #include <QStringList>
 
@@ -149,7 +150,7 @@ private:
                 .arg(inWords(m_candidates.front()), inWords(m_candidates.back()));
         }
         return m_frame.outputEncoder ? Text::tr("Direction %1 is known, but not the cable wrap. %2 are possible")
-                                           .arg(inWords(m_candidates.front().wrapped360()), namedCandidates())
+                                           .arg(azimuthText(m_candidates.front()), namedCandidates())
                                      : Text::tr("The angle is known only to a multiple of %1. %2 are possible")
                                            .arg(inWords(m_frame.period), namedCandidates());
     }
@@ -238,7 +239,7 @@ Angle journalStep(Angle period)
 
 QString sensorSentence(const std::optional<Angle>& heading)
 {
-    return heading ? Text::tr("The sensor reports %1").arg(inWords(heading->wrapped360()))
+    return heading ? Text::tr("The sensor reports %1").arg(azimuthText(*heading))
                    : Text::tr("There is no sensor to compare with");
 }
 

@@ -40,7 +40,7 @@ static_assert(kTermTexts.size() == calibration::kTerms);
 QString northText(const calibration::Estimate& north)
 {
     return Text::tr("The azimuth axis shows 0° at a true azimuth of %1 ± %2")
-        .arg(degreesText(north.value, 2), degreesText(north.sigma, 1));
+        .arg(azimuthText(north.value, 2), degreesText(north.sigma, 1));
 }
 
 // The offset of the azimuth may be any turn of it; the one that is nearest to today's moves no other number.
@@ -143,7 +143,7 @@ void setTilt(Proposal& proposal, const calibration::AxisTilt& tilt, const std::o
     proposal.sigmas[indexOf(Term::TiltEast)] = tilt.east.sigma;
     proposal.text +=
         Text::tr(". The azimuth axis leans by %1 ± %2 towards %3")
-            .arg(degreesText(tilt.size, 2), degreesText(tilt.sizeSigma, 2), degreesText(tilt.direction, 0));
+            .arg(degreesText(tilt.size, 2), degreesText(tilt.sizeSigma, 2), azimuthText(tilt.direction, 0));
 }
 
 // Of the sensor's elevation against that of the beam: what a box that lies askew explains is the sensor's, and so is

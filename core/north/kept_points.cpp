@@ -4,6 +4,7 @@
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 #include "core/north/same_terms.h"
+#include "core/units/direction_text.h"
 
 #include <algorithm>
 #include <utility>
@@ -66,13 +67,9 @@ void KeptPoints::add(const NewPoint& point)
     m_book.add(
         {.axes = point.axes, .truth = point.truth, .sigma = point.sigma, .when = m_clock.utc(), .label = point.label});
     m_log.add(Severity::Advisory, kPointsSource,
-              Text::tr("point %1: %2 at azimuth %3°, elevation %4°; axes %5° %6°")
-                  .arg(m_book.points().size())
-                  .arg(point.label)
-                  .arg(point.truth.azimuth.degrees(), 0, 'f', 2)
-                  .arg(point.truth.elevation.degrees(), 0, 'f', 2)
-                  .arg(point.axes.azimuth.degrees(), 0, 'f', 2)
-                  .arg(point.axes.elevation.degrees(), 0, 'f', 2));
+              Text::tr("point %1: %2 at %3. The axes stand at %4.")
+                  .arg(QString::number(m_book.points().size()), point.label, directionText(point.truth),
+                       placeText(point.axes)));
     changed();
 }
 

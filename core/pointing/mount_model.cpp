@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pointing/mount_model.h"
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/pointing/missing_axis.h"
 #include "core/pointing/ranges.h"
+#include "core/units/degrees_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,16 +54,11 @@ const Angle kHoleTolerance = Angle::fromDegrees(0.5);
 // In the middle of a gap both ends are equally near: the other one must be better by this much to be worth the way.
 const Angle kEndPreference = Angle::fromDegrees(1.0);
 
-QString degrees(Angle angle, int decimals = 1)
-{
-    return toQString(formatFixed(angle.degrees(), decimals)) + QStringLiteral("°");
-}
-
 // What is just past the limit is not told as the limit itself.
 QString past(const QString& sentence, Angle angle, Angle limit)
 {
     const int decimals = abs(angle - limit) < Angle::fromDegrees(0.1) ? 2 : 1;
-    return sentence.arg(degrees(angle, decimals), degrees(limit, decimals));
+    return sentence.arg(degreesText(angle, decimals), degreesText(limit, decimals));
 }
 
 QString azimuthReason(Angle angle, const TravelRange& travel)
@@ -187,7 +182,7 @@ Resolved MountModel::resolve(const SkyPointing& direction, const AxisPosition& n
         const QString sentence = m_azimuths == m_azimuth.travel ? Text::tr("azimuth %1 outside travel (axis %2…%3)")
                                                                 : Text::tr("azimuth %1 outside limits (axis %2…%3)");
         addReason(resolved,
-                  sentence.arg(degrees(wanted.azimuth.wrapped360()), degrees(m_azimuths.min), degrees(m_azimuths.max)));
+                  sentence.arg(azimuthText(wanted.azimuth), degreesText(m_azimuths.min), degreesText(m_azimuths.max)));
     }
     if (!reaches(m_elevations, wanted.elevation)) {
         addReason(resolved, elevationReason(wanted.elevation, m_elevations));
@@ -196,7 +191,7 @@ Resolved MountModel::resolve(const SkyPointing& direction, const AxisPosition& n
         resolved.reason += u' ' + Text::tr("(mechanical angles)");
     }
     if (miss > kHoleTolerance) {
-        addReason(resolved, Text::tr("at the zenith the beam misses it by %1").arg(degrees(miss)));
+        addReason(resolved, Text::tr("at the zenith the beam misses it by %1").arg(degreesText(miss)));
     }
     return resolved;
 }

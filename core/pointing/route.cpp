@@ -282,7 +282,7 @@ QString obstacleBetween(const PermittedRegion& region, const AxisPosition& from,
 QString degrees(const SkyPointing& beam)
 {
     const SkyPointing direction = upright(beam);
-    return degreesText(direction.azimuth.wrapped360()) + u' ' + degreesText(direction.elevation);
+    return azimuthText(direction.azimuth) + u' ' + degreesText(direction.elevation);
 }
 
 Error noWay(const PermittedRegion& region, const AxisPosition& from, const AxisPosition& to, bool spent)

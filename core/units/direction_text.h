@@ -4,23 +4,21 @@
 #include "core/units/degrees_text.h"
 #include "core/units/sky.h"
 
-#include <cmath>
-
-// Azimuth and elevation as people read them: "335.00° 55.00°".
+// Azimuth and elevation as people read them: "335.00° 55.00°". A direction counts no turns: never -45° and never 360°.
 namespace boresight {
 
 [[nodiscard]] inline QString directionText(const SkyPointing& direction)
 {
-    return degreesText(direction.azimuth, 2) + QStringLiteral(" ") + degreesText(direction.elevation, 2);
+    return azimuthText(direction.azimuth, 2) + QStringLiteral(" ") + degreesText(direction.elevation, 2);
 }
 
-// A direction counts no turns: "315.0° / 10.0°", never -45° and never 360°.
+// "315.0° / 10.0°"
 [[nodiscard]] inline QString beamText(const SkyPointing& beam)
 {
-    const Angle azimuth = Angle::fromDegrees(std::round(beam.azimuth.degrees() * 10.0) / 10.0).wrapped360();
-    return QStringLiteral("%1 / %2").arg(degreesText(azimuth), degreesText(beam.elevation));
+    return QStringLiteral("%1 / %2").arg(azimuthText(beam.azimuth), degreesText(beam.elevation));
 }
 
+// With the turn of the azimuth.
 [[nodiscard]] inline QString placeText(const AxisPosition& place)
 {
     return degreesText(place.azimuth, 2) + QStringLiteral(" ") + degreesText(place.elevation, 2);

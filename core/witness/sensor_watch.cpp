@@ -152,7 +152,7 @@ QString SensorWatch::doubtOf(const orientation::Orientation& value) const
     const SkyPointing direction = m_inForce.directionOf(value);
     return m_inForce.toSky().isReliable(direction)
                ? doubtOfCalibration(value)
-               : Text::tr("steel disturbs its compass near %1, as the swing found").arg(degreesText(direction.azimuth));
+               : Text::tr("steel disturbs its compass near %1, as the swing found").arg(azimuthText(direction.azimuth));
 }
 
 void SensorWatch::note(const orientation::Orientation& value)

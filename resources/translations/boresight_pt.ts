@@ -2831,10 +2831,6 @@ até %1</translation>
         <translation>ponto de referência</translation>
     </message>
     <message>
-        <source>point %1: %2 at azimuth %3°, elevation %4°; axes %5° %6°</source>
-        <translation>ponto %1: %2 no azimute %3°, elevação %4°; eixos %5° %6°</translation>
-    </message>
-    <message>
         <source>swings the compass: %1</source>
         <translation>gira a bússola: %1</translation>
     </message>
@@ -3806,10 +3802,6 @@ até %1</translation>
     <message>
         <source>goes to the nearest permitted point because of a limit (%1)</source>
         <translation>vai para o ponto permitido mais próximo devido a um limite (%1)</translation>
-    </message>
-    <message>
-        <source>trims the tracked target by %1° in azimuth, %2° in elevation</source>
-        <translation>corrige o alvo seguido em %1° de azimute, %2° de elevação</translation>
     </message>
     <message>
         <source>takes control, and Boresight refuses motion commands of clients</source>
@@ -8212,6 +8204,14 @@ até %1</translation>
     <message>
         <source>az %1 (%2)</source>
         <translation>az %1 (%2)</translation>
+    </message>
+    <message>
+        <source>trims the tracked target by %1 in azimuth, %2 in elevation</source>
+        <translation>compensa o alvo seguido em %1 de azimute, %2 de elevação</translation>
+    </message>
+    <message>
+        <source>point %1: %2 at %3. The axes stand at %4.</source>
+        <translation>ponto %1: %2 em %3. Os eixos estão em %4.</translation>
     </message>
 </context>
 <context>

@@ -157,7 +157,7 @@ void TurnPage::begin(Axis axis, const TurnQuestion& question)
     m_title->setText(tr("Where is the %1 axis now?").arg(name(axis)));
     m_unwind->setAxis(axis);
     const auto proposed = m_choice.angle();
-    m_field->setText(proposed ? QString::number(proposed->degrees(), 'f', 1) : QString());
+    m_field->setText(proposed ? QString::fromStdString(formatFixed(proposed->degrees(), 1)) : QString());
 }
 
 void TurnPage::showQuestion(const TurnQuestion& question)

@@ -22,9 +22,9 @@ QDateTime dateTime(UtcTime utc)
     return QDateTime::fromMSecsSinceEpoch(since.count(), Qt::UTC);
 }
 
-QString pair(Angle azimuth, Angle elevation)
+QString pair(const QString& azimuth, Angle elevation)
 {
-    return QCoreApplication::translate("Format", "az %1  el %2").arg(angleText(azimuth, 1), angleText(elevation, 1));
+    return QCoreApplication::translate("Format", "az %1  el %2").arg(azimuth, angleText(elevation, 1));
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ QString noValue()
 
 QString angleText(Angle angle, int decimals)
 {
-    return number(angle.degrees(), decimals) + QStringLiteral("°");
+    return degreesText(angle, decimals);
 }
 
 QString signedAngleText(Angle angle, int decimals)
@@ -60,12 +60,12 @@ QString rateText(AngularRate rate, int decimals)
 
 QString directionText(const SkyPointing& direction)
 {
-    return pair(direction.azimuth.wrapped360(), direction.elevation);
+    return pair(azimuthText(direction.azimuth, 1), direction.elevation);
 }
 
 QString axisText(const AxisPosition& position)
 {
-    return pair(position.azimuth, position.elevation);
+    return pair(angleText(position.azimuth, 1), position.elevation);
 }
 
 QString ageText(std::chrono::milliseconds age)

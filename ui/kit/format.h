@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/units/degrees_text.h"
 #include "core/units/sky.h"
 
 #include <QString>
@@ -9,7 +10,8 @@
 #include <chrono>
 #include <optional>
 
-// How numbers become text on the screen: fixed decimals, sign, unit, and when a number is too old to be shown.
+// How numbers become text on the screen: fixed decimals, sign, unit, and when a number is too old to be shown. An
+// azimuth of a direction is azimuthText() of core/units: never "360.0°".
 namespace boresight::ui {
 
 // A number is live for half a second, dimmed with its age until kNoDataAfter, and not shown any more after that.

@@ -47,7 +47,7 @@ QString tiltLine(const SwingOutcome& swing)
     const calibration::AxisTilt& tilt = *swing.tilt;
     return CalibrationWords::tr(
                "The azimuth axis leans by %1 ± %2 towards %3. At 0° of the elevation axis the sensor reports %4.")
-        .arg(angleText(tilt.size), angleText(tilt.sizeSigma), angleText(tilt.direction, 0),
+        .arg(angleText(tilt.size), angleText(tilt.sizeSigma), azimuthText(tilt.direction, 0),
              estimateText(tilt.elevationOffset));
 }
 
@@ -223,7 +223,7 @@ QString trueAzimuthText(const SensorStatus& sensor)
     if (!sensor.direction) {
         return noValue();
     }
-    const QString azimuth = angleText(sensor.direction->azimuth, 1);
+    const QString azimuth = azimuthText(sensor.direction->azimuth, 1);
     return sensor.azimuthSigma ? QStringLiteral("%1 ± %2").arg(azimuth, angleText(*sensor.azimuthSigma, 1)) : azimuth;
 }
 

@@ -42,9 +42,9 @@ void CompassDial::showNeedles(const std::optional<Angle>& axis, const std::optio
     }
     m_axis = axis;
     m_sensor = sensor;
-    setAccessibleDescription(tr("axis %1, sensor %2")
-                                 .arg(axis ? angleText(axis->wrapped360(), 1) : noValue(),
-                                      sensor ? angleText(sensor->angle(), 1) : noValue()));
+    setAccessibleDescription(
+        tr("axis %1, sensor %2")
+            .arg(axis ? azimuthText(*axis, 1) : noValue(), sensor ? azimuthText(sensor->angle(), 1) : noValue()));
     update();
 }
 

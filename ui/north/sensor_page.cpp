@@ -218,7 +218,7 @@ void SensorPage::showNeedles(const StationStatus& status)
     const std::optional<orientation::Orientation> last = lost ? std::nullopt : status.sensor.last;
     m_dial->showNeedles(axis, last ? std::optional(last->heading) : std::nullopt);
     m_levels->showCalibration(last ? last->calibration : std::nullopt);
-    m_sensor->setValue(last ? angleText(last->heading.angle()) : noValue());
+    m_sensor->setValue(last ? azimuthText(last->heading.angle(), 2) : noValue());
     m_axis->setValue(axis ? angleText(*axis) : noValue());
     m_truth->setValue(trueAzimuthText(status.sensor));
     m_difference->setValue(last && axis ? signedAngleText((last->heading.angle() - *axis).wrapped180()) : noValue());

@@ -89,7 +89,8 @@ QVariant TargetTable::data(const QModelIndex& index, int role) const
     if (!place.direction) {
         return {};
     }
-    return angleText(index.column() == Azimuth ? place.direction->azimuth : place.direction->elevation, 1);
+    return index.column() == Azimuth ? azimuthText(place.direction->azimuth, 1)
+                                     : angleText(place.direction->elevation, 1);
 }
 
 }  // namespace boresight::ui

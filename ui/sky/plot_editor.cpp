@@ -241,7 +241,7 @@ void PlotEditor::showReadout()
         return;
     }
     const SkyPointing place = m_sky.toSky(m_cursor);
-    const QString here = tr("az %1\nel %2").arg(angleText(place.azimuth, 1), angleText(place.elevation, 1));
+    const QString here = tr("az %1\nel %2").arg(azimuthText(place.azimuth, 1), angleText(place.elevation, 1));
     Q_EMIT readout(grip ? describe(edited(), m_travel, *grip) : m_sky.contains(m_cursor) ? here : QString());
 }
 

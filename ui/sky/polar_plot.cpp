@@ -79,7 +79,7 @@ QString knownText(const SkyPointing& direction, std::optional<Axis> missing)
         return directionText(direction);
     }
     return *missing == Axis::Azimuth ? shortName(Axis::Elevation) + QLatin1Char(' ') + angleText(direction.elevation, 1)
-                                     : shortName(Axis::Azimuth) + QLatin1Char(' ') + angleText(direction.azimuth, 1);
+                                     : shortName(Axis::Azimuth) + QLatin1Char(' ') + azimuthText(direction.azimuth, 1);
 }
 
 QString targetLabel(const StationStatus& status)

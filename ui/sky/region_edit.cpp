@@ -134,7 +134,7 @@ QString describe(const Region& region, const Travel& travel, const Grip& grip)
         case RegionPart::HorizonPoint: {
             const HorizonPoint& point = region.horizon.at(grip.index);
             return RegionEdit::tr("horizon\naz %1\nel %2")
-                .arg(angleText(point.azimuth, 1), angleText(point.elevation, 1));
+                .arg(azimuthText(point.azimuth, 1), angleText(point.elevation, 1));
         }
         case RegionPart::KeepOut: {
             const KeepOut& keepOut = region.keepOuts.at(grip.index);

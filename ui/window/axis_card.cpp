@@ -228,21 +228,23 @@ void AxisCard::showStatus(const StationStatus& status)
 
 void AxisCard::showNumbers(bool turnKnown)
 {
-    const auto shown = [this](Angle angle) { return m_axis == Axis::Azimuth ? angle.wrapped360() : angle; };
+    const auto text = [this](Angle angle) {
+        return m_axis == Axis::Azimuth ? azimuthText(angle, 2) : angleText(angle);
+    };
     const Freshness age = freshness(m_shown.age);
     const bool missing = m_shown.state == AxisState::Missing;
     // On an unknown turn the drive counts from anywhere: no number at all.
     const bool known = m_shown.actual && age != Freshness::NoData && turnKnown && !missing;
     const Tone tone = age == Freshness::Live ? Tone::Normal : Tone::Secondary;
-    const auto show = [](ValueLabel& label, const QString& text, Tone of) {
-        label.setValue(text.isEmpty() ? noValue() : text, text.isEmpty() ? Tone::Secondary : of);
+    const auto show = [](ValueLabel& label, const QString& value, Tone of) {
+        label.setValue(value.isEmpty() ? noValue() : value, value.isEmpty() ? Tone::Secondary : of);
     };
     const auto actual = known ? m_shown.beam.actual : std::nullopt;
     const auto target = missing ? std::nullopt : m_shown.beam.target;
     const auto rate = known ? m_shown.rate : std::nullopt;
     const bool comparable = known && m_shown.target;
-    show(*m_actual, actual ? angleText(shown(*actual)) : QString(), tone);
-    show(*m_target, target ? angleText(shown(*target)) : QString(), Tone::Normal);
+    show(*m_actual, actual ? text(*actual) : QString(), tone);
+    show(*m_target, target ? text(*target) : QString(), Tone::Normal);
     show(*m_error, comparable ? signedAngleText(*m_shown.target - *m_shown.actual) : QString(), tone);
     show(*m_rate, rate ? rateText(*rate, 2) : QString(), tone);
 }

@@ -8,7 +8,7 @@
 namespace boresight::ui {
 
 PickPrompt::PickPrompt(RequestDesk& desk, QWidget* parent)
-    : PromptBar(tr("Direction under the cursor"), {directionText({359.99_deg, -89.99_deg})}, 1, parent),
+    : PromptBar(tr("Direction under the cursor"), {directionText({359.9_deg, -89.9_deg})}, 1, parent),
       m_goHere(new CommandButton(tr("Go here"), tr("Go to this direction by the shortest way"), desk, notice(), this)),
       m_question(desk, this)
 {

@@ -16,7 +16,7 @@ QString directionText(const SensorStatus& sensor)
 {
     return sensor.direction
                ? SensorReadout::tr("Sensor %1 %2")
-                     .arg(angleText(sensor.direction->azimuth, 1), angleText(sensor.direction->elevation, 1))
+                     .arg(azimuthText(sensor.direction->azimuth, 1), angleText(sensor.direction->elevation, 1))
                : SensorReadout::tr("Sensor %1").arg(noValue());
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/units/quantity.h"
 
+#include "core/units/direction_text.h"
 #include "core/units/duration_text.h"
 #include "core/units/sky.h"
 
@@ -24,6 +25,23 @@ TEST(Quantity, UnitsAgree)
     EXPECT_DOUBLE_EQ((180_deg).radians(), std::numbers::pi);
     EXPECT_DOUBLE_EQ((90_deg).turns(), 0.25);
     EXPECT_DOUBLE_EQ(MotorTurns::fromTurns(1.5).turns(), 1.5);
+}
+
+// REQ-UNITS-941: An azimuth in a text is from 0° up to, and not including, 360°, as it is rounded for the text. No
+// angle is "-0.0°". Story: A mount parked at north stood at -0.004° and was shown at 360.00°.
+TEST(DegreesText, NorthIsZeroFromBothSides)
+{
+    EXPECT_EQ(azimuthText(-0.004_deg, 2), QStringLiteral("0.00°"));
+    EXPECT_EQ(azimuthText(-0.01_deg, 2), QStringLiteral("359.99°"));
+    EXPECT_EQ(azimuthText(-0.01_deg), QStringLiteral("0.0°"));
+    EXPECT_EQ(azimuthText(359.6_deg, 0), QStringLiteral("0°"));
+    EXPECT_EQ(azimuthText(360_deg), QStringLiteral("0.0°"));
+    EXPECT_EQ(azimuthText(719.97_deg), QStringLiteral("0.0°"));
+    EXPECT_EQ(azimuthText(-45_deg), QStringLiteral("315.0°"));
+    EXPECT_EQ(degreesText(-0.04_deg), QStringLiteral("0.0°"));
+    EXPECT_EQ(directionText({-0.004_deg, -0.004_deg}), QStringLiteral("0.00° 0.00°"));
+    EXPECT_EQ(beamText({359.97_deg, -0.04_deg}), QStringLiteral("0.0° / 0.0°"));
+    EXPECT_EQ(placeText({-45_deg, 10_deg}), QStringLiteral("-45.00° 10.00°"));
 }
 
 // REQ-UNITS-02: A rate is an angle divided by a time, and back.

@@ -26,6 +26,7 @@ TEST(Format, FixedDecimalsSignAndUnit)
     EXPECT_EQ(signedAngleText(4.48_deg), QStringLiteral("+4.48°"));
     EXPECT_EQ(signedAngleText(-350_deg), QStringLiteral("-350.00°"));
     EXPECT_EQ(rateText(2_deg_s), QStringLiteral("2.0°/s"));
+    EXPECT_EQ(directionText({-0.01_deg, 10_deg}), QStringLiteral("az 0.0°  el 10.0°"));
     EXPECT_EQ(directionText({473_deg, 10_deg}), QStringLiteral("az 113.0°  el 10.0°"));
     EXPECT_EQ(axisText({473_deg, 10_deg}), QStringLiteral("az 473.0°  el 10.0°"));
     EXPECT_EQ(ageText(milliseconds(1440)), QStringLiteral("1.4 s"));
