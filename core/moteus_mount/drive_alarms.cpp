@@ -4,6 +4,8 @@
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 #include "core/moteus/faults.h"
+#include "core/units/degrees_text.h"
+#include "core/units/duration_text.h"
 
 namespace boresight::drive_alarms {
 namespace {
@@ -28,6 +30,28 @@ AlarmCase fault(const QString& drive, int code)
     return {alarmEntry("drive.fault"),
             {drive, QString::number(code), Text::of(text.meaning),
              text.saysRearm ? remedy : Text::tr("%1. Then press Re-arm").arg(remedy)}};
+}
+
+QString remedyOfLoss(const QString& advice)
+{
+    return advice.isEmpty() ? Text::tr("Check the supply, the CAN cable and the adapter. Then press Re-arm")
+                            : Text::tr("%1 Then press Re-arm").arg(advice);
+}
+
+QString remedyOfSilence(const QString& advice, bool needsRearm, const QString& withoutAdvice)
+{
+    return advice.isEmpty() ? withoutAdvice : needsRearm ? Text::tr("%1 Then press Re-arm").arg(advice) : advice;
+}
+
+QString nothingMoves()
+{
+    return Text::tr("Nothing moves before a re-arm");
+}
+
+// One decimal shows it.
+bool isWorthAWord(Angle moved)
+{
+    return abs(moved) >= Angle::fromDegrees(0.05);
 }
 
 // Where a warning can get worse.
@@ -61,26 +85,53 @@ const AlarmEntry& stopEntryOf(Symptom symptom)
 
 AlarmCase silenced(const QString& drive, Seconds watchdog, const QString& advice)
 {
-    const QString remedy = advice.isEmpty()
-                               ? Text::tr("Check the supply, the CAN cable and the adapter. Then press Re-arm")
-                               : Text::tr("%1 Then press Re-arm").arg(advice);
-    return {alarmEntry("drive.silent"), {drive, QString::number(watchdog.count()), remedy}};
+    return {alarmEntry("drive.silent"), {drive, QString::number(watchdog.count()), remedyOfLoss(advice)}};
 }
 
 AlarmCase unheard(const QString& drive, const QString& advice, bool needsRearm)
 {
-    if (advice.isEmpty()) {
-        return {
-            alarmEntry("drive.no-reply"),
-            {drive, Text::tr("Check the supply, the CAN cable, the adapter and the id of the drive. The page Drives "
-                             "lists the drives")}};
-    }
-    return {alarmEntry("drive.no-reply"), {drive, needsRearm ? Text::tr("%1 Then press Re-arm").arg(advice) : advice}};
+    return {alarmEntry("drive.no-reply"),
+            {drive, remedyOfSilence(advice, needsRearm,
+                                    Text::tr("Check the supply, the CAN cable, the adapter and the id of the drive. "
+                                             "The page Drives lists the drives"))}};
 }
 
-AlarmCase answersAgain(const QString& drive)
+AlarmCase answersAgain(const QString& drive, Seconds silent, const std::optional<Angle>& moved)
 {
-    return {alarmEntry("drive.answers-again"), {drive}};
+    const QString how = !moved ? nothingMoves()
+                        : !isWorthAWord(*moved)
+                            ? Text::tr("The axis did not move while no reply came. Its position is continuous")
+                            : Text::tr("The axis moved %1 while no reply came. Its position is continuous")
+                                  .arg(degreesText(abs(*moved)));
+    return {alarmEntry("drive.answers-again"), {drive, durationText(silent), how}};
+}
+
+AlarmCase bothSilenced(Seconds watchdog, const QString& advice)
+{
+    return {alarmEntry("drives.silent"), {QString::number(watchdog.count()), remedyOfLoss(advice)}};
+}
+
+AlarmCase noneHeard(const QString& advice, bool needsRearm)
+{
+    return {alarmEntry("drives.no-reply"),
+            {remedyOfSilence(advice, needsRearm,
+                             Text::tr("Check the supply, the CAN cable, the adapter and the ids of the drives. The "
+                                      "page Drives lists the drives"))}};
+}
+
+AlarmCase bothAnswerAgain(Seconds silent, const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation)
+{
+    const auto how = [&] {
+        if (!azimuth || !elevation) {
+            return nothingMoves();
+        }
+        if (!isWorthAWord(*azimuth) && !isWorthAWord(*elevation)) {
+            return Text::tr("The mount did not move while no reply came. Its position is continuous");
+        }
+        return Text::tr("Azimuth moved %1 and elevation %2 while no reply came. The position is continuous")
+            .arg(degreesText(abs(*azimuth)), degreesText(abs(*elevation)));
+    };
+    return {alarmEntry("drives.answer-again"), {durationText(silent), how()}};
 }
 
 AlarmCase lost(const QString& drive, DriveLoss loss, int faultCode)

@@ -8,6 +8,7 @@
 
 #include <QString>
 
+#include <optional>
 #include <string_view>
 
 // Which alarm it is when something is wrong with a drive. `drive` is its label: "azimuth drive". Pure.
@@ -17,7 +18,13 @@ namespace boresight::drive_alarms {
 [[nodiscard]] AlarmCase silenced(const QString& drive, Seconds watchdog, const QString& advice);
 // Nothing was commanded.
 [[nodiscard]] AlarmCase unheard(const QString& drive, const QString& advice, bool needsRearm);
-[[nodiscard]] AlarmCase answersAgain(const QString& drive);  // and waits for a re-arm
+// It answers again and waits for a re-arm. `moved`: its axis, meanwhile; empty if that is not known.
+[[nodiscard]] AlarmCase answersAgain(const QString& drive, Seconds silent, const std::optional<Angle>& moved);
+// The same three of both drives at the same time.
+[[nodiscard]] AlarmCase bothSilenced(Seconds watchdog, const QString& advice);
+[[nodiscard]] AlarmCase noneHeard(const QString& advice, bool needsRearm);
+[[nodiscard]] AlarmCase bothAnswerAgain(Seconds silent, const std::optional<Angle>& azimuth,
+                                        const std::optional<Angle>& elevation);
 // Of a silent drive silenced() knows more.
 [[nodiscard]] AlarmCase lost(const QString& drive, DriveLoss loss, int faultCode);
 [[nodiscard]] AlarmCase activeLimit(const QString& drive, int code);

@@ -22,6 +22,8 @@ constexpr std::chrono::seconds kLimitLinger{2};
 constexpr std::chrono::milliseconds kLastOrderFades{500};
 // A drive that boots, or a bus that comes up, is not yet a reason for an alarm.
 constexpr Seconds kPatienceAtStart{1.0};
+// A drive that comes back shows within this time where it stands, or somebody has to look.
+constexpr Seconds kPatienceForPlace{1.0};
 
 LossClass classOf(DriveLoss loss, int faultCode)
 {
@@ -50,8 +52,8 @@ bool isGivingWay(Symptom symptom)
 
 }  // namespace
 
-DriveWatch::DriveWatch(Axis axis, const profile::InForce& profile, AlarmBoard& alarms)
-    : m_which(axis), m_profile(profile), m_alarms(alarms), m_supervisor(axis, profile)
+DriveWatch::DriveWatch(Axis axis, const profile::InForce& profile, AlarmBoard& alarms, SilenceAlarms& silences)
+    : m_which(axis), m_profile(profile), m_alarms(alarms), m_supervisor(axis, profile), m_silences(silences)
 {}
 
 std::optional<DriveWatch::Trouble> DriveWatch::watch(Drive& drive, const tracking::Setpoint& setpoint,
@@ -81,19 +83,24 @@ std::optional<DriveWatch::Trouble> DriveWatch::watchLoss(Drive& drive)
     const int code = drive.report() ? drive.report()->fault : 0;
     m_supervisor.forgetMotion();
     if (*loss == DriveLoss::Silent) {
-        tellSilence(drive_alarms::silenced(drive.label(), m_profile->control.watchdog, m_silenceAdvice));
+        beginSilence(drive, Silence::Kind::Lost, true);
         // The reason of a latch outlasts the silence itself.
-        return Trouble{.what = Text::tr("the %1 fell silent").arg(drive.label()), .loss = classOf(*loss, code)};
+        return Trouble{.what = Text::tr("the %1 fell silent").arg(drive.label()),
+                       .loss = classOf(*loss, code),
+                       .fellSilent = true};
     }
     const AlarmCase lost = drive_alarms::lost(drive.label(), *loss, code);
     m_alarms.raise(lost.entry.of(m_which), lost.arguments);
     return Trouble{.what = whatOf(lost), .loss = classOf(*loss, code)};
 }
 
-void DriveWatch::tellSilence(const AlarmCase& silence)
+void DriveWatch::beginSilence(const Drive& drive, Silence::Kind kind, bool needsRearm)
 {
-    m_silenceTold = true;
-    m_alarms.raise(silence.entry.of(m_which), silence.arguments);
+    const auto& place = drive.place();
+    m_silent = {
+        .since = drive.heard(),
+        .place = place ? std::optional(m_profile->axis(m_which).geometry.toAxis(place->position)) : std::nullopt};
+    m_silences.tell(m_which, {.kind = kind, .since = m_silent->since, .needsRearm = needsRearm});
 }
 
 // A drive can come and go many times before somebody re-arms it: what stands is always what it does now.
@@ -102,19 +109,42 @@ void DriveWatch::watchSilence(const Drive& drive, const Context& context)
     if (drive.answering(context.now) || context.silenceExpected) {
         if (!context.faultLatched) {
             endSilence();
-        } else if (!context.silenceExpected && std::exchange(m_silenceTold, false)) {
-            const AlarmCase back = drive_alarms::answersAgain(drive.label());
-            m_alarms.raise(back.entry.of(m_which), back.arguments);
+        } else if (!context.silenceExpected && m_silent && isSeenAgain(drive, context)) {
+            m_silences.tell(m_which, {.kind = Silence::Kind::Back,
+                                      .since = m_silent->since,
+                                      .lasted = *m_silent->back - m_silent->since,
+                                      .moved = movedSince(*m_silent, drive, context)});
+            m_silent.reset();
         }
-    } else if (context.running > kPatienceAtStart && !m_silenceTold) {
-        tellSilence(drive_alarms::unheard(drive.label(), m_silenceAdvice, context.faultLatched));
+        return;
     }
+    if (m_silent) {
+        m_silent->back.reset();
+    } else if (context.running > kPatienceAtStart) {
+        beginSilence(drive, Silence::Kind::Unheard, context.faultLatched);
+    }
+}
+
+// Its first replies do not say yet where it stands.
+bool DriveWatch::isSeenAgain(const Drive& drive, const Context& context)
+{
+    m_silent->back = m_silent->back.value_or(context.now);
+    return movedSince(*m_silent, drive, context) || context.now - *m_silent->back >= kPatienceForPlace;
+}
+
+std::optional<Angle> DriveWatch::movedSince(const Silent& silent, const Drive& drive, const Context& context) const
+{
+    const auto& place = drive.place();
+    if (!context.turnKnown || !silent.place || !place || place->received <= silent.since) {
+        return std::nullopt;
+    }
+    return m_profile->axis(m_which).geometry.toAxis(place->position) - *silent.place;
 }
 
 void DriveWatch::endSilence()
 {
-    m_silenceTold = false;
-    m_alarms.clear(alarmEntry("drive.silent").of(m_which));
+    m_silent.reset();
+    m_silences.end(m_which);
 }
 
 void DriveWatch::watchUnordered(const Drive& drive, const Context& context)

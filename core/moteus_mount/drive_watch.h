@@ -3,6 +3,7 @@
 
 #include "core/alarms/alarm_board.h"
 #include "core/moteus_mount/drive_pair.h"
+#include "core/moteus_mount/silence_alarms.h"
 #include "core/supervision/axis_supervisor.h"
 #include "core/supervision/retry_policy.h"
 #include "core/tracking/axis_profile.h"
@@ -36,14 +37,13 @@ public:
         supervision::LossClass loss = supervision::LossClass::Motion;
         bool turnDoubtful = false;  // the reported angle is not to be believed without a look
         bool gaveWay = false;       // the axis can not follow: it is to be held where it is now
+        bool fellSilent = false;
     };
 
-    DriveWatch(Axis axis, const profile::InForce& profile, AlarmBoard& alarms);
+    DriveWatch(Axis axis, const profile::InForce& profile, AlarmBoard& alarms, SilenceAlarms& silences);
 
     [[nodiscard]] std::optional<Trouble> watch(Drive& drive, const tracking::Setpoint& setpoint,
                                                const Context& context);
-    // What to do about a silent bus, when its kind is known.
-    void setSilenceAdvice(const QString& advice) { m_silenceAdvice = advice; }
     // The axis was re-armed, its turn was set, its drive restarted, or this computer stalled: what it did before says
     // nothing any more.
     void forgetMotion();
@@ -52,9 +52,21 @@ public:
     void rearmed();
 
 private:
+    // Told, and not that it is over.
+    struct Silent
+    {
+        SteadyTime since{};  // the last reply
+        std::optional<Angle> place;
+        std::optional<SteadyTime> back;  // answers since
+    };
+
     [[nodiscard]] std::optional<Trouble> watchLoss(Drive& drive);
     void watchSilence(const Drive& drive, const Context& context);
-    void tellSilence(const AlarmCase& silence);
+    void beginSilence(const Drive& drive, Silence::Kind kind, bool needsRearm);
+    [[nodiscard]] bool isSeenAgain(const Drive& drive, const Context& context);
+    // How far its axis moved meanwhile; empty while that is not known.
+    [[nodiscard]] std::optional<Angle> movedSince(const Silent& silent, const Drive& drive,
+                                                  const Context& context) const;
     void endSilence();
     void watchUnordered(const Drive& drive, const Context& context);
     void watchActiveLimit(const Drive& drive, SteadyTime now);
@@ -69,8 +81,8 @@ private:
     const profile::InForce& m_profile;
     AlarmBoard& m_alarms;
     supervision::AxisSupervisor m_supervisor;
-    QString m_silenceAdvice;
-    bool m_silenceTold = false;  // and not that it is over
+    SilenceAlarms& m_silences;
+    std::optional<Silent> m_silent;
     // What has an alarm now, and how it was reported. Empty: before a re-arm.
     std::map<supervision::Symptom, std::optional<supervision::Weight>> m_told;
     std::set<supervision::Symptom> m_stops;   // what is dangerous now

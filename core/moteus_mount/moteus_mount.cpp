@@ -39,7 +39,9 @@ MoteusMount::MoteusMount(const profile::InForce& profile, const Clock& clock, Ev
       m_alarms(alarms),
       m_drives(profile, axes),
       m_names{toQString(m_drives.drive(Axis::Azimuth).name()), toQString(m_drives.drive(Axis::Elevation).name())},
-      m_watches{DriveWatch(Axis::Azimuth, profile, alarms), DriveWatch(Axis::Elevation, profile, alarms)},
+      m_silences(profile, alarms, m_drives),
+      m_watches{DriveWatch(Axis::Azimuth, profile, alarms, m_silences),
+                DriveWatch(Axis::Elevation, profile, alarms, m_silences)},
       m_turns(profile, clock, log, std::move(start)),
       m_turnWatch(m_turns, m_drives, m_watches, alarms),
       m_stall(m_drives, m_watches, m_turns, alarms, log),
@@ -48,13 +50,6 @@ MoteusMount::MoteusMount(const profile::InForce& profile, const Clock& clock, Ev
       m_started(clock.now()),
       m_now(m_started)
 {}
-
-void MoteusMount::setSilenceAdvice(const QString& advice)
-{
-    for (DriveWatch& watch : m_watches) {
-        watch.setSilenceAdvice(advice);
-    }
-}
 
 void MoteusMount::framesSent()
 {
@@ -236,6 +231,7 @@ void MoteusMount::resumeAfterStall(const MountSituation& known, MountFindings& f
 
 void MoteusMount::watchDrives(const MountSituation& known, MountFindings& found)
 {
+    std::vector<std::size_t> silent;  // of the troubles found
     for (const Axis axis : axes()) {
         const DriveWatch::Context context{.now = m_now,
                                           .utc = m_clock.utc(),
@@ -251,6 +247,14 @@ void MoteusMount::watchDrives(const MountSituation& known, MountFindings& found)
         if (trouble && trouble->turnDoubtful) {
             m_turns.forget(axis, trouble->what);
         }
+        if (trouble && trouble->fellSilent) {
+            silent.push_back(found.troubles.size() - 1);
+        }
+    }
+    m_silences.show(m_now);
+    for (const std::size_t one : silent) {
+        found.troubles[one].what =
+            m_silences.isOfBoth() ? Text::tr("both drives fell silent") : found.troubles[one].what;
     }
 }
 

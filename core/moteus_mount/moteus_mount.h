@@ -8,6 +8,7 @@
 #include "core/moteus_mount/drive_pair.h"
 #include "core/moteus_mount/drive_watch.h"
 #include "core/moteus_mount/proof_run.h"
+#include "core/moteus_mount/silence_alarms.h"
 #include "core/moteus_mount/stall_guard.h"
 #include "core/moteus_mount/turn_keeper.h"
 #include "core/moteus_mount/turn_watch.h"
@@ -47,7 +48,7 @@ public:
     void framesTaken();  // by the link: a reply to each is due
     [[nodiscard]] bool busLeft() const { return m_busLeft; }
     // What to do about a bus that is silent although it works: depends on what carries it.
-    void setSilenceAdvice(const QString& advice);
+    void setSilenceAdvice(const QString& advice) { m_silences.setAdvice(advice); }
 
     // What the drive check has found.
     void setFitness(const Result<>& fitness) { m_fitness = fitness; }
@@ -123,6 +124,7 @@ private:
     AlarmBoard& m_alarms;
     DrivePair m_drives;
     std::array<QString, 2> m_names;
+    SilenceAlarms m_silences;
     std::array<DriveWatch, 2> m_watches;
     TurnKeeper m_turns;
     TurnWatch m_turnWatch;

@@ -3380,14 +3380,6 @@ até %1</translation>
         <translation>O Boresight não envia comandos de movimento</translation>
     </message>
     <message>
-        <source>The %1 was silent and is back</source>
-        <translation>O %1 esteve em silêncio e voltou</translation>
-    </message>
-    <message>
-        <source>Boresight ended the motion. Nothing moves before a re-arm</source>
-        <translation>O Boresight terminou o movimento. Nada se move antes de um rearme</translation>
-    </message>
-    <message>
         <source>The drive gives less than Boresight commands</source>
         <translation>O acionamento dá menos do que o Boresight comanda</translation>
     </message>
@@ -8212,6 +8204,58 @@ até %1</translation>
     <message>
         <source>point %1: %2 at %3. The axes stand at %4.</source>
         <translation>ponto %1: %2 em %3. Os eixos estão em %4.</translation>
+    </message>
+    <message>
+        <source>The %1 was silent for %2 and is back</source>
+        <translation>O %1 esteve em silêncio durante %2 e voltou</translation>
+    </message>
+    <message>
+        <source>Boresight ended the motion. %3</source>
+        <translation>O Boresight terminou o movimento. %3</translation>
+    </message>
+    <message>
+        <source>Neither drive replies</source>
+        <translation>Nenhum dos acionamentos responde</translation>
+    </message>
+    <message>
+        <source>Boresight ended the motion. If the drives have power, their watchdog brakes them after %1 s</source>
+        <translation>O Boresight terminou o movimento. Se os acionamentos têm energia, o seu watchdog trava-os ao fim de %1 s</translation>
+    </message>
+    <message>
+        <source>Both drives were silent for %1 and are back</source>
+        <translation>Os dois acionamentos estiveram em silêncio durante %1 e voltaram</translation>
+    </message>
+    <message>
+        <source>Boresight ended the motion. %2</source>
+        <translation>O Boresight terminou o movimento. %2</translation>
+    </message>
+    <message>
+        <source>Nothing moves before a re-arm</source>
+        <translation>Nada se move antes de rearmar</translation>
+    </message>
+    <message>
+        <source>The axis did not move while no reply came. Its position is continuous</source>
+        <translation>O eixo não se moveu enquanto não houve resposta. A sua posição é contínua</translation>
+    </message>
+    <message>
+        <source>The axis moved %1 while no reply came. Its position is continuous</source>
+        <translation>O eixo moveu-se %1 enquanto não houve resposta. A sua posição é contínua</translation>
+    </message>
+    <message>
+        <source>Check the supply, the CAN cable, the adapter and the ids of the drives. The page Drives lists the drives</source>
+        <translation>Verifique a alimentação, o cabo CAN, o adaptador e os ids dos acionamentos. A página Acionamentos lista os acionamentos</translation>
+    </message>
+    <message>
+        <source>The mount did not move while no reply came. Its position is continuous</source>
+        <translation>A montagem não se moveu enquanto não houve resposta. A sua posição é contínua</translation>
+    </message>
+    <message>
+        <source>Azimuth moved %1 and elevation %2 while no reply came. The position is continuous</source>
+        <translation>O azimute moveu-se %1 e a elevação %2 enquanto não houve resposta. A posição é contínua</translation>
+    </message>
+    <message>
+        <source>both drives fell silent</source>
+        <translation>os dois acionamentos deixaram de responder</translation>
     </message>
 </context>
 <context>

@@ -77,20 +77,21 @@ double reported(SimulatedStation& rig, Axis axis)
 std::vector<Group> lostLines()
 {
     const std::string noReply = "drive does not reply";
+    const std::string noneReplies = "Neither drive replies";
     std::vector<Group> groups{
         {.fault = {.name = "CAN cable cut",
                    .injections = {{.kind = FaultKind::LostCommand, .value = 1.0}},
-                   .alarm = noReply},
+                   .alarm = noneReplies},
          .moments = kEverywhereAndAtTheEnds},
         {.fault = {.name = "adapter answers ERR to every frame",
                    .injections = {{.kind = FaultKind::AdapterError}},
-                   .alarm = noReply},
+                   .alarm = noneReplies},
          .moments = kEverywhere},
         {.fault = {.name = "bus off", .injections = {{.kind = FaultKind::BusOff}}, .alarm = "bus-off"},
          .moments = kEverywhere},
         {.fault = {.name = "every reply garbled",
                    .injections = {{.kind = FaultKind::CorruptLine, .value = 1.0}},
-                   .alarm = noReply},
+                   .alarm = noneReplies},
          .moments = kEverywhere},
     };
     for (const Axis axis : kAxes) {
@@ -246,7 +247,7 @@ std::vector<Group> supplies()
     std::vector<Group> groups{
         {.fault = {.name = "loss of power for 3 s",
                    .injections = {{.kind = FaultKind::PowerLoss}},
-                   .alarm = "drive does not reply",
+                   .alarm = "Neither drive replies",
                    .stillWithin = kCoasting},
          .moments = kEverywhere},
         {.fault = {.name = "power blinks for 0.1 s",

@@ -182,7 +182,7 @@ TEST(AlarmCatalogue, ARemedyThatNamesAButtonHasIt)
 TEST(AlarmCatalogue, EverySentenceCanBeReadAlone)
 {
     static const std::regex runsOn("\\b(in|within|for) [0-9.]+ (s|min|h)\\b");
-    static const std::regex done("(was|stalled|has sent|away|is lost|came|jumped|a jump) ");
+    static const std::regex done("(was|were|stalled|has sent|away|is lost|came|jumped|a jump) ");
     static const std::regex known("does not move: |moves the wrong way: ");  // and how long that was looked at
     for (const AlarmEntry* const entry : alarmCatalogue()) {
         const AlarmText text = textOf(*entry, examplesOf(*entry));

@@ -2,10 +2,13 @@
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/text_of.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace boresight {
 namespace {
@@ -73,7 +76,8 @@ TEST(StationControl, ASilentBusInMidMotionNeedsRearm)
     rig.run(Seconds(0.32));
     EXPECT_EQ(rig.state(), StationState::Disconnected);
     EXPECT_EQ(rig.control.status().azimuth.state, AxisState::NoData) << "nobody knows what a silent drive does";
-    EXPECT_EQ(rig.control.status().alarms.size(), 2U);
+    ASSERT_EQ(rig.control.status().alarms.size(), 1U);
+    EXPECT_EQ(rig.control.status().alarms.front().what, QStringLiteral("Neither drive replies."));
     rig.run(Seconds(3.0));
     rig.azimuth.silent = rig.elevation.silent = false;
     rig.run(Seconds(3.0));
@@ -91,6 +95,54 @@ TEST(StationControl, ASilentBusInMidMotionNeedsRearm)
     EXPECT_TRUE(rig.point(100.0, 60.0));
 }
 
+// REQ-ALARMS-60: Drives that fall silent together have one alarm and one reason, because it is the bus. When they are
+// back, it says for how long they were silent and how far the mount moved meanwhile.
+TEST(StationControl, ABusThatIsGoneIsOneAlarm)
+{
+    StationRig rig;
+    ASSERT_TRUE(rig.setsOff(100.0, 60.0, Seconds(2.0)));
+    rig.azimuth.silent = rig.elevation.silent = true;
+    rig.azimuth.mode = rig.elevation.mode = Mode::PositionTimeout;
+    rig.run(Seconds(8.0));
+    rig.azimuth.position += 0.4 / 360.0;
+    rig.azimuth.silent = false;  // a tick before the other
+    rig.run(Seconds(0.02));
+    rig.elevation.silent = false;
+    rig.run(Seconds(0.5));
+    const StationStatus back = rig.control.status();
+    ASSERT_EQ(back.alarms.size(), 1U);
+    const Alarm& alarm = back.alarms.front();
+    EXPECT_EQ(alarm.what, QStringLiteral("Both drives were silent for 8 s and are back."));
+    EXPECT_EQ(alarm.action, QStringLiteral("Boresight ended the motion. Azimuth moved 0.4° and elevation 0.0° while no "
+                                           "reply came. The position is continuous."));
+    EXPECT_TRUE(alarm.remedy.contains(QStringLiteral("press Re-arm")));
+    EXPECT_EQ(back.stateReason, QStringLiteral("both drives fell silent"));
+    ASSERT_TRUE(rig.ask(request::Rearm{}));
+    rig.run(Seconds(0.5));
+    EXPECT_FALSE(rig.control.status().alarms.front().active);
+}
+
+// REQ-ALARMS-61: Of two drives that fell silent together, one that comes back alone has an alarm of its own, and so has
+// the other.
+TEST(StationControl, OneOfTwoSilentDrivesThatComesBackIsTold)
+{
+    StationRig rig;
+    ASSERT_TRUE(rig.setsOff(100.0, 60.0, Seconds(2.0)));
+    rig.azimuth.silent = rig.elevation.silent = true;
+    rig.azimuth.mode = rig.elevation.mode = Mode::PositionTimeout;
+    rig.run(Seconds(2.0));
+    rig.azimuth.silent = false;
+    rig.run(Seconds(2.0));
+    std::vector<std::string> active;
+    for (const Alarm& alarm : rig.control.status().alarms) {
+        if (alarm.active) {
+            active.push_back(alarm.what.toStdString());
+        }
+    }
+    EXPECT_THAT(active, testing::UnorderedElementsAre("The azimuth drive was silent for 2 s and is back.",
+                                                      "The elevation drive does not reply."));
+}
+
 // Story: the drives had answered for ten seconds, and FAULT still said "no reply from the azimuth drive".
 // REQ-ALARMS-29
 TEST(StationControl, ADriveThatAnswersAgainSaysSoWhileItWaitsForTheRearm)
@@ -105,7 +157,9 @@ TEST(StationControl, ADriveThatAnswersAgainSaysSoWhileItWaitsForTheRearm)
     rig.run(Seconds(0.5));
     const StationStatus back = rig.control.status();
     EXPECT_EQ(back.state, StationState::Fault);
-    EXPECT_EQ(back.alarms.front().what, QStringLiteral("The azimuth drive was silent and is back."));
+    EXPECT_EQ(back.alarms.front().what, QStringLiteral("The azimuth drive was silent for 1 s and is back."));
+    EXPECT_EQ(back.alarms.front().action, QStringLiteral("Boresight ended the motion. The axis did not move while no "
+                                                         "reply came. Its position is continuous."));
     EXPECT_TRUE(back.alarms.front().remedy.contains(QStringLiteral("press Re-arm")));
     EXPECT_EQ(back.stateReason, QStringLiteral("the azimuth drive fell silent"));
     rig.control.alarms().acknowledgeAll();
@@ -155,7 +209,7 @@ struct SilenceRig : StationRig
 };
 
 constexpr const char* kNoReply = "The azimuth drive does not reply.";
-constexpr const char* kBack = "The azimuth drive was silent and is back.";
+constexpr const char* kBack = "The azimuth drive was silent for 1 s and is back.";
 
 // Story: of two losses without a re-arm between, the second was never told: 41 s later the alarm still said that the
 // drive answered again.

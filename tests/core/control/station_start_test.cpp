@@ -67,7 +67,7 @@ TEST(StationControl, WithoutDrivesRequestsAreAnsweredAtOnce)
     ASSERT_FALSE(answer);
     EXPECT_EQ(answer.error().code, ErrorCode::NoAnswer);
     EXPECT_EQ(rig.control.measured().error().code, ErrorCode::NoAnswer);
-    EXPECT_EQ(rig.control.status().alarms.size(), 2U);
+    EXPECT_EQ(rig.control.status().alarms.size(), 1U);
 }
 
 // REQ-CONTROL-08: A position older than 1 s is no position.

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/alarm_board.h"
+#include "core/moteus_mount/drive_pair.h"
+#include "core/profile/in_force.h"
+
+#include <array>
+#include <optional>
+
+// The alarms of drives that do not reply: one for each drive, or one for both when both fell silent at the same time,
+// because then it is the bus. Decides nothing about motion. Station thread only.
+namespace boresight {
+
+// What is told of a drive. One that is back waits for a re-arm.
+struct Silence
+{
+    enum class Kind
+    {
+        Lost,     // it was under orders
+        Unheard,  // it was not
+        Back
+    };
+
+    Kind kind = Kind::Lost;
+    SteadyTime since{};          // the last reply before
+    bool needsRearm = false;     // of Unheard
+    Seconds lasted{0.0};         // of Back
+    std::optional<Angle> moved;  // of Back: meanwhile. Empty: not known
+};
+
+class SilenceAlarms
+{
+public:
+    // All outlive this.
+    SilenceAlarms(const profile::InForce& profile, AlarmBoard& alarms, const DrivePair& drives)
+        : m_profile(profile), m_alarms(alarms), m_drives(drives)
+    {}
+
+    // What to do about a silent bus, when its kind is known.
+    void setAdvice(const QString& advice) { m_advice = advice; }
+    void tell(Axis axis, const Silence& silence);
+    void end(Axis axis) { m_silences[index(axis)].reset(); }
+    // Once per tick, when both drives were looked at.
+    void show(SteadyTime now);
+    // Both drives fell silent together.
+    [[nodiscard]] bool isOfBoth() const { return m_together; }
+
+private:
+    [[nodiscard]] bool belongTogether(SteadyTime now);
+    [[nodiscard]] bool isQuiet(Axis axis, SteadyTime now) const;
+    void showBoth();
+    void showEach();
+
+    const profile::InForce& m_profile;
+    AlarmBoard& m_alarms;
+    const DrivePair& m_drives;
+    QString m_advice;
+    std::array<std::optional<Silence>, 2> m_silences;
+    std::array<bool, 2> m_isNew{};
+    bool m_together = false;
+    std::optional<SteadyTime> m_parted;  // since when the two differ, although they fell silent together
+};
+
+}  // namespace boresight
