@@ -30,6 +30,7 @@ struct PointSky  // go to a direction, the nearest permitted turn
 struct PointAxes  // go to mechanical angles: chooses the turn
 {
     AxisPosition position;
+    QString purpose = {};  // is shown and logged. Empty: it is a go-to
 };
 struct PointAxis  // go to this azimuth or elevation of a direction; the other axis stays where it is
 {
@@ -47,6 +48,7 @@ struct Jog  // dead-man: must be repeated within kJogKeepAlive, else the axes st
 struct Move  // runs until Hold, a limit, or the end of the client that asked
 {
     AxisRates rates;
+    QString purpose = {};  // is shown and logged. Empty: a client moves the mount
 };
 struct Step  // move by a fixed amount from the present target
 {

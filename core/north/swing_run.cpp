@@ -78,9 +78,14 @@ std::optional<Request> SwingRun::begin(const Leg& leg)
     m_standsFor.reset();
     m_reads = leg.reads && leg.rate != AngularRate{};
     if (leg.rate == AngularRate{}) {
-        return request::PointAxes{{.azimuth = leg.to, .elevation = m_plan.elevation}};
+        return request::PointAxes{
+            .position = {.azimuth = leg.to, .elevation = m_plan.elevation},
+            .purpose = leg.reads ? Text::tr("compass swing, to a heading") : Text::tr("compass swing, to its start")};
     }
-    return request::Move{{.azimuth = leg.rate, .elevation = {}}};
+    return request::Move{.rates = {.azimuth = leg.rate, .elevation = {}},
+                         .purpose = leg.turning == Turning::Clockwise
+                                        ? Text::tr("compass swing, turning clockwise")
+                                        : Text::tr("compass swing, turning counter-clockwise")};
 }
 
 // A reading is a mean over a second: the first that is of this heading alone is awaited, then a few are taken.
@@ -111,8 +116,9 @@ std::optional<Request> SwingRun::wait(SteadyTime now, const AxesThen& axes)
     m_reads = false;
     const Angle run = stoppingWay(axes.rates.azimuth, m_limits);
     const Angle rest = axes.place.azimuth + (axes.rates.azimuth < AngularRate{} ? -run : run);
-    return request::PointAxes{
-        {.azimuth = std::clamp(rest, m_plan.azimuth.min, m_plan.azimuth.max), .elevation = m_plan.elevation}};
+    return request::PointAxes{.position = {.azimuth = std::clamp(rest, m_plan.azimuth.min, m_plan.azimuth.max),
+                                           .elevation = m_plan.elevation},
+                              .purpose = Text::tr("compass swing, waiting for sensor data")};
 }
 
 void SwingRun::goOn(SteadyTime now)

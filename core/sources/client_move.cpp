@@ -7,7 +7,8 @@ namespace boresight::sources {
 
 Result<> ClientMove::ask(const request::Move& wanted, const Source& by)
 {
-    return helm().runAt(wanted.rates, Activity::Running, by, Text::tr("move"));
+    return helm().runAt(wanted.rates, Activity::Running, by,
+                        wanted.purpose.isEmpty() ? Text::tr("move") : wanted.purpose);
 }
 
 void ClientMove::gone(const Source& client)

@@ -44,7 +44,7 @@ Request TuningRunState::motionOf(SteadyTime now, const AxisSample& sample) const
     if (leg().place) {
         AxisPosition place = m_here;
         (azimuth ? place.azimuth : place.elevation) = *leg().place;
-        return request::PointAxes{place};
+        return request::PointAxes{.position = place, .purpose = Text::tr("tuning run, to its start")};
     }
     const AngularRate rate = leg().rate(now - m_legBegan, sample.commanded.value_or(m_way.plan.from) - m_way.plan.from);
     return request::Trial{azimuth ? AxisRates{.azimuth = rate} : AxisRates{.elevation = rate}};

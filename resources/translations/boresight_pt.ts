@@ -8257,6 +8257,34 @@ até %1</translation>
         <source>both drives fell silent</source>
         <translation>os dois acionamentos deixaram de responder</translation>
     </message>
+    <message>
+        <source>compass swing, to a heading</source>
+        <translation>giro da bússola, para um rumo</translation>
+    </message>
+    <message>
+        <source>compass swing, to its start</source>
+        <translation>giro da bússola, para o início</translation>
+    </message>
+    <message>
+        <source>compass swing, turning clockwise</source>
+        <translation>giro da bússola, a girar no sentido horário</translation>
+    </message>
+    <message>
+        <source>compass swing, turning counter-clockwise</source>
+        <translation>giro da bússola, a girar no sentido anti-horário</translation>
+    </message>
+    <message>
+        <source>compass swing, waiting for sensor data</source>
+        <translation>giro da bússola, à espera de dados do sensor</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 em %2</translation>
+    </message>
+    <message>
+        <source>tuning run, to its start</source>
+        <translation>ensaio de afinação, para o início</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

@@ -89,6 +89,15 @@ public:
     {
         return calibrationPath(folder.path(), toQString(station->status().profile->mount.name), true);
     }
+    [[nodiscard]] QString motionsLogged()
+    {
+        EXPECT_TRUE(ask(request::TakeAuthority{}));
+        QStringList lines;
+        for (const LogEntry& line : log) {
+            lines << (line.kind == LogKind::MotionStart ? line.text : QString());
+        }
+        return lines.join(QLatin1Char('\n'));
+    }
     [[nodiscard]] sim::SensorTruth& truth() { return m_mount->sensor.truth(); }
 
     QTemporaryDir folder;
@@ -198,6 +207,7 @@ TEST(StationCalibration, WhatIsFoundIsNotAppliedForAMountThatWaitsForItsReconnec
     EXPECT_TRUE(rig.ask(request::ApplyCalibration{rig.calibration()->proposal->number}));
 }
 
+// REQ-CALIBRATION-35: The log names each motion of a swing as one.
 TEST(StationCalibration, ASwingOfTheSimulatedMountFindsItsHiddenNorth)
 {
     CalibratedStation rig;
@@ -216,6 +226,11 @@ TEST(StationCalibration, ASwingOfTheSimulatedMountFindsItsHiddenNorth)
     rig.run(Seconds(150.0));
     ASSERT_TRUE(rig.calibration()->proposal) << rig.calibration()->progress.outcome.toStdString();
     EXPECT_EQ(StationState::Hold, rig.station->status().state);
+    const QString motions = rig.motionsLogged();
+    EXPECT_TRUE(motions.contains(QStringLiteral("compass swing, to its start at ")));
+    EXPECT_TRUE(motions.contains(QStringLiteral("compass swing, turning clockwise")));
+    EXPECT_TRUE(motions.contains(QStringLiteral("compass swing, turning counter-clockwise")));
+    EXPECT_FALSE(motions.contains(QStringLiteral(": move"))) << motions.toStdString();
 
     const AxisPosition before{*rig.station->status().azimuth.actual, *rig.station->status().elevation.actual};
     ASSERT_TRUE(rig.ask(request::ApplyCalibration{rig.calibration()->proposal->number}));
