@@ -12281,6 +12281,21 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     </message>
 </context>
 <context>
+    <name>boresight::ui::NearestOffer</name>
+    <message>
+        <source>Go there</source>
+        <translation>Ir para lá</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>Ir para %1</translation>
+    </message>
+    <message>
+        <source>Go to %1, the nearest allowed direction</source>
+        <translation>Ir para %1, a direção permitida mais próxima</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::PanelTabs</name>
     <message>
         <source>Panels</source>

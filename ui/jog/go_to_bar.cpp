@@ -2,6 +2,7 @@
 #include "ui/jog/go_to_bar.h"
 
 #include "core/base/numbers.h"
+#include "ui/jog/nearest_offer.h"
 #include "ui/kit/caption.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/touch_combo.h"
@@ -60,9 +61,10 @@ QStringList readable(const QStringList& lines)
 
 }  // namespace
 
-GoToBar::GoToBar(RequestDesk& desk, ValueLabel& notice, const QStringList& recent, QWidget* parent)
+GoToBar::GoToBar(RequestDesk& desk, ValueLabel& notice, NearestOffer& offer, const QStringList& recent, QWidget* parent)
     : QWidget(parent),
       m_notice(notice),
+      m_offer(offer),
       m_azimuth(angleField(tr("Azimuth"), this)),
       m_elevation(angleField(tr("Elevation"), this)),
       m_go(new CommandButton(tr("Go"), tr("Go to this direction by the shortest way (Enter)"), desk, notice, this)),
@@ -75,10 +77,15 @@ GoToBar::GoToBar(RequestDesk& desk, ValueLabel& notice, const QStringList& recen
     connect(m_go, &QPushButton::clicked, this, &GoToBar::go);
     connect(m_go, &CommandButton::accepted, this, &GoToBar::leaveFields);
     connect(m_go, &CommandButton::accepted, this, &GoToBar::remember);
+    connect(m_go, &CommandButton::refused, this, [this] {
+        if (m_asked) {
+            m_offer.offerFor(*m_asked);
+        }
+    });
     connect(m_azimuth, &QLineEdit::returnPressed, this, &GoToBar::go);
     connect(m_elevation, &QLineEdit::returnPressed, this, &GoToBar::go);
     for (const QLineEdit* const field : {m_azimuth, m_elevation}) {
-        connect(field, &QLineEdit::textEdited, this, [this] { m_notice.setValue({}); });  // it was about other numbers
+        connect(field, &QLineEdit::textEdited, this, &GoToBar::forgetRefusal);  // it was about other numbers
     }
     connect(m_recentBox, &QComboBox::activated, this, &GoToBar::fillIn);
 }
@@ -104,6 +111,7 @@ void GoToBar::build()
 void GoToBar::setBlocked(const QString& reason)
 {
     m_go->setBlocked(reason);
+    m_offer.setBlocked(reason);
 }
 
 void GoToBar::focusFields()
@@ -119,8 +127,15 @@ void GoToBar::complain(QLineEdit& field, const QString& text)
     field.selectAll();
 }
 
+void GoToBar::forgetRefusal()
+{
+    m_notice.setValue({});
+    m_offer.drop();
+}
+
 void GoToBar::go()
 {
+    m_offer.drop();
     if (!m_go->isEnabled()) {
         m_notice.setValue(m_go->toolTip(), Tone::Warning, Symbol::Warning);
         return;

@@ -11,11 +11,12 @@
 class QLineEdit;
 
 // Go to a typed direction. An axis whose field is empty stays where it is. Typing and selecting move nothing; a refusal
-// is shown in the notice, and the typed value stays for correction. The last directions that the station accepted are
-// kept for choosing them again.
+// is shown in the notice with the nearest allowed direction, and the typed value stays for correction. The last
+// directions that the station accepted are kept for choosing them again.
 namespace boresight::ui {
 
 class CommandButton;
+class NearestOffer;
 class RequestDesk;
 class TouchCombo;
 class ValueLabel;
@@ -25,7 +26,9 @@ class GoToBar : public QWidget
     Q_OBJECT
 
 public:
-    GoToBar(RequestDesk& desk, ValueLabel& notice, const QStringList& recent, QWidget* parent = nullptr);
+    // `offer` stands beside the notice.
+    GoToBar(RequestDesk& desk, ValueLabel& notice, NearestOffer& offer, const QStringList& recent,
+            QWidget* parent = nullptr);
 
     void setBlocked(const QString& reason);  // empty: can act
     void focusFields();
@@ -39,12 +42,14 @@ private:
     void go();
     bool isNumber(QLineEdit& field, const QString& otherwise);
     void complain(QLineEdit& field, const QString& text);
+    void forgetRefusal();
     void leaveFields();
     void remember();
     void showRecent();
     void fillIn(int recent);
 
     ValueLabel& m_notice;
+    NearestOffer& m_offer;
     QLineEdit* m_azimuth;
     QLineEdit* m_elevation;
     CommandButton* m_go;

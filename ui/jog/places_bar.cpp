@@ -2,6 +2,7 @@
 #include "ui/jog/places_bar.h"
 
 #include "ui/jog/go_to_bar.h"
+#include "ui/jog/nearest_offer.h"
 #include "ui/jog/preset_bar.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
@@ -17,7 +18,8 @@ namespace boresight::ui {
 PlacesBar::PlacesBar(ProfileDraft& draft, RequestDesk& desk, const QStringList& recentGoTos, QWidget* parent)
     : QWidget(parent),
       m_notice(new ValueLabel(tr("Refused direction"), fonts::label(), {}, this)),
-      m_goTo(new GoToBar(desk, *m_notice, recentGoTos, this)),
+      m_offer(new NearestOffer(desk, *m_notice, this)),
+      m_goTo(new GoToBar(desk, *m_notice, *m_offer, recentGoTos, this)),
       m_park(new CommandButton(tr("Park"), {}, desk, *m_notice, this)),
       m_more(makePushButton({.text = tr("Presets ▾"),
                              .name = tr("Presets, home, horizon, unwrap"),
@@ -49,7 +51,10 @@ void PlacesBar::build()
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(kGrid, 2, kGrid, 2);
     column->setSpacing(kGrid / 2);
-    column->addWidget(m_notice);
+    auto* const refusal = new QHBoxLayout;
+    column->addLayout(refusal);
+    refusal->addWidget(m_notice, 1);
+    refusal->addWidget(m_offer);
     fillRare();
     column->addWidget(m_rare);
     column->addWidget(makeFirstRow());

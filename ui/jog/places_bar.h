@@ -14,6 +14,7 @@ namespace boresight::ui {
 
 class CommandButton;
 class GoToBar;
+class NearestOffer;
 class PresetBar;
 class ProfileDraft;
 class RequestDesk;
@@ -45,6 +46,7 @@ private:
     void parkOrUnpark();
 
     ValueLabel* m_notice;
+    NearestOffer* m_offer;
     GoToBar* m_goTo;
     CommandButton* m_park;
     QPushButton* m_more;

@@ -29,6 +29,7 @@ void CommandButton::await(const std::function<void(QObject*, const RequestDesk::
         showWaiting();
         if (error) {
             m_notice.setValue(tr("%1: %2").arg(text, error->text), Tone::Warning, Symbol::Warning);
+            Q_EMIT refused();
         } else {
             m_notice.setValue({});
             Q_EMIT accepted();

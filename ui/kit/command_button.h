@@ -36,6 +36,7 @@ public:
 
 Q_SIGNALS:
     void accepted();
+    void refused();
 
 private:
     void showWaiting();

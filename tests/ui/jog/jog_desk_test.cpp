@@ -3,6 +3,7 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/hold/jog_button.h"
 #include "ui/jog/jog_panel.h"
+#include "ui/jog/nearest_offer.h"
 #include "ui/jog/rate_slider.h"
 #include "ui/kit/choice_button.h"
 #include "ui/kit/command_button.h"
@@ -285,6 +286,36 @@ TEST_F(JogDeskTest, ARefusedDirectionIsNotRemembered)
     click("Go");
     give(samples::refusal(holding(), requests.back().id, "elevation 95.0° above limit 90.0°"));
     EXPECT_EQ(named<TouchCombo>("Recent directions")->count(), 0);
+}
+
+// REQ-UI-02f: Beside the refusal of a direction stands one button that goes to the nearest allowed one. The station
+// says which it is. Where there is none, there is no button.
+TEST_F(JogDeskTest, ARefusedDirectionOffersTheNearestAllowedOne)
+{
+    const auto refused = [this] {
+        named<QLineEdit>("Azimuth")->setText(QStringLiteral("315"));
+        named<QLineEdit>("Elevation")->setText(QStringLiteral("10"));
+        click("Go");
+        give(samples::refusal(holding(), requests.back().id, "315.0° / 10.0° lies in keep-out \"x\""));
+        give(samples::update(holding()));
+    };
+    refused();
+    EXPECT_TRUE(window.findChild<NearestOffer*>()->isHidden()) << "the station knows no other direction";
+    judge = [](const SkyPointing&) {
+        return DirectionVerdict{.whyNot = QStringLiteral("x"), .nearest = SkyPointing{330_deg, 25_deg}};
+    };
+    refused();
+    auto& offer = *window.findChild<NearestOffer*>();
+    ASSERT_TRUE(offer.isVisible());
+    EXPECT_EQ(offer.text(), QStringLiteral("Go to az 330.0°  el 25.0°"));
+    QTest::mouseClick(&offer, Qt::LeftButton);
+    EXPECT_EQ(asked<request::PointSky>().back().direction, (SkyPointing{330_deg, 25_deg}));
+    give(samples::acceptance(holding(), requests.back().id));
+    EXPECT_TRUE(offer.isHidden());
+    refused();
+    ASSERT_TRUE(offer.isVisible());
+    QTest::keyClicks(named<QLineEdit>("Azimuth"), QStringLiteral("1"));
+    EXPECT_TRUE(offer.isHidden()) << "the refusal was about another direction";
 }
 
 TEST_F(JogDeskTest, DirectionsOfAnEarlierStartComeBackAndRubbishDoesNot)
