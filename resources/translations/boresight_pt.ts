@@ -506,6 +506,10 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <source>in sunlight %1Z to %2Z</source>
         <translation>ao sol %1Z a %2Z</translation>
     </message>
+    <message>
+        <source>number %1, from %2 to %3</source>
+        <translation>número %1, de %2 a %3</translation>
+    </message>
 </context>
 <context>
     <name>PlotPicture</name>

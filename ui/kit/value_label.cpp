@@ -51,7 +51,10 @@ void ValueLabel::setAlignment(Qt::Alignment alignment)
 
 void ValueLabel::setLines(int lines)
 {
-    m_lines = lines;
+    if (lines != m_lines) {
+        m_lines = lines;
+        updateGeometry();
+    }
 }
 
 void ValueLabel::setWrapping(bool on)

@@ -18,9 +18,9 @@ namespace {
 constexpr Seconds kHour{3600.0};
 constexpr double kSecondsPerDay = 86'400.0;
 
-QString momentText(const QString& words, const passes::PassMoment& moment, Angle angle)
+QString momentText(const QString& words, const passes::PassMoment& moment, const QString& angle)
 {
-    return words.arg(clockText(moment.utc), angleText(angle, 0));
+    return words.arg(clockText(moment.utc), angle);
 }
 
 }  // namespace
@@ -54,17 +54,29 @@ QString factsOf(const BookedPass& one, const PassBook& book, UtcTime now)
     const passes::Pass& pass = one.pass;
     QStringList lines{PassWords::tr("%1, number %2").arg(targets::satelliteName(elements)).arg(elements.number)};
     if (!pass.isUpAtStart) {
-        lines << momentText(PassWords::tr("rises %1Z at %2"), pass.aos, pass.aos.direction.azimuth);
+        lines << momentText(PassWords::tr("rises %1Z at %2"), pass.aos, azimuthText(pass.aos.direction.azimuth, 0));
     }
-    lines << momentText(PassWords::tr("highest %1Z, %2 up"), pass.tca, pass.tca.direction.elevation);
+    lines << momentText(PassWords::tr("highest %1Z, %2 up"), pass.tca, angleText(pass.tca.direction.elevation, 0));
     if (!pass.isUpAtEnd) {
-        lines << momentText(PassWords::tr("sets %1Z at %2"), pass.los, pass.los.direction.azimuth);
+        lines << momentText(PassWords::tr("sets %1Z at %2"), pass.los, azimuthText(pass.los.direction.azimuth, 0));
     }
     if (const Seconds hidden = hiddenTime(pass); hidden >= Seconds(1.0)) {
         lines << PassWords::tr("hidden for %1 by the limits").arg(lengthText(hidden));
     }
     const double days = Seconds(now - orbit::utcTime(elements.epoch)).count() / kSecondsPerDay;
     lines << PassWords::tr("elements %1 days old").arg(std::max(0.0, days), 0, 'f', 1);
+    return lines.join(QLatin1Char('\n'));
+}
+
+QString briefFactsOf(const BookedPass& one, const PassBook& book)
+{
+    const passes::Pass& pass = one.pass;
+    QStringList lines{PassWords::tr("number %1, from %2 to %3")
+                          .arg(QString::number(book.elementsOf(one).number), azimuthText(pass.aos.direction.azimuth, 0),
+                               azimuthText(pass.los.direction.azimuth, 0))};
+    if (const Seconds hidden = hiddenTime(pass); hidden >= Seconds(1.0)) {
+        lines << PassWords::tr("hidden for %1 by the limits").arg(lengthText(hidden));
+    }
     return lines.join(QLatin1Char('\n'));
 }
 

@@ -33,6 +33,9 @@ constexpr std::chrono::hours kSearchAgain{6};
 constexpr std::chrono::minutes kBack{30};
 constexpr int kFactLines = 7;
 constexpr int kProblemLines = 3;
+constexpr int kBriefLines = 3;  // as high as the buttons beside them
+// With less room than this the facts would leave the table a row or two.
+constexpr int kRoomForAllFacts = 400;
 constexpr double kHighestFilter = 89.0;  // °
 
 }  // namespace
@@ -49,6 +52,7 @@ PassesPanel::PassesPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent
       m_problem(new ValueLabel(tr("Problems with the elements"), fonts::label(), {}, this)),
       m_facts(new ValueLabel(tr("The selected pass"), fonts::label(), {}, this)),
       m_refused(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_buttons(new QBoxLayout(QBoxLayout::TopToBottom)),
       m_track(new CommandButton(tr("Track"),
                                 tr("Go to where the satellite rises and follow it until it sets. Then the mount holds"),
                                 desk, *m_refused, this)),
@@ -146,13 +150,26 @@ QWidget* PassesPanel::makeSelection()
     words->addWidget(m_facts, 1);
     words->addWidget(m_refused);
     row->addLayout(words, 1);
-    auto* const buttons = new QVBoxLayout;
-    buttons->setSpacing(kGrid);
-    buttons->addStretch(1);
-    buttons->addWidget(m_watch);
-    buttons->addWidget(m_track);
-    row->addLayout(buttons);
+    m_buttons->setSpacing(kGrid);
+    m_buttons->addStretch(1);
+    m_buttons->addWidget(m_watch);
+    m_buttons->addWidget(m_track);
+    row->addLayout(m_buttons);
     return box;
+}
+
+// In a low panel the table gets the room.
+void PassesPanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    m_facts->setLines(isLow() ? kBriefLines : kFactLines);
+    m_buttons->setDirection(isLow() ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    showSelected();
+}
+
+bool PassesPanel::isLow() const
+{
+    return height() < kRoomForAllFacts;
 }
 
 void PassesPanel::showStatus(const StationStatus& status)
@@ -257,9 +274,17 @@ void PassesPanel::track()
 void PassesPanel::showSelected()
 {
     const auto row = m_selected ? m_passes->rowOf(m_selected->number, m_selected->highest) : std::nullopt;
-    m_facts->setValue(row ? factsOf(m_passes->pass(*row), *m_passes->book(), m_now) + QLatin1Char('\n') +
-                                m_selected->light
-                          : QString());
+    if (!row) {
+        m_facts->setValue({});
+        m_facts->setToolTip({});
+        return;
+    }
+    const BookedPass& pass = m_passes->pass(*row);
+    const PassBook& book = *m_passes->book();
+    const QString light = QLatin1Char('\n') + m_selected->light;
+    const QString all = factsOf(pass, book, m_now) + light;
+    m_facts->setValue(isLow() ? briefFactsOf(pass, book) + light : all);
+    m_facts->setToolTip(isLow() ? all : QString());
 }
 
 // Why there is nothing to see, and what to do.

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+class QBoxLayout;
 class QDoubleSpinBox;
 class QLineEdit;
 class QPushButton;
@@ -43,6 +44,7 @@ Q_SIGNALS:
 protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     // What the passes depend on.
@@ -76,6 +78,7 @@ private:
     void showRows();
     void select(int row);
     void track();
+    [[nodiscard]] bool isLow() const;
     void showSelected();
     void tellWay();
     void showNote(const StationStatus& status);
@@ -91,6 +94,7 @@ private:
     ValueLabel* m_problem;
     ValueLabel* m_facts;
     ValueLabel* m_refused;
+    QBoxLayout* m_buttons;
     CommandButton* m_track;
     WatchButton* m_watch;
     Search m_last;

@@ -74,15 +74,16 @@ void WatchEditor::build()
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(kGrid);
     grid->setVerticalSpacing(4);
-    grid->addWidget(m_satellite, 0, 0);
-    grid->addWidget(makeCaption(tr("priority"), *m_priority), 0, 1);
-    grid->addWidget(m_priority, 0, 2);
-    grid->addWidget(makeCaption(tr("from"), *m_lowest), 0, 3);
-    grid->addWidget(m_lowest, 0, 4);
-    grid->addWidget(m_set, 0, 5);
-    grid->addWidget(m_remove, 0, 6);
-    grid->addWidget(m_refused, 1, 0, 1, 7);
-    grid->setColumnStretch(0, 1);
+    // A name of its own line: "ISS (ZARYA)" and longer ones fit at 1024 px.
+    grid->addWidget(m_satellite, 0, 0, 1, 5);
+    grid->addWidget(m_remove, 0, 5);
+    grid->addWidget(makeCaption(tr("priority"), *m_priority), 1, 0);
+    grid->addWidget(m_priority, 1, 1);
+    grid->addWidget(makeCaption(tr("from"), *m_lowest), 1, 2);
+    grid->addWidget(m_lowest, 1, 3);
+    grid->addWidget(m_set, 1, 5);
+    grid->addWidget(m_refused, 2, 0, 1, 6);
+    grid->setColumnStretch(4, 1);
 }
 
 // What is being chosen or typed stays while the list is the same.

@@ -3,6 +3,7 @@
 
 #include "tests/fakes/low_orbit.h"
 #include "tests/fakes/wait_until.h"
+#include "tests/ui/event_loop.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
@@ -147,6 +148,20 @@ TEST_F(PassesPanelTest, TrackAsksForTheSelectedSatellite)
     QTest::mouseClick(named<CommandButton>("Track"), Qt::LeftButton);
     ASSERT_EQ(asked<request::Track>().size(), 1U);
     EXPECT_EQ(std::get<orbit::ElementSet>(asked<request::Track>().front().target.kind).number, number);
+}
+
+// REQ-PASSES-979: In a low window the table of the passes has the room: the facts of the selected pass fold to what the
+// table does not show.
+// Story: at 1024×700 with an alarm one pass was to be seen.
+TEST_F(PassesPanelTest, TheFactsFoldWhereTheWindowIsLow)
+{
+    giveFound(withSatellites());
+    EXPECT_LE(text("The selected pass").count(QLatin1Char('\n')), 2);
+    EXPECT_TRUE(text("The selected pass").startsWith(QStringLiteral("number ")));
+    EXPECT_GE(table().viewport()->height(), 3 * table().rowHeight(0));
+    window.resize(1280, 1000);
+    settle();
+    EXPECT_TRUE(text("The selected pass").contains(QStringLiteral("days old")));
 }
 
 TEST_F(PassesPanelTest, TellsWhatTheLimitsHide)
