@@ -41,7 +41,7 @@ inline constexpr std::array kAxisAlarms{
                .what = "%1",
                .action = QT_TRANSLATE_NOOP("Text", "Boresight stopped the mount and holds it"),
                .remedy = QT_TRANSLATE_NOOP(
-                   "Text", "Look for a cable, a lock, ice or a slipping coupling that blocks the axis. Free the axis."),
+                   "Text", "Look for what blocks the axis: a cable, a lock, ice or a coupling. Free the axis."),
                .thenRearm = true,
                .help = AlarmHelp::Rearm,
                .kin = AlarmKin::Drive,

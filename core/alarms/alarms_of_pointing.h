@@ -110,7 +110,7 @@ inline constexpr std::array kPointingAlarms{
                .severity = Severity::Warning,
                .what = QT_TRANSLATE_NOOP("Text", "The Moon is no longer tracked by azel.dat: %1"),
                .action = QT_TRANSLATE_NOOP("Text", "Boresight ended the tracking. The mount holds"),
-               .remedy = QT_TRANSLATE_NOOP("Text", "Look at WSJT-X, then track the Moon again"),
+               .remedy = QT_TRANSLATE_NOOP("Text", "Check WSJT-X, then track the Moon again"),
                .examples = {"its Moon is 28.4° off: the locator in WSJT-X or the site is wrong"},
                .identifying = 0,
                .placeOf = "azel.stale"},

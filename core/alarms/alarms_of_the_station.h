@@ -139,7 +139,7 @@ inline constexpr std::array kStationAlarms{
         .source = "station",
         .severity = Severity::Advisory,
         .what = QT_TRANSLATE_NOOP("Text", "This rotator has no watchdog of its own"),
-        .action = QT_TRANSLATE_NOOP("Text", "Boresight commands only one small step ahead"),
+        .action = QT_TRANSLATE_NOOP("Text", "Boresight commands only small steps"),
         .remedy = QT_TRANSLATE_NOOP(
             "Text",
             "Keep its power switch in reach. If Boresight or the cable fails, the rotator still ends its last step")},

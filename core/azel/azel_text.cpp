@@ -129,13 +129,13 @@ Result<> isText(std::string_view text)
     }
     if (text.size() > kLongestAzelText) {
         return failure(ErrorCode::Protocol,
-                       Text::tr("the file is no azel.dat: it is longer than %1 bytes").arg(kLongestAzelText));
+                       Text::tr("The file is not an azel.dat. It is longer than %1 bytes.").arg(kLongestAzelText));
     }
     const bool isPlain = std::ranges::all_of(
         text, [](char one) { return (one >= ' ' && one <= '~') || one == '\n' || one == '\r' || one == '\t'; });
     return isPlain ? Result<>{}
                    : failure(ErrorCode::Protocol,
-                             Text::tr("the file is no azel.dat: it has characters that are no plain text"));
+                             Text::tr("The file is not an azel.dat. It has characters that are not plain text."));
 }
 
 tl::unexpected<Error> noMoon(const std::vector<Fields>& lines)
@@ -143,7 +143,7 @@ tl::unexpected<Error> noMoon(const std::vector<Fields>& lines)
     const bool isPair =
         lines.size() == 1 && lines[0].size() == 2 && plainNumber(lines[0][0]) && plainNumber(lines[0][1]);
     return failure(ErrorCode::Protocol, isPair ? Text::tr("the file is that of AirScout, which has another form")
-                                               : Text::tr("the file has no line of the Moon"));
+                                               : Text::tr("The file has no line for the Moon."));
 }
 
 }  // namespace
@@ -169,7 +169,7 @@ Result<AzelText> readAzelText(std::string_view text)
         return failure(ErrorCode::Protocol, Text::tr("the time of the Moon cannot be read"));
     }
     if (timeOfDay(sun->front()) != time) {
-        return failure(ErrorCode::NoAnswer, Text::tr("the file is torn: Moon and Sun have different times"));
+        return failure(ErrorCode::NoAnswer, Text::tr("The file is half written. Moon and Sun have different times."));
     }
     const auto place = direction((*moon)[1], (*moon)[2]);
     if (!place) {

@@ -28,8 +28,8 @@ QString timingAdvice(const BusName& bus)
 QString acknowledgeAdvice()
 {
     return Text::tr(
-        "nobody acknowledges our frames: check the drives' power, the cable, the 120 ohm at both ends and the bit "
-        "rate");
+        "no board acknowledges the frames: check the power of the drives, the cable, the 120 ohm at both ends and the "
+        "bit rate");
 }
 
 QString errorAdvice()

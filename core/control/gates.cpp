@@ -395,8 +395,9 @@ Result<> Gates::mayLeaveSunBand(const AxisRates& rates, const Source& source) co
 Result<> Gates::mayFaceSun() const
 {
     if (m_of.profile.sun.keepAway == profile::KeepAway::On) {
-        return failure(ErrorCode::Refused, Text::tr("the profile keeps the beam away from the Sun: if feed and "
-                                                    "receiver bear it, switch sun.keep_away off first"));
+        return failure(ErrorCode::Refused,
+                       Text::tr("the profile keeps the beam away from the Sun. Switch sun.keep_away off first, if feed "
+                                "and receiver withstand the Sun."));
     }
     return {};
 }

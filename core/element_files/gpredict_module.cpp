@@ -48,7 +48,7 @@ GpredictModule readGpredictModule(const QString& path)
         const QString file = satdata.filePath(QStringLiteral("%1.sat").arg(number.value_or(0)));
         if (!number) {
             module.problems.append(
-                Text::tr("%1: \"%2\" is no catalogue number.").arg(path, orbit::quoted(entry.toStdString())));
+                Text::tr("%1: \"%2\" is not a catalogue number.").arg(path, orbit::quoted(entry.toStdString())));
         } else if (QFile::exists(file)) {
             module.files.append(file);
         } else {

@@ -23,7 +23,7 @@ Result<> readNumber(const QByteArray& text, const char* key, const char* setting
     const auto number = value ? parseFinite(value->toStdString()) : std::nullopt;
     if (!number) {
         return failure(ErrorCode::InvalidInput,
-                       (value ? Text::tr("%1 is no number") : Text::tr("%1 is missing")).arg(QLatin1String(key)));
+                       (value ? Text::tr("%1 is not a number") : Text::tr("%1 is missing")).arg(QLatin1String(key)));
     }
     return findSetting(setting)->set(into, *number).map_error([&](const Error& error) {
         return Error{error.code, QStringLiteral("%1: %2").arg(QLatin1String(key), error.text)};

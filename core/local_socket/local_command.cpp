@@ -67,8 +67,8 @@ Result<LocalRequest> parseRequest(const QByteArray& line)
     const bool isTrack = found != kWords.end() && found->first == LocalCommand::Track;
     if (found == kWords.end() || isTrack == (word == text)) {
         return failure(ErrorCode::InvalidInput,
-                       Text::tr("This is no command. The commands are take, release, stop, "
-                                "reset-stop, satellites, track TARGET and those of the schedule."));
+                       Text::tr("This is not a command. The commands are take, release, stop, reset-stop, satellites, "
+                                "track TARGET and those of the schedule."));
     }
     return LocalRequest{.command = found->first, .target = isTrack ? text.mid(word.size()).trimmed() : QByteArray()};
 }

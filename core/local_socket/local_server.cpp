@@ -29,7 +29,7 @@ Result<> makePrivateFolder(const QString& folder)
     struct stat found = {};
     if (::lstat(path.constData(), &found) != 0 || !S_ISDIR(found.st_mode) || found.st_uid != ::geteuid() ||
         ::chmod(path.constData(), kOwnerOnly) != 0) {
-        return failure(ErrorCode::Denied, Text::tr("%1 is no folder of this user").arg(folder));
+        return failure(ErrorCode::Denied, Text::tr("%1 is not a folder of this user").arg(folder));
     }
     return {};
 }

@@ -21,7 +21,7 @@ constexpr std::string_view kUartSpeed =
 constexpr std::string_view kCheckUart =
     QT_TRANSLATE_NOOP("Text", "Power-cycle the drive. Check the wiring and configuration of its aux ports");
 constexpr std::string_view kWhileDemanded =
-    QT_TRANSLATE_NOOP("Text", "Nothing to clear. It ends when the demand falls");
+    QT_TRANSLATE_NOOP("Text", "There is nothing to clear. The limit ends when the load falls");
 constexpr std::string_view kBlocked =
     QT_TRANSLATE_NOOP("Text", "A blocked axis, wrong gains, or a trajectory too fast for the torque allowed");
 constexpr std::string_view kUnblock =
@@ -52,22 +52,22 @@ constexpr std::array kRows{
     FaultRow{7,
              {"UART parity error", QT_TRANSLATE_NOOP("Text", "The drive's aux UART received a damaged byte"),
               kUartWires, kCheckUart}},
-    FaultRow{
-        32,
-        {"current sense calibration failed",
-         QT_TRANSLATE_NOOP("Text", "The zero of the current measurement could not be found when enabling"),
-         QT_TRANSLATE_NOOP("Text", "The motor was turning while the drive was enabled, or the board is damaged"),
-         QT_TRANSLATE_NOOP("Text", "Wait until the axis stands still and re-arm. If it comes again, replace the board"),
-         true}},
+    FaultRow{32,
+             {"current sense calibration failed",
+              QT_TRANSLATE_NOOP("Text", "The zero of the current measurement could not be found when enabling"),
+              QT_TRANSLATE_NOOP("Text", "The motor was turning while the drive was enabled, or the board is damaged"),
+              QT_TRANSLATE_NOOP("Text",
+                                "Wait until the axis stands still and re-arm. If the fault returns, replace the board"),
+              true}},
     FaultRow{33,
              {"gate driver fault", QT_TRANSLATE_NOOP("Text", "The gate driver of the motor outputs switched off"),
               QT_TRANSLATE_NOOP("Text", "The supply sagged below the driver's limit, or the hardware is damaged"),
               QT_TRANSLATE_NOOP("Text",
-                                "Use a stronger supply or lower the drive's maximum power or current. If it comes "
-                                "again, read drv8323 with tview and replace the board")}},
+                                "Use a stronger supply or lower the drive's maximum power or current. If the fault "
+                                "returns, read drv8323 with tview and replace the board")}},
     FaultRow{34,
              {"over voltage", QT_TRANSLATE_NOOP("Text", "The bus voltage rose above servo.max_voltage"),
-              QT_TRANSLATE_NOOP("Text", "Braking fed the supply, which could not take it"),
+              QT_TRANSLATE_NOOP("Text", "Braking energy went into the supply. The supply could not absorb it"),
               QT_TRANSLATE_NOOP(
                   "Text", "Lower the acceleration, set servo.max_regen_power_W, or add a battery or capacitance")}},
     FaultRow{35,
@@ -152,10 +152,11 @@ constexpr std::array kRows{
     FaultRow{97,
              {"limit: power", QT_TRANSLATE_NOOP("Text", "Limited by servo.max_power_W"),
               QT_TRANSLATE_NOOP("Text", "Speed and torque are both high"), kWhileDemanded}},
-    FaultRow{98,
-             {"limit: bus voltage", QT_TRANSLATE_NOOP("Text", "Limited by the voltage of the supply"),
-              QT_TRANSLATE_NOOP("Text", "The motor would need more voltage for its speed"),
-              QT_TRANSLATE_NOOP("Text", "Nothing to clear. Check the supply if it is below its nominal voltage")}},
+    FaultRow{
+        98,
+        {"limit: bus voltage", QT_TRANSLATE_NOOP("Text", "Limited by the voltage of the supply"),
+         QT_TRANSLATE_NOOP("Text", "The motor would need more voltage for its speed"),
+         QT_TRANSLATE_NOOP("Text", "There is nothing to clear. Check the supply if it is below its nominal voltage")}},
     FaultRow{99,
              {"limit: current", QT_TRANSLATE_NOOP("Text", "Limited by servo.max_current_A"),
               QT_TRANSLATE_NOOP("Text", "Wind, friction, a blocked axis or a high acceleration"), kWhileDemanded}},
@@ -174,22 +175,23 @@ constexpr std::array kRows{
              {"limit: position bounds", QT_TRANSLATE_NOOP("Text", "Held back at servopos.position_min/max"),
               QT_TRANSLATE_NOOP("Text",
                                 "A position beyond the drive's own bounds was commanded, or the axis was pushed there"),
-              QT_TRANSLATE_NOOP("Text", "Nothing to clear. Move the other way or correct the bounds")}},
+              QT_TRANSLATE_NOOP("Text", "There is nothing to clear. Move the other way or correct the bounds")}},
     FaultRow{104,
              {"limit: flux braking",
               QT_TRANSLATE_NOOP("Text", "Braking energy is burnt in the motor to hold the bus voltage"),
               QT_TRANSLATE_NOOP("Text", "The supply does not take back what braking feeds it"),
               QT_TRANSLATE_NOOP("Text", "Nothing to clear. Lower the acceleration if it comes often")}},
     FaultRow{105,
-             {"limit: field weakening", QT_TRANSLATE_NOOP("Text", "The field is weakened to reach the speed"),
+             {"limit: field weakening", QT_TRANSLATE_NOOP("Text", "The drive weakens the field to reach the speed"),
               QT_TRANSLATE_NOOP("Text", "The motor would need more voltage for its speed"), kWhileDemanded}},
 };
 static_assert(std::ranges::is_sorted(kRows, {}, &FaultRow::code));
 
 constexpr FaultText kUndefined{
     "undefined code", QT_TRANSLATE_NOOP("Text", "The drive reports a code that register map 5 does not define"),
-    QT_TRANSLATE_NOOP("Text", "Firmware newer or older than this program knows"),
-    QT_TRANSLATE_NOOP("Text", "Compare the drive's firmware version with the one this program was made for")};
+    QT_TRANSLATE_NOOP("Text", "Firmware other than the one that Boresight was made for"),
+    QT_TRANSLATE_NOOP("Text",
+                      "Compare the firmware version of the drive with the version that this program was made for")};
 
 }  // namespace
 

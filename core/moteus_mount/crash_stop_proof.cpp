@@ -165,7 +165,7 @@ QString CrashStopProof::progress() const
         case Phase::RunningUp:
             return Text::tr("moving the %1 up to speed").arg(name);
         case Phase::Starving:
-            return Text::tr("the %1 gets no orders: watching it stop").arg(name);
+            return Text::tr("no commands to the %1, measuring how it stops").arg(name);
         case Phase::Recovering:
             return Text::tr("holding the %1 again").arg(name);
         case Phase::Over:

@@ -117,7 +117,7 @@ void DriveCare::tendGains(SteadyTime now, std::vector<CanFrame>& frames)
         survey::AxisGains& gains = m_gains[index(axis)];
         const auto& facts = m_survey.facts(axis);
         if (m_boards.isRunning() || m_survey.state() != SurveyState::Done || !facts) {
-            gains.interrupt(Text::tr("The drive check interrupted this. Read the gains again."));
+            gains.interrupt(Text::tr("The drive check interrupted the reading. Read the gains again."));
             continue;
         }
         if (!gains.isOf(facts->uuid)) {

@@ -239,7 +239,7 @@ Result<> TurnKeeper::enteredPlaceCounts() const
     }
     if (age >= kPlaceAge) {
         return failure(ErrorCode::Refused,
-                       Text::tr("It is %1 min old. It counts for %2 min.").arg(age.count()).arg(kPlaceAge.count()));
+                       Text::tr("It is %1 min old. It is valid for %2 min.").arg(age.count()).arg(kPlaceAge.count()));
     }
     if (age < -kClockError) {
         return failure(ErrorCode::Refused, Text::tr("Its time is in the future. Check the clock of this computer."));

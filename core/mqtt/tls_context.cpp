@@ -142,8 +142,7 @@ QString TlsContext::refusal() const
         case X509_V_ERR_UNABLE_TO_VERIFY_LEAF_SIGNATURE:
         case X509_V_ERR_CERT_SIGNATURE_FAILURE:
             return m_caFile.isEmpty()
-                       ? Text::tr(
-                             "its certificate is from an authority that this computer does not know. Set mqtt.ca_file")
+                       ? Text::tr("This computer does not know the authority of its certificate. Set mqtt.ca_file")
                        : Text::tr("its certificate is not from the authority in %1. Check mqtt.ca_file").arg(m_caFile);
         default:
             return QString::fromUtf8(X509_verify_cert_error_string(m_certificateError));

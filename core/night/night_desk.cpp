@@ -245,7 +245,8 @@ std::optional<NightDesk::Interruption> NightDesk::interruption() const
     }
     const bool isOver = m_tracked && m_clock.utc() + kAboutToSet >= m_tracked->ends();
     if (m_tracked && !isOver && !m_control.obeys(scheduleSource())) {
-        return because(schedule::PassEnd::Refused, Text::tr("the station ended the tracking. The log says why"));
+        return because(schedule::PassEnd::Refused,
+                       Text::tr("The station ended the tracking. The log shows the reason"));
     }
     return std::nullopt;
 }

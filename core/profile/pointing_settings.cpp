@@ -48,14 +48,15 @@ void addPointing(std::vector<Setting>& list)
     list.push_back(term(
         "collimation", kSmall,
         {QT_TRANSLATE_NOOP("Text", "Collimation"),
-         QT_TRANSLATE_NOOP(
-             "Text", "Angle of the beam from the right angle to the elevation axis, clockwise, at any elevation.")},
+         QT_TRANSLATE_NOOP("Text",
+                           "Angle by which the beam is not perpendicular to the elevation axis. Clockwise is positive, "
+                           "at any elevation.")},
         [](auto& p) -> auto& { return p.pointing.collimation; }));
     list.push_back(term(
         "non_perpendicularity", kSmall,
-        {QT_TRANSLATE_NOOP("Text", "Axes not at a right angle"),
+        {QT_TRANSLATE_NOOP("Text", "Axes not perpendicular"),
          QT_TRANSLATE_NOOP("Text",
-                           "How far the elevation axis is off the right angle to the azimuth axis. A raised beam then "
+                           "Angle by which the two axes are not perpendicular. With a positive angle a raised beam "
                            "points clockwise.")},
         [](auto& p) -> auto& { return p.pointing.nonPerpendicularity; }));
     list.push_back(term(

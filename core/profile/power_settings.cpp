@@ -21,9 +21,10 @@ void addPower(std::vector<Setting>& list)
     list.push_back(textual(
         "power.host", Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Host"),
-         QT_TRANSLATE_NOOP("Text",
-                           "UDP: the address of this computer to listen on. 127.0.0.1 receives from this computer "
-                           "only, 0.0.0.0 from all. TCP: name or address of the receiver's program.")},
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "UDP: the address of this computer to listen on. 127.0.0.1 receives from this computer only, 0.0.0.0 from "
+             "all computers. TCP: name or address of the computer with the receiver.")},
         [](const Profile& p) { return p.power.host; },
         [](Profile& p, const std::string& wanted) { return checkHost(wanted).map([&] { p.power.host = wanted; }); }));
     list.push_back(integer(

@@ -146,7 +146,7 @@ Result<> checkAddress(const std::string& text)
     const bool isPlain = std::all_of(text.begin(), text.end(), [](char c) { return c > ' ' && c < '\x7f'; });
     if (parsed.isNull() || isLoose || !isPlain) {
         return failure(ErrorCode::InvalidInput,
-                       Text::tr("\"%1\" is no address like 192.168.1.7 or ::1").arg(toQString(text)));
+                       Text::tr("\"%1\" is not an address like 192.168.1.7 or ::1").arg(toQString(text)));
     }
     return {};
 }
@@ -162,7 +162,7 @@ Result<> checkNetwork(const std::string& text)
     const int widest = address.protocol() == QAbstractSocket::IPv4Protocol ? 32 : 128;
     if (!checkAddress(text.substr(0, slash)) || !bits || *bits < 0 || *bits > widest) {
         return failure(ErrorCode::InvalidInput,
-                       Text::tr("\"%1\" is no network like 10.0.0.0/8 or fd00::/8").arg(toQString(text)));
+                       Text::tr("\"%1\" is not a network like 10.0.0.0/8 or fd00::/8").arg(toQString(text)));
     }
     return {};
 }

@@ -133,7 +133,7 @@ void addTrust(std::vector<Setting>& list)
         {QT_TRANSLATE_NOOP("Text", "Unreliable headings"),
          QT_TRANSLATE_NOOP("Text",
                            "True headings at which steel disturbs the compass, clockwise, for example \"40-80, "
-                           "350-20\". Its azimuth is no evidence there. Empty: none.")},
+                           "350-20\". Boresight does not use its azimuth there. Empty: none.")},
         [](const Profile& p) { return toText(p.sensor.deviation.unreliable); },
         [](Profile& p, const std::string& text) {
             return parseArcs(text).map(

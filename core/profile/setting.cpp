@@ -35,8 +35,8 @@ void addMount(std::vector<Setting>& list)
         "mount.directions", {"confirmed", "unconfirmed"}, Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Directions confirmed"),
          QT_TRANSLATE_NOOP("Text",
-                           "Whether a person has seen each axis turn the way this file says. Until then every motion "
-                           "is short and slow. Without this key a real mount is unconfirmed.")},
+                           "Whether somebody has checked that each axis turns as this file says. Until then every "
+                           "motion is short and slow. Without this key a real mount is unconfirmed.")},
         [](auto& p) -> auto& { return p.mount.directions; }));
     list.back().assume = [](Profile& p) {
         p.mount.directions = namesNoBus(p) ? Directions::Confirmed : Directions::Unconfirmed;
@@ -119,7 +119,7 @@ void addLimits(std::vector<Setting>& list, const std::string& table, AxisSetting
 {
     list.push_back(number(
         table + ".max_speed_deg_s", "°/s", {0.01, 360.0}, Applies::Now,
-        {QT_TRANSLATE_NOOP("Text", "Top speed"), QT_TRANSLATE_NOOP("Text", "The axis never moves faster.")},
+        {QT_TRANSLATE_NOOP("Text", "Top speed"), QT_TRANSLATE_NOOP("Text", "The highest speed of the axis.")},
         [axis](auto& p) -> auto& { return (p.*axis).limits.speed; }));
     list.push_back(number(
         table + ".max_acceleration_deg_s2", "°/s²", {0.01, 3600.0}, Applies::Now,

@@ -85,7 +85,7 @@ void addDriveSupervision(std::vector<Setting>& list)
     list.push_back(number(
         "supervision.reply_age_s", "s", {0.02, 0.25}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Late reply: warn"),
-         QT_TRANSLATE_NOOP("Text", "Warn when the last reply of a drive is older.")},
+         QT_TRANSLATE_NOOP("Text", "Warn when the last reply of a drive is older than this.")},
         [](auto& p) -> auto& { return p.supervision.replyAge; }));
     list.push_back(number(
         "supervision.supply_low_v", "V", kVoltage, kNow,

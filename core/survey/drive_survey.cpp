@@ -320,7 +320,7 @@ Result<> DriveSurvey::fitToMove() const
 QString DriveSurvey::progress() const
 {
     if (m_retrying) {  // one text for all that begins anew every 2 seconds
-        return Text::tr("not all drives can be read, Boresight looks for them every 2 s");
+        return Text::tr("Boresight cannot read all drives. It tries again every 2 s.");
     }
     if (m_state == SurveyState::Running && m_scan.isRunning()) {
         return Text::tr("looking for the drives");

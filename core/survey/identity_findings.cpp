@@ -145,9 +145,9 @@ void IdentityJudge::judgeMap(Axis axis, const FoundController& board)
         return;
     }
     const QString ours = QString::number(moteus::kRegisterMapVersion);
-    const QString what = map ? Text::tr("the board of %1 has the register map %2, but Boresight knows only version %3")
+    const QString what = map ? Text::tr("The board of %1 has the register map %2. Boresight supports only version %3")
                                    .arg(axisText(axis), QString::number(*map), ours)
-                             : Text::tr("the board of %1 reports no register map, and Boresight knows only version %2")
+                             : Text::tr("The board of %1 reports no register map. Boresight supports only version %2")
                                    .arg(axisText(axis), ours);
     findings.push_back(
         {.kind = FindingKind::RegisterMap,

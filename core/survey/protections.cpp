@@ -107,7 +107,7 @@ QString boundConsequence(double found, bool narrow)
 {
     constexpr double kFactoryBound = 0.01;
     if (std::isnan(found)) {
-        return Text::tr("the drive has no limit of its own: nothing but this program ends a move");
+        return Text::tr("The drive has no limit of its own. Only this program ends a motion");
     }
     if (std::abs(std::abs(found) - kFactoryBound) < 1e-6) {
         return Text::tr("the factory's ±3.6° would end every move in fault 39");
@@ -143,7 +143,7 @@ void addIdentity(List& list, const profile::AxisSettings& axis)
                     .wanted = number(axis.id),
                     .isRight = [id = axis.id](double found) { return found == id; },
                     .otherwise = Verdict::Dangerous,
-                    .reason = Text::tr("the profile knows this axis under this id")});
+                    .reason = Text::tr("The profile has this id for this axis.")});
 }
 
 QString timeoutModeConsequence(double found)
@@ -159,8 +159,9 @@ QString timeoutModeConsequence(double found)
             "Mode 15 brakes but does not hold. It is right only for a self-locking gearbox (timeout_mode = \"brake\" "
             "in the profile).");
     }
-    return found == kTimeoutHold ? Text::tr("the profile says the gearbox locks itself and asks for brake (15)")
-                                 : Text::tr("no mode in which a drive may be left alone");
+    return found == kTimeoutHold
+               ? Text::tr("The gearbox of the profile locks itself, so the profile asks for brake (15)")
+               : Text::tr("no mode in which a drive may be left alone");
 }
 
 QString timeoutModeWord(double mode)
@@ -270,11 +271,13 @@ void addGear(List& list, const profile::AxisSettings& axis)
                     .reason = Text::tr(
                         "The gear ratio of the profile (gear_ratio, gear_in). With another ratio every angle is wrong. "
                         "Press Set gear to write the ratio of the profile. Boresight also changes the gains.")});
-    list.push_back({.key = "motor_position.output.sign",
-                    .wanted = Text::tr("1 or -1"),
-                    .isRight = [](double found) { return found == 1.0 || found == -1.0; },
-                    .otherwise = Verdict::Dangerous,
-                    .reason = Text::tr("turned round, the axis runs the other way: the profile's sign goes with it")});
+    list.push_back(
+        {.key = "motor_position.output.sign",
+         .wanted = Text::tr("1 or -1"),
+         .isRight = [](double found) { return found == 1.0 || found == -1.0; },
+         .otherwise = Verdict::Dangerous,
+         .reason =
+             Text::tr("With the other sign the axis turns the other way. Then change the sign in the profile, too.")});
     const bool needed = axis.powerUpPosition == profile::PowerUpPosition::Trusted && axis.geometry.gearRatio > 1.0;
     list.push_back({.key = "motor_position.output.reference_source",
                     .wanted = needed ? Text::tr("0 or above") : Text::tr("any"),

@@ -241,7 +241,7 @@ Result<Target> parseTarget(std::string_view text, std::span<const orbit::Element
         return *place;
     }
     return failure(ErrorCode::InvalidInput,
-                   Text::tr("\"%1\" is no known satellite, no body and no locator. The bodies are: %2.")
+                   Text::tr("\"%1\" is not a known satellite, a body or a locator. The bodies are: %2.")
                        .arg(toQString(typed), toQString(ephemeris::skyObjectKeys())));
 }
 

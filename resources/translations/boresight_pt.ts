@@ -306,10 +306,6 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>Conexão: como se chega aos acionamentos?</translation>
     </message>
     <message>
-        <source>Protect: does each drive guard the mount by itself?</source>
-        <translation>Proteção: cada acionamento guarda a montagem por si?</translation>
-    </message>
-    <message>
         <source>Turning: which motor is which, and which way does it turn?</source>
         <translation>Sentido: qual motor é qual, e para que lado gira?</translation>
     </message>
@@ -424,6 +420,10 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <message>
         <source>The program that tracks the satellites is set up</source>
         <translation>O programa que segue os satélites está configurado</translation>
+    </message>
+    <message>
+        <source>Protect: are the safety settings of each drive right?</source>
+        <translation>Proteção: as definições de segurança de cada acionamento estão certas?</translation>
     </message>
 </context>
 <context>
@@ -985,10 +985,6 @@ até %1</translation>
         <translation>A temporização de bits tem de ser 1M/5M com o ponto de amostragem em 0.666 nas duas fases. O adaptador precisa de can.bitrate 1000000, can.fd_bitrate 5000000, can.sample_point e can.fd_sample_point 0.666 (os valores de fábrica).</translation>
     </message>
     <message>
-        <source>nobody acknowledges our frames: check the drives&apos; power, the cable, the 120 ohm at both ends and the bit rate</source>
-        <translation>ninguém confirma os nossos quadros: verifique a alimentação dos acionamentos, o cabo, os 120 ohm nas duas pontas e a taxa de bits</translation>
-    </message>
-    <message>
         <source>check the drives&apos; power, the cable and its length, the 120 ohm at both ends, the bit rates and the sample points</source>
         <translation>verifique a alimentação dos acionamentos, o cabo e o seu comprimento, os 120 ohm nas duas pontas, as taxas de bits e os pontos de amostragem</translation>
     </message>
@@ -1093,10 +1089,6 @@ até %1</translation>
         <translation>%1: sem permissão para entrar na sua pasta</translation>
     </message>
     <message>
-        <source>%1 is not there: is the adapter plugged in? (ls /dev/serial/by-id shows what is)</source>
-        <translation>%1 não existe: o adaptador está conectado? (ls /dev/serial/by-id mostra o que existe)</translation>
-    </message>
-    <message>
         <source>%1 is not a serial port</source>
         <translation>%1 não é uma porta serial</translation>
     </message>
@@ -1107,10 +1099,6 @@ até %1</translation>
     <message>
         <source>%1 (%2 of %3 frames sent)</source>
         <translation>%1 (%2 de %3 quadros enviados)</translation>
-    </message>
-    <message>
-        <source>the interface has been removed: plug the adapter in again</source>
-        <translation>a interface foi removida: conecte de novo o adaptador</translation>
     </message>
     <message>
         <source>the interface is down. Bring it up with `%1`</source>
@@ -1207,10 +1195,6 @@ até %1</translation>
     <message>
         <source>The bus voltage rose above servo.max_voltage</source>
         <translation>A tensão do barramento subiu acima de servo.max_voltage</translation>
-    </message>
-    <message>
-        <source>Braking fed the supply, which could not take it</source>
-        <translation>A frenagem devolveu energia à fonte, que não a pôde absorver</translation>
     </message>
     <message>
         <source>Lower the acceleration, set servo.max_regen_power_W, or add a battery or capacitance</source>
@@ -1425,20 +1409,8 @@ até %1</translation>
         <translation>A alimentação não absorve o que a frenagem lhe devolve</translation>
     </message>
     <message>
-        <source>The field is weakened to reach the speed</source>
-        <translation>O campo é enfraquecido para atingir a velocidade</translation>
-    </message>
-    <message>
         <source>The drive reports a code that register map 5 does not define</source>
         <translation>O acionamento relata um código que o mapa de registros 5 não define</translation>
-    </message>
-    <message>
-        <source>Firmware newer or older than this program knows</source>
-        <translation>Firmware mais novo ou mais antigo do que este programa conhece</translation>
-    </message>
-    <message>
-        <source>Compare the drive&apos;s firmware version with the one this program was made for</source>
-        <translation>Compare a versão do firmware do acionamento com aquela para que este programa foi feito</translation>
     </message>
     <message>
         <source>stopped</source>
@@ -1589,10 +1561,6 @@ até %1</translation>
         <translation>espera-se um nome ou endereço antes da porta, IPv6 entre colchetes</translation>
     </message>
     <message>
-        <source>%1 is no number</source>
-        <translation>%1 não é um número</translation>
-    </message>
-    <message>
         <source>%1 is missing</source>
         <translation>falta %1</translation>
     </message>
@@ -1707,14 +1675,6 @@ até %1</translation>
     <message>
         <source>%1 is not below elevation_max_deg (%2)</source>
         <translation>%1 não é menor que elevation_max_deg (%2)</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no address like 192.168.1.7 or ::1</source>
-        <translation>&quot;%1&quot; não é um endereço como 192.168.1.7 ou ::1</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no network like 10.0.0.0/8 or fd00::/8</source>
-        <translation>&quot;%1&quot; não é uma rede como 10.0.0.0/8 ou fd00::/8</translation>
     </message>
     <message>
         <source>Azimuth of the point, from true north.</source>
@@ -1947,10 +1907,6 @@ até %1</translation>
     <message>
         <source>moving the %1 up to speed</source>
         <translation>levando o eixo de %1 à velocidade</translation>
-    </message>
-    <message>
-        <source>the %1 gets no orders: watching it stop</source>
-        <translation>o eixo de %1 não recebe ordens: observando a parada</translation>
     </message>
     <message>
         <source>holding the %1 again</source>
@@ -2383,10 +2339,6 @@ até %1</translation>
         <translation>%1 a %2 %3 (%4)</translation>
     </message>
     <message>
-        <source>the drive has no limit of its own: nothing but this program ends a move</source>
-        <translation>o acionamento não tem limite próprio: só este programa termina um movimento</translation>
-    </message>
-    <message>
         <source>the factory&apos;s ±3.6° would end every move in fault 39</source>
         <translation>os ±3.6° de fábrica terminariam todo movimento com a falha 39</translation>
     </message>
@@ -2407,20 +2359,12 @@ até %1</translation>
         <translation>aqui o acionamento termina por si um movimento, um pouco além do curso</translation>
     </message>
     <message>
-        <source>the profile knows this axis under this id</source>
-        <translation>o perfil conhece este eixo sob este id</translation>
-    </message>
-    <message>
         <source>mode 12 only damps: a loaded elevation creeps down when the computer dies</source>
         <translation>o modo 12 só amortece: uma elevação carregada desce devagar quando o computador morre</translation>
     </message>
     <message>
         <source>mode 0 switches the motor off: the axis is free when the computer dies</source>
         <translation>o modo 0 desliga o motor: o eixo fica solto quando o computador morre</translation>
-    </message>
-    <message>
-        <source>the profile says the gearbox locks itself and asks for brake (15)</source>
-        <translation>o perfil diz que o redutor se bloqueia e pede freio (15)</translation>
     </message>
     <message>
         <source>no mode in which a drive may be left alone</source>
@@ -2501,10 +2445,6 @@ até %1</translation>
     <message>
         <source>1 or -1</source>
         <translation>1 ou -1</translation>
-    </message>
-    <message>
-        <source>turned round, the axis runs the other way: the profile&apos;s sign goes with it</source>
-        <translation>invertido, o eixo gira para o outro lado: o sinal do perfil vai com ele</translation>
     </message>
     <message>
         <source>0 or above</source>
@@ -2821,14 +2761,6 @@ até %1</translation>
     <message>
         <source>The beam may be less than %1° from the Sun, because the mount has only one axis</source>
         <translation>O feixe pode estar a menos de %1° do Sol, porque a montagem só tem um eixo</translation>
-    </message>
-    <message>
-        <source>the profile does not say where the mount stands: Sun and Moon need the site</source>
-        <translation>o perfil não diz onde está a montagem: Sol e Lua precisam do local</translation>
-    </message>
-    <message>
-        <source>the profile keeps the beam away from the Sun: if feed and receiver bear it, switch sun.keep_away off first</source>
-        <translation>o perfil mantém o feixe afastado do Sol: se o alimentador e o receptor o suportarem, desligue primeiro sun.keep_away</translation>
     </message>
     <message>
         <source>landmark</source>
@@ -3187,10 +3119,6 @@ até %1</translation>
         <translation>Já foi usado num início anterior. Só vale uma vez.</translation>
     </message>
     <message>
-        <source>It is %1 min old. It counts for %2 min.</source>
-        <translation>Tem %1 min. Só vale durante %2 min.</translation>
-    </message>
-    <message>
         <source>Its time is in the future. Check the clock of this computer.</source>
         <translation>A sua hora está no futuro. Verifique o relógio deste computador.</translation>
     </message>
@@ -3452,10 +3380,6 @@ até %1</translation>
         <translation>O Boresight guarda o registo só na memória</translation>
     </message>
     <message>
-        <source>Boresight commands only one small step ahead</source>
-        <translation>O Boresight comanda só um pequeno passo de cada vez</translation>
-    </message>
-    <message>
         <source>The mount goes to the nearest permitted point (%1)</source>
         <translation>A montagem vai para o ponto permitido mais próximo (%1)</translation>
     </message>
@@ -3528,10 +3452,6 @@ até %1</translation>
         <translation>Verifique a energia, as fichas e o cabo do barramento.</translation>
     </message>
     <message>
-        <source>not all drives can be read, Boresight looks for them every 2 s</source>
-        <translation>nem todos os acionamentos podem ser lidos, o Boresight procura-os a cada 2 s</translation>
-    </message>
-    <message>
         <source>two boards have the id %1, so their answers collide</source>
         <translation>duas placas têm o id %1, por isso as suas respostas colidem</translation>
     </message>
@@ -3558,14 +3478,6 @@ até %1</translation>
     <message>
         <source>If you exchanged it, check calibration and gains. If not, check whether another mount is connected.</source>
         <translation>Se a trocou, verifique a calibração e os ganhos. Se não, verifique se está ligada outra montagem.</translation>
-    </message>
-    <message>
-        <source>the board of %1 has the register map %2, but Boresight knows only version %3</source>
-        <translation>a placa de %1 tem o mapa de registos %2, mas o Boresight só conhece a versão %3</translation>
-    </message>
-    <message>
-        <source>the board of %1 reports no register map, and Boresight knows only version %2</source>
-        <translation>a placa de %1 não comunica o mapa de registos, e o Boresight só conhece a versão %2</translation>
     </message>
     <message>
         <source>Check the power of the drives, the bus cable, and the 120 Ω at both ends.</source>
@@ -3600,20 +3512,8 @@ até %1</translation>
         <translation>Desligue e ligue o acionamento. Verifique a cablagem e a configuração das portas auxiliares</translation>
     </message>
     <message>
-        <source>Nothing to clear. It ends when the demand falls</source>
-        <translation>Nada a limpar. Termina quando a exigência baixar</translation>
-    </message>
-    <message>
-        <source>Wait until the axis stands still and re-arm. If it comes again, replace the board</source>
-        <translation>Espere até o eixo ficar parado e rearme. Se voltar a acontecer, substitua a placa</translation>
-    </message>
-    <message>
         <source>The supply sagged below the driver&apos;s limit, or the hardware is damaged</source>
         <translation>A alimentação caiu abaixo do limite do driver, ou o hardware está danificado</translation>
-    </message>
-    <message>
-        <source>Use a stronger supply or lower the drive&apos;s maximum power or current. If it comes again, read drv8323 with tview and replace the board</source>
-        <translation>Use uma alimentação mais forte ou baixe a potência ou corrente máxima do acionamento. Se voltar a acontecer, leia drv8323 com tview e substitua a placa</translation>
     </message>
     <message>
         <source>Let it cool down. Lower the torque or improve the cooling</source>
@@ -3632,10 +3532,6 @@ até %1</translation>
         <translation>Um erro na configuração do acionamento</translation>
     </message>
     <message>
-        <source>Nothing to clear. Check the supply if it is below its nominal voltage</source>
-        <translation>Nada a limpar. Verifique a alimentação se estiver abaixo da tensão nominal</translation>
-    </message>
-    <message>
         <source>It ends when the board cools down. Fault 38 follows if it gets hotter</source>
         <translation>Termina quando a placa arrefecer. Segue-se a falha 38 se aquecer mais</translation>
     </message>
@@ -3646,10 +3542,6 @@ até %1</translation>
     <message>
         <source>A position beyond the drive&apos;s own bounds was commanded, or the axis was pushed there</source>
         <translation>Foi comandada uma posição além dos limites do acionamento, ou o eixo foi empurrado para lá</translation>
-    </message>
-    <message>
-        <source>Nothing to clear. Move the other way or correct the bounds</source>
-        <translation>Nada a limpar. Mova no outro sentido ou corrija os limites</translation>
     </message>
     <message>
         <source>Nothing to clear. Lower the acceleration if it comes often</source>
@@ -4144,10 +4036,6 @@ até %1</translation>
         <translation>%1: O satélite %2 está a %3 km do lugar que %4 lhe dá. O Boresight usa %4.</translation>
     </message>
     <message>
-        <source>%1: &quot;%2&quot; is no catalogue number.</source>
-        <translation>%1: &quot;%2&quot; não é um número de catálogo.</translation>
-    </message>
-    <message>
         <source>%1: There are no elements of satellite %2 in %3. Update them in Gpredict.</source>
         <translation>%1: Não há elementos do satélite %2 em %3. Atualize-os no Gpredict.</translation>
     </message>
@@ -4210,10 +4098,6 @@ até %1</translation>
     <message>
         <source>Look for wind, ice or a tight cable. If there is none, lower the acceleration or check the gains.</source>
         <translation>Procure vento, gelo ou um cabo esticado. Se não houver, baixe a aceleração ou verifique os ganhos.</translation>
-    </message>
-    <message>
-        <source>Look for a cable, a lock, ice or a slipping coupling that blocks the axis. Free the axis.</source>
-        <translation>Procure um cabo, um bloqueio, gelo ou um acoplamento que patina e bloqueia o eixo. Liberte o eixo.</translation>
     </message>
     <message>
         <source>Calibrate the motor again. Check its phases and the encoder.</source>
@@ -4692,18 +4576,6 @@ até %1</translation>
         <translation>Colimação</translation>
     </message>
     <message>
-        <source>Angle of the beam from the right angle to the elevation axis, clockwise, at any elevation.</source>
-        <translation>Ângulo do feixe em relação à perpendicular ao eixo de elevação, no sentido horário, em qualquer elevação.</translation>
-    </message>
-    <message>
-        <source>Axes not at a right angle</source>
-        <translation>Eixos não perpendiculares</translation>
-    </message>
-    <message>
-        <source>How far the elevation axis is off the right angle to the azimuth axis. A raised beam then points clockwise.</source>
-        <translation>Quanto o eixo de elevação se afasta da perpendicular ao eixo de azimute. Um feixe levantado aponta então no sentido horário.</translation>
-    </message>
-    <message>
         <source>Sag</source>
         <translation>Flexão</translation>
     </message>
@@ -4980,10 +4852,6 @@ até %1</translation>
         <translation>Rumos não fiáveis</translation>
     </message>
     <message>
-        <source>True headings at which steel disturbs the compass, clockwise, for example &quot;40-80, 350-20&quot;. Its azimuth is no evidence there. Empty: none.</source>
-        <translation>Rumos verdadeiros em que o aço perturba a bússola, em sentido horário, por exemplo &quot;40-80, 350-20&quot;. O azimute dela não serve aí de prova. Vazio: nenhum.</translation>
-    </message>
-    <message>
         <source>Compass error: sine</source>
         <translation>Erro da bússola: seno</translation>
     </message>
@@ -5116,10 +4984,6 @@ até %1</translation>
         <translation>Sentidos confirmados</translation>
     </message>
     <message>
-        <source>Whether a person has seen each axis turn the way this file says. Until then every motion is short and slow. Without this key a real mount is unconfirmed.</source>
-        <translation>Se uma pessoa viu cada eixo girar como este ficheiro diz. Até lá, todos os movimentos são curtos e lentos. Sem esta chave, uma montagem real não está confirmada.</translation>
-    </message>
-    <message>
         <source>Bus</source>
         <translation>Barramento</translation>
     </message>
@@ -5190,10 +5054,6 @@ até %1</translation>
     <message>
         <source>Top speed</source>
         <translation>Velocidade máxima</translation>
-    </message>
-    <message>
-        <source>The axis never moves faster.</source>
-        <translation>O eixo nunca se move mais depressa.</translation>
     </message>
     <message>
         <source>Acceleration</source>
@@ -5468,10 +5328,6 @@ até %1</translation>
         <translation>Resposta tardia: avisar</translation>
     </message>
     <message>
-        <source>Warn when the last reply of a drive is older.</source>
-        <translation>Avisar quando a última resposta de um acionamento é mais antiga.</translation>
-    </message>
-    <message>
         <source>Low supply: warn</source>
         <translation>Alimentação baixa: avisar</translation>
     </message>
@@ -5650,10 +5506,6 @@ até %1</translation>
     <message>
         <source>cannot make the folder %1: %2</source>
         <translation>não é possível criar a pasta %1: %2</translation>
-    </message>
-    <message>
-        <source>%1 is no folder of this user</source>
-        <translation>%1 não é uma pasta deste utilizador</translation>
     </message>
     <message>
         <source>another program listens on %1</source>
@@ -5926,10 +5778,6 @@ até %1</translation>
     <message>
         <source>The gear ratio of the %1 drive is %2 now. Boresight read it back and stored it, with the gains that depend on it. Press Fix next to write limits and speeds. Then check the tuning.</source>
         <translation>A redução do acionamento de %1 é agora %2. O Boresight releu-a e guardou-a, com os ganhos que dependem dela. Prima Corrigir a seguir para escrever limites e velocidades. Depois verifique a afinação.</translation>
-    </message>
-    <message>
-        <source>The drive check interrupted this. Read the gains again.</source>
-        <translation>A verificação dos acionamentos interrompeu. Leia os ganhos de novo.</translation>
     </message>
     <message>
         <source>Boresight is changing a board. Wait a moment.</source>
@@ -6748,10 +6596,6 @@ até %1</translation>
         <translation>o seu certificado não é para &quot;%1&quot;: verifique mqtt.host</translation>
     </message>
     <message>
-        <source>its certificate is from an authority that this computer does not know. Set mqtt.ca_file</source>
-        <translation>o seu certificado não é assinado por ninguém que este computador conheça: defina mqtt.ca_file</translation>
-    </message>
-    <message>
         <source>its certificate is not from the authority in %1. Check mqtt.ca_file</source>
         <translation>o seu certificado não é assinado pela autoridade em %1: verifique mqtt.ca_file</translation>
     </message>
@@ -7276,10 +7120,6 @@ até %1</translation>
         <translation>Varra uma largura menor ou mais tarde. Nem todos os lugares à volta do astro (%1) são permitidos: %2</translation>
     </message>
     <message>
-        <source>UDP: the address of this computer to listen on. 127.0.0.1 receives from this computer only, 0.0.0.0 from all. TCP: name or address of the receiver&apos;s program.</source>
-        <translation>UDP: o endereço deste computador em que escuta. 127.0.0.1 recebe só deste computador, 0.0.0.0 de todos. TCP: nome ou endereço do programa do recetor.</translation>
-    </message>
-    <message>
         <source>Mode 15 brakes but does not hold. It is right only for a self-locking gearbox (timeout_mode = &quot;brake&quot; in the profile).</source>
         <translation>O modo 15 freia mas não segura. Só é certo para um redutor autoblocante (timeout_mode = &quot;brake&quot; no perfil).</translation>
     </message>
@@ -7540,10 +7380,6 @@ até %1</translation>
         <translation>A Lua já não é seguida pelo azel.dat: %1</translation>
     </message>
     <message>
-        <source>Look at WSJT-X, then track the Moon again</source>
-        <translation>Verifique o WSJT-X e volte a seguir a Lua</translation>
-    </message>
-    <message>
         <source>The Moon of azel.dat is %1 from where the Moon is over the site</source>
         <translation>A Lua do azel.dat está a %1 de onde a Lua está sobre o local</translation>
     </message>
@@ -7572,20 +7408,8 @@ até %1</translation>
         <translation>o ficheiro está vazio</translation>
     </message>
     <message>
-        <source>the file is no azel.dat: it is longer than %1 bytes</source>
-        <translation>o ficheiro não é um azel.dat: tem mais de %1 bytes</translation>
-    </message>
-    <message>
-        <source>the file is no azel.dat: it has characters that are no plain text</source>
-        <translation>o ficheiro não é um azel.dat: tem caracteres que não são texto simples</translation>
-    </message>
-    <message>
         <source>the file is that of AirScout, which has another form</source>
         <translation>o ficheiro é do AirScout, que tem outro formato</translation>
-    </message>
-    <message>
-        <source>the file has no line of the Moon</source>
-        <translation>o ficheiro não tem a linha da Lua</translation>
     </message>
     <message>
         <source>the file is cut: the line of the Sun or of the Doppler is missing</source>
@@ -7594,10 +7418,6 @@ até %1</translation>
     <message>
         <source>the time of the Moon cannot be read</source>
         <translation>não é possível ler a hora da Lua</translation>
-    </message>
-    <message>
-        <source>the file is torn: Moon and Sun have different times</source>
-        <translation>o ficheiro está incoerente: a Lua e o Sol têm horas diferentes</translation>
     </message>
     <message>
         <source>the angles of the Moon cannot be read or are out of range</source>
@@ -7724,10 +7544,6 @@ até %1</translation>
         <translation>%1 satélites têm esse nome, entre eles %2. Indique o número.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no known satellite, no body and no locator. The bodies are: %2.</source>
-        <translation>&quot;%1&quot; não é um satélite conhecido, nem um corpo, nem um localizador. Os corpos são: %2.</translation>
-    </message>
-    <message>
         <source>The schedule of passes is off: %1</source>
         <translation>A agenda de passagens está desligada: %1</translation>
     </message>
@@ -7738,10 +7554,6 @@ até %1</translation>
     <message>
         <source>Arm the schedule again when the mount may move by itself</source>
         <translation>Arme a agenda de novo quando a montagem puder mover-se sozinha</translation>
-    </message>
-    <message>
-        <source>This is no command. The commands are take, release, stop, reset-stop, satellites, track TARGET and those of the schedule.</source>
-        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, satellites, track ALVO e os da agenda.</translation>
     </message>
     <message>
         <source>schedule</source>
@@ -7790,10 +7602,6 @@ até %1</translation>
     <message>
         <source>another command moved the mount</source>
         <translation>outro comando moveu a montagem</translation>
-    </message>
-    <message>
-        <source>the station ended the tracking. The log says why</source>
-        <translation>a estação terminou o seguimento. O registo diz porquê</translation>
     </message>
     <message>
         <source>no elements of %1</source>
@@ -8288,6 +8096,194 @@ até %1</translation>
     <message>
         <source>tuning run, to its start</source>
         <translation>ensaio de afinação, para o início</translation>
+    </message>
+    <message>
+        <source>Look for what blocks the axis: a cable, a lock, ice or a coupling. Free the axis.</source>
+        <translation>Procure o que bloqueia o eixo: um cabo, um trinco, gelo ou um acoplamento. Liberte o eixo.</translation>
+    </message>
+    <message>
+        <source>Check WSJT-X, then track the Moon again</source>
+        <translation>Verifique o WSJT-X e depois siga de novo a Lua</translation>
+    </message>
+    <message>
+        <source>Boresight commands only small steps</source>
+        <translation>O Boresight comanda só pequenos passos</translation>
+    </message>
+    <message>
+        <source>The file is not an azel.dat. It is longer than %1 bytes.</source>
+        <translation>O ficheiro não é um azel.dat. Tem mais de %1 bytes.</translation>
+    </message>
+    <message>
+        <source>The file is not an azel.dat. It has characters that are not plain text.</source>
+        <translation>O ficheiro não é um azel.dat. Tem caracteres que não são texto simples.</translation>
+    </message>
+    <message>
+        <source>The file has no line for the Moon.</source>
+        <translation>O ficheiro não tem uma linha para a Lua.</translation>
+    </message>
+    <message>
+        <source>The file is half written. Moon and Sun have different times.</source>
+        <translation>O ficheiro está escrito só em parte. A Lua e o Sol têm horas diferentes.</translation>
+    </message>
+    <message>
+        <source>no board acknowledges the frames: check the power of the drives, the cable, the 120 ohm at both ends and the bit rate</source>
+        <translation>nenhuma placa confirma as tramas: verifique a alimentação dos acionamentos, o cabo, os 120 ohm nas duas pontas e a taxa de bits</translation>
+    </message>
+    <message>
+        <source>the interface was removed: plug the adapter in again</source>
+        <translation>a interface foi removida: conecte de novo o adaptador</translation>
+    </message>
+    <message>
+        <source>the profile keeps the beam away from the Sun. Switch sun.keep_away off first, if feed and receiver withstand the Sun.</source>
+        <translation>o perfil mantém o feixe afastado do Sol. Desligue primeiro sun.keep_away, se o alimentador e o recetor suportarem o Sol.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is not a catalogue number.</source>
+        <translation>%1: &quot;%2&quot; não é um número de catálogo.</translation>
+    </message>
+    <message>
+        <source>This is not a command. The commands are take, release, stop, reset-stop, satellites, track TARGET and those of the schedule.</source>
+        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, satellites, track TARGET e os da agenda.</translation>
+    </message>
+    <message>
+        <source>%1 is not a folder of this user</source>
+        <translation>%1 não é uma pasta deste utilizador</translation>
+    </message>
+    <message>
+        <source>There is nothing to clear. The limit ends when the load falls</source>
+        <translation>Não há nada a limpar. O limite termina quando a carga baixar</translation>
+    </message>
+    <message>
+        <source>Wait until the axis stands still and re-arm. If the fault returns, replace the board</source>
+        <translation>Espere até o eixo ficar parado e rearme. Se a falha voltar, substitua a placa</translation>
+    </message>
+    <message>
+        <source>Use a stronger supply or lower the drive&apos;s maximum power or current. If the fault returns, read drv8323 with tview and replace the board</source>
+        <translation>Use uma alimentação mais forte ou baixe a potência ou corrente máxima do acionamento. Se a falha voltar, leia drv8323 com tview e substitua a placa</translation>
+    </message>
+    <message>
+        <source>Braking energy went into the supply. The supply could not absorb it</source>
+        <translation>A energia da travagem foi para a alimentação. A alimentação não a conseguiu absorver</translation>
+    </message>
+    <message>
+        <source>There is nothing to clear. Check the supply if it is below its nominal voltage</source>
+        <translation>Não há nada a limpar. Verifique a alimentação se estiver abaixo da tensão nominal</translation>
+    </message>
+    <message>
+        <source>There is nothing to clear. Move the other way or correct the bounds</source>
+        <translation>Não há nada a limpar. Mova para o outro lado ou corrija os limites</translation>
+    </message>
+    <message>
+        <source>The drive weakens the field to reach the speed</source>
+        <translation>O acionamento enfraquece o campo para atingir a velocidade</translation>
+    </message>
+    <message>
+        <source>Firmware other than the one that Boresight was made for</source>
+        <translation>Firmware diferente daquele para que o Boresight foi feito</translation>
+    </message>
+    <message>
+        <source>Compare the firmware version of the drive with the version that this program was made for</source>
+        <translation>Compare a versão do firmware do acionamento com a versão para que este programa foi feito</translation>
+    </message>
+    <message>
+        <source>no commands to the %1, measuring how it stops</source>
+        <translation>sem comandos ao %1, a medir como para</translation>
+    </message>
+    <message>
+        <source>The drive check interrupted the reading. Read the gains again.</source>
+        <translation>A verificação dos acionamentos interrompeu a leitura. Leia de novo os ganhos.</translation>
+    </message>
+    <message>
+        <source>It is %1 min old. It is valid for %2 min.</source>
+        <translation>Tem %1 min. É válido durante %2 min.</translation>
+    </message>
+    <message>
+        <source>This computer does not know the authority of its certificate. Set mqtt.ca_file</source>
+        <translation>Este computador não conhece a autoridade do certificado. Defina mqtt.ca_file</translation>
+    </message>
+    <message>
+        <source>The station ended the tracking. The log shows the reason</source>
+        <translation>A estação terminou o seguimento. O registo mostra o motivo</translation>
+    </message>
+    <message>
+        <source>The profile has no site. Sun and Moon need the site</source>
+        <translation>O perfil não tem local. O Sol e a Lua precisam do local</translation>
+    </message>
+    <message>
+        <source>Angle by which the beam is not perpendicular to the elevation axis. Clockwise is positive, at any elevation.</source>
+        <translation>Ângulo que falta ao feixe para ser perpendicular ao eixo de elevação. O sentido horário é positivo, em qualquer elevação.</translation>
+    </message>
+    <message>
+        <source>Axes not perpendicular</source>
+        <translation>Eixos não perpendiculares</translation>
+    </message>
+    <message>
+        <source>Angle by which the two axes are not perpendicular. With a positive angle a raised beam points clockwise.</source>
+        <translation>Ângulo que falta para os dois eixos serem perpendiculares. Com um ângulo positivo, um feixe levantado aponta no sentido horário.</translation>
+    </message>
+    <message>
+        <source>UDP: the address of this computer to listen on. 127.0.0.1 receives from this computer only, 0.0.0.0 from all computers. TCP: name or address of the computer with the receiver.</source>
+        <translation>UDP: o endereço deste computador em que escutar. 127.0.0.1 recebe só deste computador, 0.0.0.0 de todos os computadores. TCP: nome ou endereço do computador com o recetor.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an address like 192.168.1.7 or ::1</source>
+        <translation>&quot;%1&quot; não é um endereço como 192.168.1.7 ou ::1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a network like 10.0.0.0/8 or fd00::/8</source>
+        <translation>&quot;%1&quot; não é uma rede como 10.0.0.0/8 ou fd00::/8</translation>
+    </message>
+    <message>
+        <source>True headings at which steel disturbs the compass, clockwise, for example &quot;40-80, 350-20&quot;. Boresight does not use its azimuth there. Empty: none.</source>
+        <translation>Rumos verdadeiros em que o aço perturba a bússola, no sentido horário, por exemplo &quot;40-80, 350-20&quot;. O Boresight não usa aí o seu azimute. Vazio: nenhum.</translation>
+    </message>
+    <message>
+        <source>Whether somebody has checked that each axis turns as this file says. Until then every motion is short and slow. Without this key a real mount is unconfirmed.</source>
+        <translation>Se alguém verificou que cada eixo gira como este ficheiro diz. Até lá, cada movimento é curto e lento. Sem esta chave, uma montagem real está por confirmar.</translation>
+    </message>
+    <message>
+        <source>The highest speed of the axis.</source>
+        <translation>A velocidade mais alta do eixo.</translation>
+    </message>
+    <message>
+        <source>Warn when the last reply of a drive is older than this.</source>
+        <translation>Avisar quando a última resposta de um acionamento é mais antiga do que isto.</translation>
+    </message>
+    <message>
+        <source>%1 does not exist. Is the adapter plugged in? ls /dev/serial/by-id lists the adapters</source>
+        <translation>%1 não existe. O adaptador está conectado? ls /dev/serial/by-id lista os adaptadores</translation>
+    </message>
+    <message>
+        <source>Boresight cannot read all drives. It tries again every 2 s.</source>
+        <translation>O Boresight não consegue ler todos os acionamentos. Tenta de novo a cada 2 s.</translation>
+    </message>
+    <message>
+        <source>The board of %1 has the register map %2. Boresight supports only version %3</source>
+        <translation>A placa de %1 tem o mapa de registos %2. O Boresight só suporta a versão %3</translation>
+    </message>
+    <message>
+        <source>The board of %1 reports no register map. Boresight supports only version %2</source>
+        <translation>A placa de %1 não indica um mapa de registos. O Boresight só suporta a versão %2</translation>
+    </message>
+    <message>
+        <source>The drive has no limit of its own. Only this program ends a motion</source>
+        <translation>O acionamento não tem limite próprio. Só este programa termina um movimento</translation>
+    </message>
+    <message>
+        <source>The profile has this id for this axis.</source>
+        <translation>O perfil tem este id para este eixo.</translation>
+    </message>
+    <message>
+        <source>The gearbox of the profile locks itself, so the profile asks for brake (15)</source>
+        <translation>O redutor do perfil é autobloqueante, por isso o perfil pede travão (15)</translation>
+    </message>
+    <message>
+        <source>With the other sign the axis turns the other way. Then change the sign in the profile, too.</source>
+        <translation>Com o outro sinal o eixo gira para o outro lado. Mude então também o sinal no perfil.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a known satellite, a body or a locator. The bodies are: %2.</source>
+        <translation>&quot;%1&quot; não é um satélite conhecido, um corpo nem um localizador. Os corpos são: %2.</translation>
     </message>
 </context>
 <context>
@@ -8878,16 +8874,16 @@ velocidade %1</translation>
         <translation>Termina; a montagem mantém a posição</translation>
     </message>
     <message>
-        <source>Keep the beam on the Moon of WSJT-X. Below the horizon the mount is parked</source>
-        <translation>Mantém o feixe na Lua do WSJT-X. Abaixo do horizonte a montagem é estacionada</translation>
-    </message>
-    <message>
         <source>Hold and stop tracking the Moon of WSJT-X</source>
         <translation>Manter e deixar de seguir a Lua do WSJT-X</translation>
     </message>
     <message>
         <source>Track the Moon of WSJT-X</source>
         <translation>Seguir a Lua do WSJT-X</translation>
+    </message>
+    <message>
+        <source>Track the Moon with the data of WSJT-X. Boresight parks the mount while the Moon is below the horizon</source>
+        <translation>Seguir a Lua com os dados do WSJT-X. O Boresight estaciona a montagem enquanto a Lua está abaixo do horizonte</translation>
     </message>
 </context>
 <context>
@@ -9663,10 +9659,6 @@ velocidade %1</translation>
         <translation>Placas desconhecidas no barramento</translation>
     </message>
     <message>
-        <source>Survey of the drives</source>
-        <translation>Exame dos acionamentos</translation>
-    </message>
-    <message>
         <source>May the mount move</source>
         <translation>A montagem pode mover-se</translation>
     </message>
@@ -9747,10 +9739,6 @@ velocidade %1</translation>
         <translation>desconhecida</translation>
     </message>
     <message>
-        <source>Feed the drives again and hold</source>
-        <translation>Dar de novo ordens aos acionamentos e manter</translation>
-    </message>
-    <message>
         <source>Leave the bus while the drives are switched on?</source>
         <translation>Deixar o barramento com os acionamentos ligados?</translation>
     </message>
@@ -9821,6 +9809,14 @@ Mantenha pessoas e cordas longe da antena. STOP termina a prova.</translation>
     <message>
         <source>Cable wrap</source>
         <translation>Volta do cabo</translation>
+    </message>
+    <message>
+        <source>Drive check</source>
+        <translation>Verificação dos acionamentos</translation>
+    </message>
+    <message>
+        <source>Send commands to the drives again and hold</source>
+        <translation>Enviar de novo comandos aos acionamentos e segurar</translation>
     </message>
 </context>
 <context>
@@ -10119,16 +10115,16 @@ O Boresight define o id. Verifica se responde a mesma placa. Volta a ler o id e 
         <translation>Qualquer outro cliente de rotctld também serve, no mesmo endereço.</translation>
     </message>
     <message>
-        <source>rotctld does not listen: no program can connect. The alarm line says why.</source>
-        <translation>O rotctld não escuta: nenhum programa pode conectar-se. A linha de alarme diz por quê.</translation>
-    </message>
-    <message>
         <source>No program is connected yet</source>
         <translation>Ainda nenhum programa está conectado</translation>
     </message>
     <message>
         <source>Connected: %1</source>
         <translation>Conectados: %1</translation>
+    </message>
+    <message>
+        <source>The rotctld port is closed. No program can connect. The alarm shows the reason.</source>
+        <translation>A porta rotctld está fechada. Nenhum programa pode ligar-se. O alarme mostra o motivo.</translation>
     </message>
 </context>
 <context>
@@ -10319,10 +10315,6 @@ trocar os motores</translation>
         <translation>Azimute e elevação trocam os motores. O Boresight volta a ligar.</translation>
     </message>
     <message>
-        <source>The %1 motor counts the other way. Boresight connects again.</source>
-        <translation>O motor de %1 conta ao contrário. O Boresight volta a ligar.</translation>
-    </message>
-    <message>
         <source>Both directions are right</source>
         <translation>Os dois sentidos estão certos</translation>
     </message>
@@ -10337,6 +10329,10 @@ trocar os motores</translation>
     <message>
         <source>The direction is right</source>
         <translation>O sentido está certo</translation>
+    </message>
+    <message>
+        <source>The motor of the %1 counts the other way. Boresight connects again.</source>
+        <translation>O motor do %1 conta para o outro lado. O Boresight liga-se de novo.</translation>
     </message>
 </context>
 <context>
@@ -10390,10 +10386,6 @@ trocar os motores</translation>
         <translation>a antena olha para cima: baixe-a primeiro</translation>
     </message>
     <message>
-        <source>It says it points to %1</source>
-        <translation>Diz que aponta para %1</translation>
-    </message>
-    <message>
         <source>North is known: azimuth offset %1, from &quot;%2&quot; of %3.</source>
         <translation>O norte é conhecido: desvio de azimute %1, de &quot;%2&quot; de %3.</translation>
     </message>
@@ -10440,6 +10432,10 @@ trocar os motores</translation>
     <message>
         <source>The azimuth offset changes from %1 to %2 at once. Nothing moves. Travel, cable and park keep their numbers. Horizon and keep-outs keep their true directions. To go back, press Undo on the page Profile.</source>
         <translation>O desvio de azimute muda de %1 para %2 de imediato. Nada se move. Curso, cabo e estacionamento mantêm os números. Horizonte e zonas proibidas mantêm as direções verdadeiras. Para voltar atrás, prima Desfazer na página Perfil.</translation>
+    </message>
+    <message>
+        <source>The mount reports %1</source>
+        <translation>A montagem indica %1</translation>
     </message>
 </context>
 <context>
@@ -10599,10 +10595,6 @@ trocar os motores</translation>
         <translation>O que está errado</translation>
     </message>
     <message>
-        <source>What Gpredict knows</source>
-        <translation>O que o Gpredict sabe</translation>
-    </message>
-    <message>
         <source>Latitude</source>
         <translation>Latitude</translation>
     </message>
@@ -10629,10 +10621,6 @@ trocar os motores</translation>
     <message>
         <source>Set the site</source>
         <translation>Definir o local</translation>
-    </message>
-    <message>
-        <source>Takes the place into the profile</source>
-        <translation>Leva o lugar para o perfil</translation>
     </message>
     <message>
         <source>Maidenhead locator</source>
@@ -10717,6 +10705,14 @@ trocar os motores</translation>
     <message>
         <source>%1: No Gpredict settings found. Choose its folder.</source>
         <translation>%1: Não há definições do Gpredict. Escolha a pasta.</translation>
+    </message>
+    <message>
+        <source>Sites found in Gpredict</source>
+        <translation>Locais encontrados no Gpredict</translation>
+    </message>
+    <message>
+        <source>Store this place in the profile</source>
+        <translation>Guardar este lugar no perfil</translation>
     </message>
 </context>
 <context>
@@ -10813,10 +10809,6 @@ trocar os motores</translation>
         <translation>O que fazer</translation>
     </message>
     <message>
-        <source>What the %1 reads now</source>
-        <translation>O que o eixo de %1 lê agora</translation>
-    </message>
-    <message>
         <source>What the change does</source>
         <translation>O que a mudança faz</translation>
     </message>
@@ -10879,6 +10871,10 @@ trocar os motores</translation>
     <message>
         <source>Shown %1</source>
         <translation>Mostrado %1</translation>
+    </message>
+    <message>
+        <source>The angle that the %1 reports now</source>
+        <translation>O ângulo que o %1 indica agora</translation>
     </message>
 </context>
 <context>
@@ -11629,10 +11625,6 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Tomar ponto</translation>
     </message>
     <message>
-        <source>Take the landmark as a point</source>
-        <translation>Tomar o marco como ponto</translation>
-    </message>
-    <message>
         <source>name</source>
         <translation>nome</translation>
     </message>
@@ -11667,6 +11659,10 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <message>
         <source>Type the direction of the landmark first. For 0 and 0 type its name, too.</source>
         <translation>escreva primeiro a direção do marco, 0 e 0 com o seu nome</translation>
+    </message>
+    <message>
+        <source>Store the landmark as a point</source>
+        <translation>Guardar a referência como ponto</translation>
     </message>
 </context>
 <context>
@@ -12438,7 +12434,7 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Lua e outros</translation>
     </message>
     <message>
-        <source>Targets that are no satellites</source>
+        <source>Targets other than satellites</source>
         <translation>Alvos que não são satélites</translation>
     </message>
 </context>
@@ -13297,10 +13293,6 @@ el %2</translation>
 <context>
     <name>boresight::ui::ProtectionPanel</name>
     <message>
-        <source>Survey of the drives</source>
-        <translation>Exame dos acionamentos</translation>
-    </message>
-    <message>
         <source>Why the selected setting matters</source>
         <translation>Por que importa o parâmetro selecionado</translation>
     </message>
@@ -13445,6 +13437,10 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
     <message>
         <source>%1 unsafe, %2 advised. Select a line to read why it matters</source>
         <translation>%1 perigosas, %2 a corrigir. Escolha uma linha para ler porque importa</translation>
+    </message>
+    <message>
+        <source>Drive check</source>
+        <translation>Verificação dos acionamentos</translation>
     </message>
 </context>
 <context>
@@ -13811,10 +13807,6 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
         <translation>%1, %2 dB acima do fundo</translation>
     </message>
     <message>
-        <source>%1, its background was not reached</source>
-        <translation>%1, o fundo não foi alcançado</translation>
-    </message>
-    <message>
         <source>What the scan found</source>
         <translation>O que a varredura encontrou</translation>
     </message>
@@ -13857,6 +13849,10 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
     <message>
         <source>Power: Type a number in dB, for example -73.2.</source>
         <translation>Potência: falta um número de dB, como -73.2</translation>
+    </message>
+    <message>
+        <source>%1. The scan did not reach the background.</source>
+        <translation>%1. A varredura não chegou ao fundo.</translation>
     </message>
 </context>
 <context>
@@ -14073,20 +14069,12 @@ Erro máximo: %6</translation>
         <translation>sem soma de verificação</translation>
     </message>
     <message>
-        <source>checksum that is no number</source>
-        <translation>soma de verificação que não é um número</translation>
-    </message>
-    <message>
         <source>cut off</source>
         <translation>cortada</translation>
     </message>
     <message>
         <source>too long</source>
         <translation>demasiado longa</translation>
-    </message>
-    <message>
-        <source>a field is missing or too many</source>
-        <translation>falta um campo ou há um a mais</translation>
     </message>
     <message>
         <source>unknown unit</source>
@@ -14215,6 +14203,14 @@ Erro máximo: %6</translation>
     <message>
         <source>no sensor is set</source>
         <translation>nenhum sensor definido</translation>
+    </message>
+    <message>
+        <source>checksum that is not a number</source>
+        <translation>soma de verificação que não é um número</translation>
+    </message>
+    <message>
+        <source>wrong number of fields</source>
+        <translation>número errado de campos</translation>
     </message>
 </context>
 <context>
@@ -15479,16 +15475,16 @@ Uma posição, graus e metros: place 38.757,-9.117,1200</translation>
         <translation>Tirar da agenda</translation>
     </message>
     <message>
-        <source>The schedule leaves out this satellite from now on</source>
-        <translation>A agenda deixa este satélite de fora a partir de agora</translation>
-    </message>
-    <message>
         <source>Select a pass first.</source>
         <translation>Escolha primeiro uma passagem.</translation>
     </message>
     <message>
         <source>The armed schedule tracks each pass of this satellite</source>
         <translation>A agenda armada segue cada passagem deste satélite</translation>
+    </message>
+    <message>
+        <source>Remove this satellite from the schedule</source>
+        <translation>Remover este satélite da agenda</translation>
     </message>
 </context>
 <context>

@@ -138,7 +138,7 @@ TEST_F(CtlStation, TracksATarget)
     EXPECT_EQ(ask("release").status, 0);
     const Outcome unknown = ask("track noaa 99");
     EXPECT_EQ(unknown.status, 1);
-    EXPECT_THAT(unknown.errors, HasSubstr("refused: \"noaa 99\" is no known satellite, no body and no locator"));
+    EXPECT_THAT(unknown.errors, HasSubstr("refused: \"noaa 99\" is not a known satellite, a body or a locator"));
     EXPECT_EQ(ask("track").status, 2);
     EXPECT_EQ(ask("track moon --norad 5").status, 2);
     EXPECT_EQ(ask("stop --latched").status, 0);

@@ -22,7 +22,7 @@ struct Setting
 };
 
 constexpr Setting kSettings[] = {
-    {"id.id", "1", "2", nullptr, Verdict::Right, "the profile knows this axis under this id"},
+    {"id.id", "1", "2", nullptr, Verdict::Right, "The profile has this id for this axis."},
     {"servopos.position_min", "-0.258333 turns (-93.0°)", "-0.008333 turns (-3.0°)", "-0.01 turns (-3.6°)",
      Verdict::Dangerous, "the factory's ±3.6° would end every move in fault 39"},
     {"servopos.position_max", "1.25833 turns (453.0°)", "0.258333 turns (93.0°)", "0.01 turns (3.6°)",
@@ -48,7 +48,7 @@ constexpr Setting kSettings[] = {
      "the gear as the profile has it (gear_ratio, gear_in): with another one every angle is wrong. To be changed by "
      "hand only: the gains change with the square of it"},
     {"motor_position.output.sign", "1 or -1", nullptr, "1", Verdict::Right,
-     "turned round, the axis runs the other way: the profile's sign goes with it"},
+     "With the other sign the axis turns the other way. Then change the sign in the profile, too."},
     {"motor_position.output.reference_source", "any", nullptr, "-1", Verdict::Right,
      "-1: no encoder on the axis, so the cable wrap is unknown after power-up"},
     {"servo.fault_position_error", "0.0277778 turns (10°)", nullptr, "none", Verdict::Advised,

@@ -91,7 +91,7 @@ Sentence crashStopSentence(const DriveStatus& drive)
 DrivesPanel::DrivesPanel(RequestDesk& desk, QWidget* parent)
     : AskingPanel(desk, parent),
       m_strangers(new ValueLabel(tr("Unknown boards on the bus"), fonts::label(), {}, this)),
-      m_survey(new ValueLabel(tr("Survey of the drives"), fonts::label(), {}, this)),
+      m_survey(new ValueLabel(tr("Drive check"), fonts::label(), {}, this)),
       m_arming(new ValueLabel(tr("May the mount move"), fonts::label(), {}, this)),
       m_proof(new ValueLabel(tr("Crash-stop test"), fonts::label(), {}, this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
@@ -242,7 +242,7 @@ void DrivesPanel::showProof()
                       : both  ? tr("Run (both axes) …")
                               : tr("Run …"),
                       running
-                          ? tr("Feed the drives again and hold")
+                          ? tr("Send commands to the drives again and hold")
                           : tr("Move each axis, stop the commands to its drive, and measure. Boresight asks first."));
     m_run->setBlocked(m_status.permissions.reason(running ? Action::EndProof : Action::ProveCrashStop));
     m_rate->setEnabled(!running);

@@ -29,7 +29,7 @@ ProtectionPanel::ProtectionPanel(RequestDesk& desk, QWidget* parent)
     : AskingPanel(desk, parent),
       m_model(new ProtectionModel(this)),
       m_table(makeTable()),
-      m_survey(new ValueLabel(tr("Survey of the drives"), fonts::label(), {}, this)),
+      m_survey(new ValueLabel(tr("Drive check"), fonts::label(), {}, this)),
       m_reason(new ValueLabel(tr("Why the selected setting matters"), fonts::label(), {}, this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_read(new CommandButton(tr("Read again"), tr("Look who is on the bus and read all settings anew"), desk,

@@ -59,7 +59,7 @@ void GuideClient::showStatus(const StationStatus& status)
     const bool listens = !status.listening.isEmpty();
     const QString text =
         listens ? gpredictSettings(status) + tr("Any other client of rotctld works as well, at the same address.")
-                : tr("rotctld does not listen: no program can connect. The alarm line says why.");
+                : tr("The rotctld port is closed. No program can connect. The alarm shows the reason.");
     if (text != m_settings->toPlainText()) {
         m_settings->setPlainText(text);
     }

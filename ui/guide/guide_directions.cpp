@@ -90,9 +90,10 @@ void GuideDirections::addAxis(QGridLayout& grid, Axis axis, RequestDesk& desk)
     row.hold->setKeyHeld(true);
     row.moved = new ValueLabel(tr("Test move of the %1").arg(name(axis)), fonts::label(), {}, this);
     row.moved->setStretching(true);
-    row.reverse = new CommandButton(azimuth ? tr("AZ moved the wrong way") : tr("EL moved the wrong way"),
-                                    tr("The %1 motor counts the other way. Boresight connects again.").arg(name(axis)),
-                                    desk, *m_notice, this);
+    row.reverse =
+        new CommandButton(azimuth ? tr("AZ moved the wrong way") : tr("EL moved the wrong way"),
+                          tr("The motor of the %1 counts the other way. Boresight connects again.").arg(name(axis)),
+                          desk, *m_notice, this);
     const int line = 2 * static_cast<int>(axisIndex(axis));
     grid.addWidget(row.arrow, line, 0, 2, 1);
     grid.addWidget(row.moved, line, 1, 1, 2);

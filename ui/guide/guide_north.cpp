@@ -234,7 +234,7 @@ void GuideNorth::showEffect()
         const QSignalBlocker silent(m_truth);
         m_truth->setValue(beam.degrees());
     }
-    m_pointing->setValue(tr("It says it points to %1").arg(known ? angleText(beam) : noValue()));
+    m_pointing->setValue(tr("The mount reports %1").arg(known ? azimuthText(beam, 2) : noValue()));
     m_set->setBlocked(whyNot());
     if (!known || !m_typed) {
         m_effect->setValue({});

@@ -162,7 +162,7 @@ QString name(GuideStep step)
 QString title(GuideStep step)
 {
     const std::array titles{GuideWords::tr("Connect: how are the drives reached?"),
-                            GuideWords::tr("Protect: does each drive guard the mount by itself?"),
+                            GuideWords::tr("Protect: are the safety settings of each drive right?"),
                             GuideWords::tr("Turning: which motor is which, and which way does it turn?"),
                             GuideWords::tr("Travel: how far may each axis and its cable go?"),
                             GuideWords::tr("Level: where is elevation 0°?"),

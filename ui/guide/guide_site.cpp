@@ -54,7 +54,7 @@ GuideSite::GuideSite(ProfileChange& change, RequestDesk& desk, HostDesk& host, Q
       m_change(change),
       m_host(host),
       m_notice(new ValueLabel(tr("What is wrong"), fonts::label(), {}, this)),
-      m_gpredictNote(new ValueLabel(tr("What Gpredict knows"), fonts::label(), {}, this)),
+      m_gpredictNote(new ValueLabel(tr("Sites found in Gpredict"), fonts::label(), {}, this)),
       m_latitude(makeField({.name = tr("Latitude"),
                             .help = tr("Degrees, north positive"),
                             .min = -90.0,
@@ -80,7 +80,7 @@ GuideSite::GuideSite(ProfileChange& change, RequestDesk& desk, HostDesk& host, Q
       m_gpredict(new QComboBox(this)),
       m_choose(new CommandButton(tr("Folder …"), tr("Where Gpredict keeps its files, if not at the usual place"), desk,
                                  *m_notice, this)),
-      m_set(new CommandButton(tr("Set the site"), tr("Takes the place into the profile"), desk, *m_notice, this))
+      m_set(new CommandButton(tr("Set the site"), tr("Store this place in the profile"), desk, *m_notice, this))
 {
     build();
     for (QDoubleSpinBox* const field : {m_latitude, m_longitude}) {

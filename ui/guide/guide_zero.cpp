@@ -33,7 +33,7 @@ GuideZero::GuideZero(ProfileChange& change, RequestDesk& desk, QWidget* parent)
       m_change(change),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_explanation(new ValueLabel(tr("What to do"), fonts::label(), {}, this)),
-      m_reading(new ValueLabel(tr("What the %1 reads now").arg(name(kAxis)), fonts::text(), {}, this)),
+      m_reading(new ValueLabel(tr("The angle that the %1 reports now").arg(name(kAxis)), fonts::text(), {}, this)),
       m_effect(new ValueLabel(tr("What the change does"), fonts::label(), {}, this)),
       m_truth(nullptr),
       m_endsStay(new QCheckBox(tr("Keep cable and stops physically where they are"), this)),

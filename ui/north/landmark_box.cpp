@@ -32,7 +32,7 @@ LandmarkBox::LandmarkBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
       m_take(new CommandButton(tr("Take point"), tr("The target is centred now. Store the position of the axes"), desk,
                                notice, this))
 {
-    m_take->setAccessibleName(tr("Take the landmark as a point"));
+    m_take->setAccessibleName(tr("Store the landmark as a point"));
     m_label->setFont(fonts::label());
     m_label->setMaxLength(40);
     m_label->setMinimumHeight(m_azimuth->minimumHeight());

@@ -48,7 +48,7 @@ QString foundText(const calibration::CrossScan& scan)
     return background ? ScanBox::tr("%1, %2 dB over the background")
                             .arg(place)
                             .arg(scan.elevation.decibels - *background, 0, 'f', 1)
-                      : ScanBox::tr("%1, its background was not reached").arg(place);
+                      : ScanBox::tr("%1. The scan did not reach the background.").arg(place);
 }
 
 // What the receiver said last, how long ago, or what is wrong with its line.

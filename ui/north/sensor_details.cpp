@@ -22,13 +22,13 @@ QString reasonText(Refusal reason)
         case Refusal::NoChecksum:
             return SensorDetails::tr("no checksum");
         case Refusal::BadChecksum:
-            return SensorDetails::tr("checksum that is no number");
+            return SensorDetails::tr("checksum that is not a number");
         case Refusal::Truncated:
             return SensorDetails::tr("cut off");
         case Refusal::TooLong:
             return SensorDetails::tr("too long");
         case Refusal::FieldCount:
-            return SensorDetails::tr("a field is missing or too many");
+            return SensorDetails::tr("wrong number of fields");
         case Refusal::Unit:
             return SensorDetails::tr("unknown unit");
         case Refusal::NotANumber:

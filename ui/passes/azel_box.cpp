@@ -118,9 +118,9 @@ void AzelBox::showStatus(const StationStatus& status)
     const AzelStatus& azel = status.azel;
     m_isFollowed = azel.phase != AzelPhase::Off;
     m_follow->setCommand(m_isFollowed ? tr("Hold") : tr("Track Moon"),
-                         m_isFollowed
-                             ? tr("End tracking. The mount holds")
-                             : tr("Keep the beam on the Moon of WSJT-X. Below the horizon the mount is parked"));
+                         m_isFollowed ? tr("End tracking. The mount holds")
+                                      : tr("Track the Moon with the data of WSJT-X. Boresight parks the mount while "
+                                           "the Moon is below the horizon"));
     m_follow->setAccessibleName(m_isFollowed ? tr("Hold and stop tracking the Moon of WSJT-X")
                                              : tr("Track the Moon of WSJT-X"));
     m_follow->setBlocked(m_isFollowed ? QString() : status.permissions.reason(Action::FollowAzel));

@@ -27,7 +27,7 @@ void WatchButton::show(const std::optional<std::int64_t>& satellite, const std::
     m_satellite = satellite ? std::optional(static_cast<int>(*satellite)) : std::nullopt;
     const bool isWatched = m_satellite && isIn(watched, *m_satellite);
     setCommand(isWatched ? tr("Remove from schedule") : tr("Add to schedule"),
-               isWatched ? tr("The schedule leaves out this satellite from now on")
+               isWatched ? tr("Remove this satellite from the schedule")
                          : tr("The armed schedule tracks each pass of this satellite"));
     setBlocked(m_satellite ? QString() : tr("Select a pass first."));
 }

@@ -128,7 +128,7 @@ void PanelTabs::fillPassesTabs()
     m_passesTabs->setTabToolTip(m_passesTabs->addTab(m_schedule, tr("Schedule")),
                                 tr("The passes that the mount tracks by itself"));
     m_passesTabs->setTabToolTip(m_passesTabs->addTab(m_targets, tr("Moon, Sun, others")),
-                                tr("Targets that are no satellites"));
+                                tr("Targets other than satellites"));
     keepHeightOfShownPage(*m_passesTabs);
 }
 

@@ -136,9 +136,10 @@ TEST(AlarmCatalogue, SentencesAreFilledWithTheirArguments)
     EXPECT_EQ(text.brief, QStringLiteral("Fault 38: 100%2 wrong."));
     EXPECT_EQ(text.remedy, QStringLiteral("Look at it. Then press Re-arm."));
     EXPECT_EQ(namedByWhat(alarmEntry("drive.silent"), arguments), QStringList(QStringLiteral("azimuth drive")));
-    EXPECT_EQ(textOf(alarmEntry("axis.stalled"), {QStringLiteral("x")}).remedy,
-              QStringLiteral("Look for a cable, a lock, ice or a slipping coupling that blocks the axis. Free the "
-                             "axis. Then press Re-arm."));
+    EXPECT_EQ(
+        textOf(alarmEntry("axis.stalled"), {QStringLiteral("x")}).remedy,
+        QStringLiteral(
+            "Look for what blocks the axis: a cable, a lock, ice or a coupling. Free the axis. Then press Re-arm."));
 }
 
 QStringList examplesOf(const AlarmEntry& entry)

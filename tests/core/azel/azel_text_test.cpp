@@ -120,7 +120,7 @@ TEST(AzelText, NothingIsTakenOfACutOrTornText)
     EXPECT_EQ(reasonOf(" \r"), "the file is empty");
     EXPECT_EQ(reasonOf(kSample.substr(0, 40)), "the file is cut: the line of the Sun or of the Doppler is missing");
     EXPECT_EQ(reasonOf(replaced(kSample, "22:30:04,298.4", "22:30:05,298.4")),
-              "the file is torn: Moon and Sun have different times");
+              "The file is half written. Moon and Sun have different times.");
 }
 
 // REQ-AZEL-904: What is no azel.dat is refused with a reason that repeats nothing of it: other texts, numbers that are
@@ -139,8 +139,8 @@ TEST(AzelText, RefusesEverythingElse)
         EXPECT_EQ(reasonOf(replaced(kSample, "22:30:04", time)), "the time of the Moon cannot be read") << time;
     }
     EXPECT_EQ(reasonOf("105.3,59.9\n"), "the file is that of AirScout, which has another form");
-    EXPECT_EQ(reasonOf("# some notes\n"), "the file has no line of the Moon");
-    EXPECT_EQ(reasonOf(replaced(kSample, "Moon", "Mooo")), "the file has no line of the Moon");
+    EXPECT_EQ(reasonOf("# some notes\n"), "The file has no line for the Moon.");
+    EXPECT_EQ(reasonOf(replaced(kSample, "Moon", "Mooo")), "The file has no line for the Moon.");
     EXPECT_THAT(reasonOf(kSample + std::string(1, '\0')), HasSubstr("characters that are no plain text"));
     EXPECT_THAT(reasonOf(std::string(132, '\0')), HasSubstr("characters that are no plain text"));
     EXPECT_THAT(reasonOf(kSample + "\x1b[2J\n"), HasSubstr("characters that are no plain text"));

@@ -61,7 +61,7 @@ TEST_F(AzelFileTest, WhatIsNoFileHasItsReason)
     EXPECT_EQ(reasonOf(path("pipe")), "there is no such file") << "nobody writes into it, and nobody waits";
     write(kText);
     ASSERT_TRUE(QFile(path()).resize(100'000'000));
-    EXPECT_EQ(reasonOf(path()), "the file is no azel.dat: it is longer than 512 bytes");
+    EXPECT_EQ(reasonOf(path()), "The file is not an azel.dat. It is longer than 512 bytes.");
 }
 
 }  // namespace

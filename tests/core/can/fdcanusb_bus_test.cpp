@@ -61,7 +61,7 @@ TEST_F(FdcanusbLinkTest, SilentBusIsAskedForItsStatusAndRestarted)
     ASSERT_TRUE(written("can send 8001 50 BF\ncan status\n"));
     adapter.write("OK\r\nlec=3 dlec=7 err=1 warn=1 busoff=0 pexc=0 tdc=0\r\n");
     ASSERT_TRUE(waitUntil([this] { return link.status().state == LinkState::Up; }));
-    EXPECT_THAT(text(), HasSubstr("nobody acknowledges our frames: check the drives' power, the cable"));
+    EXPECT_THAT(text(), HasSubstr("no board acknowledges the frames: check the power of the drives, the cable"));
     adapter.write("rcv 0100 210000 e B F r x-1\r\n");
     ASSERT_TRUE(waitUntil([this] { return text().empty(); }));
 }

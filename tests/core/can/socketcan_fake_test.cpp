@@ -168,7 +168,7 @@ TEST_F(SocketCanFakeTest, ErrorPassiveAndMissingAcknowledgeAreSaidUntilAFrameCom
     EXPECT_THAT(text(), HasSubstr("error-passive"));
     putError(CAN_ERR_ACK);
     ASSERT_TRUE(waitUntil([this] { return link.status().busErrors == 2; }));
-    EXPECT_THAT(text(), HasSubstr("nobody acknowledges our frames: check the drives' power, the cable"));
+    EXPECT_THAT(text(), HasSubstr("no board acknowledges the frames: check the power of the drives, the cable"));
     EXPECT_EQ(link.status().state, LinkState::Up);
     can.put(socketcan::toRaw(frameTo(0x100)).value());
     ASSERT_TRUE(waitUntil([this] { return frames.size() == 1; }));
@@ -221,7 +221,7 @@ TEST_F(SocketCanFakeTest, MissingAcknowledgeIsKnownByItsPlaceInTheFrame)
     raw.frame.data[3] = CAN_ERR_PROT_LOC_ACK;
     can.put(raw);
     ASSERT_TRUE(waitUntil([this] { return !text().empty(); }));
-    EXPECT_THAT(text(), HasSubstr("nobody acknowledges"));
+    EXPECT_THAT(text(), HasSubstr("no board acknowledges"));
 }
 
 // A flood is a warning after one window of 200 ms and stays one until the bus is quiet again.
@@ -294,7 +294,7 @@ TEST_F(SocketCanTimingTest, WrongTimingIsToldBesideWhatItCauses)
     ASSERT_TRUE(link.open().has_value());
     putError(CAN_ERR_ACK);
     ASSERT_TRUE(waitUntil([this] { return link.status().busErrors == 1; }));
-    EXPECT_THAT(text(), testing::ContainsRegex("nobody acknowledges.*; wrong bit timing.*data sample point 0.750"));
+    EXPECT_THAT(text(), testing::ContainsRegex("no board acknowledges.*; wrong bit timing.*data sample point 0.750"));
 }
 
 // A bus that was off before the program started sends no error frame about it.

@@ -158,7 +158,7 @@ TEST_F(ElementFilesTest, TheFilesOfGpredictAreReadInPlace)
     ASSERT_THAT(files.sets, SizeIs(1));
     EXPECT_EQ(files.sets[0].number, 33591);
     EXPECT_THAT(linesOf(files), ElementsAre(HasSubstr("mine.mod: There are no elements of satellite 90001 in "),
-                                            HasSubstr("mine.mod: \"x\" is no catalogue number.")));
+                                            HasSubstr("mine.mod: \"x\" is not a catalogue number.")));
     EXPECT_THAT(linesOf(readElementFiles({write("modules/empty.mod", "[GLOBAL]\n")})),
                 ElementsAre(HasSubstr("empty.mod: The module names no satellite.")));
     EXPECT_THAT(linesOf(readElementFiles({QStringLiteral("/nowhere/absent.mod")})),

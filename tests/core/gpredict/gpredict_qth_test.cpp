@@ -66,7 +66,7 @@ TEST(GpredictQth, AnIncompletePlaceIsRefused)
 {
     EXPECT_EQ(errorOf(""), "LAT is missing");
     EXPECT_EQ(errorOf("[QTH]\nLAT=1\nALT=5\n"), "LON is missing");
-    EXPECT_EQ(errorOf("[QTH]\nLAT=1\nLON=12,5\nALT=5\n"), "LON is no number");
+    EXPECT_EQ(errorOf("[QTH]\nLAT=1\nLON=12,5\nALT=5\n"), "LON is not a number");
     EXPECT_EQ(errorOf("[QTH]\nLAT=91\nLON=12.5\nALT=5\n"), "LAT: 91 is outside -90…90");
     EXPECT_EQ(errorOf("LAT=1\nLON=12.5\nALT=5\n"), "LAT is missing") << "outside of [QTH]";
 }

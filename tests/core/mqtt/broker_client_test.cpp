@@ -194,7 +194,7 @@ TEST_F(MqttTls, RefusesACertificateOfAnotherAuthority)
     ASSERT_TRUE(startBroker(Door::Tls));
     EXPECT_THAT(refused(to(*broker, "localhost", broker->strangersCaFile())),
                 HasSubstr("its certificate is not from the authority in " + broker->strangersCaFile().toStdString()));
-    EXPECT_THAT(refused(to(*broker, "localhost", {})), HasSubstr("from an authority that this computer does not know"));
+    EXPECT_THAT(refused(to(*broker, "localhost", {})), HasSubstr("This computer does not know the authority"));
 }
 
 TEST_F(MqttTls, RefusesACertificateOfAnotherName)

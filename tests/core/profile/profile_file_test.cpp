@@ -243,7 +243,7 @@ TEST(ProfileFile, TellsWhichRowsMakeNoSense)
               "m.toml:17: preset[2].name: The name \"n\" is used twice.\n"
               "m.toml:20: rotctld.locked_to: is needed while rotctld.lead is \"locked\"");
     EXPECT_EQ(errorsOf("version = 1\nrotctld.allow = [\"10.0.0.0/8\", \"10.1\"]\n"),
-              "m.toml:2: rotctld.allow: \"10.1\" is no address like 192.168.1.7 or ::1");
+              "m.toml:2: rotctld.allow: \"10.1\" is not an address like 192.168.1.7 or ::1");
     EXPECT_EQ(errorsOf("version = 1\n[preset]\nname = \"n\"\n"), "m.toml:2: preset: \"[[preset]]\" is expected");
     EXPECT_EQ(errorsOf("version = 1\nkeep_out = [1]\n"), "m.toml:2: keep_out[1]: a table is expected");
 }

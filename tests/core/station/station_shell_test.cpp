@@ -119,7 +119,7 @@ TEST(StationShell, TracksWhereAClientOfThisComputerCouldMoveTheMount)
     ASSERT_TRUE(status.tracked);
     EXPECT_EQ(status.commander.name, QStringLiteral("shell"));
     EXPECT_EQ(rig.answerTo("track azel 25,30\n"), "ok\n25.00° 30.00°\n") << "the operator has the control";
-    EXPECT_THAT(rig.answerTo("track nothing\n"), HasSubstr("error: \"nothing\" is no known satellite"));
+    EXPECT_THAT(rig.answerTo("track nothing\n"), HasSubstr("error: \"nothing\" is not a known satellite"));
 
     ASSERT_EQ(rig.answerTo("release\n"), "ok\n");
     ASSERT_TRUE(rig.point(30.0, 30.0, kClient));

@@ -208,7 +208,7 @@ TEST(DriveSurvey, RefusesAnUnknownRegisterMap)
         {.kind = FaultKind::RegisterMap, .axis = Axis::Azimuth, .duration = Seconds(4.0), .value = 6});
     rig.survey();
     EXPECT_THAT(causes(rig.drives), ElementsAre("drives.map.azimuth"));
-    EXPECT_THAT(obstacle(rig.drives), HasSubstr("has the register map 6, but Boresight knows only version 5"));
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("has the register map 6. Boresight supports only version 5"));
     EXPECT_TRUE(rig.reaches(SurveyState::Done)) << "after other firmware was installed";
 }
 

@@ -129,7 +129,7 @@ TEST_F(DrivesTest, ReadAgainAsksAtOnceAndWaitsWhileReading)
     EXPECT_TRUE(named<CommandButton>("Read again")->isEnabled());
     give(samples::update(samples::reading()));
     expectBlocked("Read again", "the drives are being read");
-    EXPECT_EQ(text("Survey of the drives"), QStringLiteral("reading servo.timeout_mode of elevation"));
+    EXPECT_EQ(text("Drive check"), QStringLiteral("reading servo.timeout_mode of elevation"));
 }
 
 // REQ-UI-11

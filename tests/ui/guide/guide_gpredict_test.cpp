@@ -27,7 +27,7 @@ protected:
         QTest::mouseClick(&stepButtonOf(window, GuideStep::Site), Qt::LeftButton);
     }
     void answer(const profile::GpredictFiles& found) { Q_EMIT window.host().gpredictFound(found); }
-    QString told() { return text("What Gpredict knows"); }
+    QString told() { return text("Sites found in Gpredict"); }
     void putInForce(const profile::Profile& profile)
     {
         status.profile = std::make_shared<const profile::Profile>(profile);

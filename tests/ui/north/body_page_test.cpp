@@ -116,7 +116,7 @@ TEST_F(NorthTest, ALandmarkIsTakenWithItsNameAndDirection)
     QTest::keyClicks(elevation, QStringLiteral("1.5"));
     QTest::keyClicks(named<QLineEdit>("Name of the landmark"), QStringLiteral(" church tower "));
     EXPECT_TRUE(requests.empty()) << "typing takes nothing";
-    click("Take the landmark as a point");
+    click("Store the landmark as a point");
     ASSERT_EQ(wanted<request::TakeKnownPoint>().size(), 1u);
     const auto taken = wanted<request::TakeKnownPoint>().front();
     EXPECT_NEAR(taken.truth.azimuth.degrees(), 271.25, 1e-9);
@@ -128,9 +128,9 @@ TEST_F(NorthTest, ALandmarkThatNobodyHasToldIsNotTaken)
 {
     show(CalibrationStep::Body, samples::sixPoints());
     choose("A landmark whose direction is known");
-    expectBlocked("Take the landmark as a point", "Type the direction");
+    expectBlocked("Store the landmark as a point", "Type the direction");
     QTest::keyClicks(named<QLineEdit>("Name of the landmark"), QStringLiteral("mast in the north"));
-    click("Take the landmark as a point");
+    click("Store the landmark as a point");
     ASSERT_EQ(wanted<request::TakeKnownPoint>().size(), 1u);
     EXPECT_EQ(wanted<request::TakeKnownPoint>().front().truth.azimuth.degrees(), 0.0);
 }

@@ -83,7 +83,7 @@ TEST_F(TargetsPageTest, TracksWhatIsTyped)
     EXPECT_EQ(asked<request::Track>().size(), 1U);
     bool isTold = false;
     for (const ValueLabel* const label : window.findChildren<ValueLabel*>()) {
-        isTold = isTold || label->text().startsWith(QStringLiteral("\"nonsense\" is no known satellite"));
+        isTold = isTold || label->text().startsWith(QStringLiteral("\"nonsense\" is not a known satellite"));
     }
     EXPECT_TRUE(isTold);
 }
