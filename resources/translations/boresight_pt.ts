@@ -7984,8 +7984,6 @@ até %1</translation>
         <translation>o relógio deste computador foi acertado em %1 s</translation>
     </message>
     <message>
-        <source>satellites that are missing there, and keep the elements that were read before: %1</source>
-        <translation>satélites que lá faltam e mantêm os elementos lidos antes: %1</translation>
         <source>one turn less</source>
         <translation>uma volta a menos</translation>
     </message>
@@ -8284,6 +8282,10 @@ até %1</translation>
     <message>
         <source>&quot;%1&quot; is not a known satellite, a body or a locator. The bodies are: %2.</source>
         <translation>&quot;%1&quot; não é um satélite conhecido, um corpo nem um localizador. Os corpos são: %2.</translation>
+    </message>
+    <message>
+        <source>satellites that are missing there, and keep the elements that were read before: %1</source>
+        <translation>satélites que lá faltam e mantêm os elementos lidos antes: %1</translation>
     </message>
 </context>
 <context>
