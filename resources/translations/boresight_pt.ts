@@ -479,10 +479,6 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>oculto durante %1 pelos limites</translation>
     </message>
     <message>
-        <source>elements %1 days old</source>
-        <translation>elementos com %1 dias</translation>
-    </message>
-    <message>
         <source>in sunlight</source>
         <translation>ao sol</translation>
     </message>
@@ -509,6 +505,12 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <message>
         <source>number %1, from %2 to %3</source>
         <translation>número %1, de %2 a %3</translation>
+        <source>elements %1 days old: about %2 s or %3 off, more than half the beam</source>
+        <translation>elementos com %1 dias: erro de cerca de %2 s ou %3, mais de metade do feixe</translation>
+    </message>
+    <message>
+        <source>elements %1 days old: about %2 s or %3 off</source>
+        <translation>elementos com %1 dias: erro de cerca de %2 s ou %3</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,7 @@ struct PassBook
 {
     Satellites satellites;
     Site site{};
+    Angle beamWidth{};
     std::vector<BookedPass> passes;  // in the order in which they begin
 
     [[nodiscard]] const orbit::ElementSet& elementsOf(const BookedPass& one) const

@@ -15,6 +15,7 @@ std::shared_ptr<const PassBook> bookOf(const PassQuery& query, const std::vector
     auto book = std::make_shared<PassBook>();
     book->satellites = query.satellites;
     book->site = query.search.site;
+    book->beamWidth = query.beamWidth;
     for (std::size_t satellite = 0; satellite < lists.size(); ++satellite) {
         for (const passes::Pass& pass : lists[satellite].passes) {
             book->passes.push_back({.satellite = satellite, .pass = pass});

@@ -17,6 +17,7 @@ struct PassQuery
 {
     Satellites satellites;
     passes::PassSearch search;
+    Angle beamWidth{};
 };
 
 class PassSearcher : public QObject

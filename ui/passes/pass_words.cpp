@@ -2,7 +2,11 @@
 #include "ui/passes/pass_words.h"
 
 #include "core/elements/julian_date.h"
+#include "core/orbit/element_age.h"
+#include "core/orbit/sgp4.h"
+#include "core/orbit/topocentric.h"
 #include "core/targets/target.h"
+#include "core/units/angle_between.h"
 #include "ui/kit/format.h"
 
 #include <QStringList>
@@ -10,6 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 namespace boresight::ui {
 
@@ -21,6 +26,35 @@ constexpr double kSecondsPerDay = 86'400.0;
 QString momentText(const QString& words, const passes::PassMoment& moment, const QString& angle)
 {
     return words.arg(clockText(moment.utc), angle);
+}
+
+// By how much the satellite is elsewhere at its highest, where it moves fastest over the sky, if it comes late.
+Angle shiftOf(const BookedPass& one, const PassBook& book, Seconds late)
+{
+    const orbit::Sgp4 orbit(book.elementsOf(one));
+    const orbit::Observer observer(book.site);
+    const auto directionAt = [&](UtcTime utc) -> std::optional<SkyPointing> {
+        const orbit::JulianDate date = orbit::julianDate(utc);
+        const auto state = orbit.propagate(date);
+        return state ? std::optional(observer.look(orbit::groundState(*state, date)).direction) : std::nullopt;
+    };
+    const UtcTime highest = one.pass.tca.utc;
+    const auto expected = directionAt(highest);
+    const auto real = directionAt(highest - std::chrono::round<UtcTime::duration>(late));
+    return expected && real ? angleBetween(*expected, *real) : 0_deg;
+}
+
+// How old the elements are, and what that means for this beam.
+QString ageText(const BookedPass& one, const PassBook& book, UtcTime now)
+{
+    const orbit::ElementSet& elements = book.elementsOf(one);
+    const double days = Seconds(now - orbit::utcTime(elements.epoch)).count() / kSecondsPerDay;
+    const orbit::AgeError error = orbit::expectedError(elements, one.pass.tca.utc);
+    const Angle shift = shiftOf(one, book, error.time);
+    const QString words = 2.0 * shift > book.beamWidth
+                              ? PassWords::tr("elements %1 days old: about %2 s or %3 off, more than half the beam")
+                              : PassWords::tr("elements %1 days old: about %2 s or %3 off");
+    return words.arg(std::max(0.0, days), 0, 'f', 1).arg(error.time.count(), 0, 'f', 1).arg(angleText(shift, 1));
 }
 
 }  // namespace
@@ -63,8 +97,7 @@ QString factsOf(const BookedPass& one, const PassBook& book, UtcTime now)
     if (const Seconds hidden = hiddenTime(pass); hidden >= Seconds(1.0)) {
         lines << PassWords::tr("hidden for %1 by the limits").arg(lengthText(hidden));
     }
-    const double days = Seconds(now - orbit::utcTime(elements.epoch)).count() / kSecondsPerDay;
-    lines << PassWords::tr("elements %1 days old").arg(std::max(0.0, days), 0, 'f', 1);
+    lines << ageText(one, book, now);
     return lines.join(QLatin1Char('\n'));
 }
 

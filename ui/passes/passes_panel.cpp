@@ -194,18 +194,23 @@ void PassesPanel::showStatus(const StationStatus& status)
 void PassesPanel::searchAgain(const StationStatus& status)
 {
     const profile::Profile& profile = *status.profile;
-    const Basis basis{
-        .satellites = status.satellites, .site = profile.site, .limits = profile.limits, .pointing = profile.pointing};
+    const Basis basis{.satellites = status.satellites,
+                      .site = profile.site,
+                      .limits = profile.limits,
+                      .pointing = profile.pointing,
+                      .beamWidth = profile.mount.beamWidth};
     const bool isOld = m_now < m_last.begun || m_now - m_last.begun > kSearchAgain;
     if (!basis.satellites || basis.satellites->empty() || !basis.site.known || (basis == m_last.basis && !isOld)) {
         return;
     }
     m_last.basis = basis;
     m_last.begun = m_now - kBack;
-    m_searcher->search(
-        {.satellites = basis.satellites,
-         .search = {
-             .site = basis.site.place(), .from = m_last.begun, .to = m_now + kAhead, .isClear = clearSky(profile)}});
+    m_searcher->search({.satellites = basis.satellites,
+                        .search = {.site = basis.site.place(),
+                                   .from = m_last.begun,
+                                   .to = m_now + kAhead,
+                                   .isClear = clearSky(profile)},
+                        .beamWidth = basis.beamWidth});
 }
 
 void PassesPanel::showBook(const std::shared_ptr<const PassBook>& book)

@@ -54,6 +54,7 @@ private:
         profile::SiteSettings site;
         pointing::Region limits;
         pointing::PointingTerms pointing;
+        Angle beamWidth;
 
         bool operator==(const Basis&) const = default;
     };

@@ -15,11 +15,17 @@
 #include <QLineEdit>
 #include <QTableView>
 
+#include <gmock/gmock.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace boresight::ui {
 namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
 
 orbit::ElementSet satellite(const char* name, std::int64_t number, Angle node, UtcTime epoch)
 {
@@ -111,6 +117,22 @@ TEST_F(PassesPanelTest, WordsAndHeightSelect)
     named<QLineEdit>("Satellites to list")->setText(QStringLiteral("no such thing"));
     EXPECT_EQ(rows(), 0);
     EXPECT_EQ(text("The selected pass"), QString());
+}
+
+// REQ-PASSES-958: The age of the elements is judged: how many seconds and degrees the satellite has to be expected
+// elsewhere, and whether that is more than half the beam.
+TEST_F(PassesPanelTest, JudgesTheAgeOfTheElements)
+{
+    StationStatus status = withSatellites();
+    giveFound(status);
+    EXPECT_THAT(text("The selected pass").toStdString(), AllOf(HasSubstr("elements 0.0 days old: about 0."),
+                                                               HasSubstr("° off"), Not(HasSubstr("half the beam"))));
+    profile::Profile profile = *status.profile;
+    profile.mount.beamWidth = 0.01_deg;
+    status.profile = std::make_shared<const profile::Profile>(profile);
+    give(samples::update(status));
+    ASSERT_TRUE(
+        fakes::waitUntil([this] { return text("The selected pass").contains(u"° off, more than half the beam"); }));
 }
 
 // REQ-PASSES-957: What is wrong with the elements stands above the passes of those that are good, a download without a
