@@ -503,14 +503,16 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>ao sol %1Z a %2Z</translation>
     </message>
     <message>
-        <source>number %1, from %2 to %3</source>
-        <translation>número %1, de %2 a %3</translation>
         <source>elements %1 days old: about %2 s or %3 off, more than half the beam</source>
         <translation>elementos com %1 dias: erro de cerca de %2 s ou %3, mais de metade do feixe</translation>
     </message>
     <message>
         <source>elements %1 days old: about %2 s or %3 off</source>
         <translation>elementos com %1 dias: erro de cerca de %2 s ou %3</translation>
+    </message>
+    <message>
+        <source>number %1, from %2 to %3</source>
+        <translation>número %1, de %2 a %3</translation>
     </message>
 </context>
 <context>
