@@ -43,7 +43,8 @@ TEST_F(GuideTest, LevelIsSetHereAndItsEffectToldBefore)
 {
     open<GuideZero>(GuideStep::Level);
     moveTo({.azimuth = 10_deg, .elevation = 3.2_deg}, AxisState::Holding);
-    EXPECT_TRUE(inGuide<ValueLabel>("What the elevation reads now").text().contains(QStringLiteral("3.20°")));
+    EXPECT_TRUE(
+        inGuide<ValueLabel>("The angle that the elevation reports now").text().contains(QStringLiteral("3.20°")));
     EXPECT_TRUE(inGuide<ValueLabel>("What the change does").text().contains(QStringLiteral("-3.20°")));
     EXPECT_TRUE(inGuide<ValueLabel>("What the change does").text().contains(QStringLiteral("-3.2°…86.8°")));
     moveTo({.azimuth = 10_deg, .elevation = 3.2_deg}, AxisState::Moving);
