@@ -14056,12 +14056,16 @@ Erro máximo: %6</translation>
         <translation>, ensaio: perdida, %1</translation>
     </message>
     <message>
-        <source>, rehearsed: %1 of %2 s within 3 dB</source>
-        <translation>, ensaio: %1 de %2 s dentro de 3 dB</translation>
-    </message>
-    <message>
         <source>rehearsed: %1</source>
         <translation>ensaio: %1</translation>
+    </message>
+    <message>
+        <source>, rehearsed: %1 %</source>
+        <translation>, ensaio: %1 %</translation>
+    </message>
+    <message>
+        <source>Rehearsed: within 3 dB for %1 of %2 s</source>
+        <translation>Ensaio: dentro de 3 dB durante %1 de %2 s</translation>
     </message>
 </context>
 <context>

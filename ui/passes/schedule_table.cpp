@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace boresight::ui {
 
@@ -31,9 +32,17 @@ QString rehearsedText(const RehearsedNight* rehearsed, const schedule::WatchedPa
     if (record->end != schedule::PassEnd::Set) {
         return ScheduleTable::tr(", rehearsed: lost, %1").arg(record->why);
     }
-    return ScheduleTable::tr(", rehearsed: %1 of %2 s within 3 dB")
-        .arg(std::lround(record->within3dB.count()))
-        .arg(std::lround(record->tracked.count()));
+    const double whole = std::max(record->tracked.count(), 1.0);
+    return ScheduleTable::tr(", rehearsed: %1 %").arg(std::floor(record->within3dB.count() / whole * 100.0));
+}
+
+QString rehearsedDetails(const RehearsedNight* rehearsed, const schedule::WatchedPass& pass)
+{
+    const schedule::PassRecord* const record = rehearsed != nullptr ? recordOf(rehearsed->report, pass) : nullptr;
+    return record == nullptr ? QString()
+                             : ScheduleTable::tr("Rehearsed: within 3 dB for %1 of %2 s")
+                                   .arg(std::lround(record->within3dB.count()))
+                                   .arg(std::lround(record->tracked.count()));
 }
 
 QString reasonText(const schedule::Conflict& conflict)
@@ -124,6 +133,7 @@ std::vector<ScheduleTable::Row> ScheduleTable::rowsOf(const ScheduleStatus& sche
             const Seconds wait = pass.begins() - now;
             rows.push_back(rowOf(pass, (wait > Seconds(0.0) ? tr("in %1").arg(waitText(wait)) : tr("up")) +
                                            rehearsedText(rehearsed, pass)));
+            rows.back().details = rehearsedDetails(rehearsed, pass);
         }
     }
     for (const schedule::WatchedPass& pass : schedule.plan.hidden) {

@@ -91,8 +91,8 @@ TEST_F(SchedulePageTest, ShowsTheNightInTheOrderOfTime)
 }
 
 // REQ-SCHEDULE-954: Rehearse and Stop rehearsal are one button. Its progress, what came of it, and why it came to
-// nothing stand above the table. In the table each pass has the seconds within 3 dB as rehearsed, and each warning has
-// a row.
+// nothing stand above the table. In the table each pass has the part of its time within 3 dB as rehearsed, with the
+// seconds in the tooltip. Each warning has a row.
 TEST_F(SchedulePageTest, RehearsesTheNight)
 {
     StationStatus status = withPlan();
@@ -125,7 +125,8 @@ TEST_F(SchedulePageTest, RehearsesTheNight)
               QStringLiteral("Rehearsal: 1 of 2 passes are tracked to the end. The azimuth axis is used from -40° to "
                              "310°. Warnings in the table: 1."));
     ASSERT_EQ(table().model()->rowCount(), 5);
-    EXPECT_EQ(cell(1, ScheduleTable::What), "in 12 min, rehearsed: 588 of 600 s within 3 dB");
+    EXPECT_EQ(cell(1, ScheduleTable::What), "in 12 min, rehearsed: 98 %");
+    EXPECT_EQ(cell(1, ScheduleTable::What, Qt::ToolTipRole), "Rehearsed: within 3 dB for 588 of 600 s");
     EXPECT_EQ(cell(2, ScheduleTable::What), "rehearsed: The Sun is near.");
 
     status.rehearsal = {.progress = {}, .problem = QStringLiteral("STOP is latched."), .night = {}};
