@@ -359,7 +359,7 @@ std::vector<Group> others()
          .moments = kEverywhere},
         {.fault = {.name = "azimuth drive answers as the elevation drive",
                    .injections = {{.kind = FaultKind::DuplicateId, .axis = Axis::Azimuth}},
-                   .alarm = "azimuth"},
+                   .alarm = "Neither drive replies"},
          .moments = kEverywhere},
     };
     groups.push_back({.fault = {.name = "power blinks, azimuth drive returns with another register map",
