@@ -18,6 +18,8 @@ class QTableView;
 // The coming passes of the satellites whose elements the station knows: a table to search, and of the selected pass its
 // facts, Track, and whether the satellite is in the schedule. The plot shows its way over the sky. They are searched
 // for beside the gui thread, for a day ahead, and again when the elements, the site or the limits change. Gui thread.
+//
+// More than 15 members: the widgets that it composes, and what is selected.
 namespace boresight::ui {
 
 class CommandButton;
