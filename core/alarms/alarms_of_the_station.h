@@ -62,7 +62,7 @@ inline constexpr std::array kStationAlarms{
     AlarmEntry{.id = "computer.slept",
                .source = "station",
                .severity = Severity::Warning,
-               .what = QT_TRANSLATE_NOOP("Text", "This computer slept for %1 s"),
+               .what = QT_TRANSLATE_NOOP("Text", "This computer was suspended for %1 s"),
                .action = QT_TRANSLATE_NOOP("Text",
                                            "Boresight commanded nothing meanwhile. Drives that were moving stopped "
                                            "by their own watchdog"),

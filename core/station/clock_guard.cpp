@@ -45,7 +45,7 @@ void ClockGuard::tick()
 void ClockGuard::noticeSleep(Seconds slept)
 {
     const QString seconds = QString::number(slept.count(), 'f', 1);
-    m_log.add(Severity::Warning, kSource, Text::tr("this computer slept for %1 s").arg(seconds));
+    m_log.add(Severity::Warning, kSource, Text::tr("this computer was suspended for %1 s").arg(seconds));
     m_alarms.raise(alarmEntry("computer.slept"), {seconds});
     m_alarms.clear(alarmEntry("computer.slept"));
 }

@@ -7752,7 +7752,7 @@ até %1</translation>
         <translation>Sincronize o relógio por NTP ou GPS. Um satélite a 420 km de altura move-se 1° num segundo</translation>
     </message>
     <message>
-        <source>This computer slept for %1 s</source>
+        <source>This computer was suspended for %1 s</source>
         <translation>Este computador esteve suspenso durante %1 s</translation>
     </message>
     <message>
@@ -7776,7 +7776,7 @@ até %1</translation>
         <translation>Verifique a fonte de tempo se isto não era esperado</translation>
     </message>
     <message>
-        <source>this computer slept for %1 s</source>
+        <source>this computer was suspended for %1 s</source>
         <translation>este computador esteve suspenso durante %1 s</translation>
     </message>
     <message>

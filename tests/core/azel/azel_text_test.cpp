@@ -141,11 +141,11 @@ TEST(AzelText, RefusesEverythingElse)
     EXPECT_EQ(reasonOf("105.3,59.9\n"), "the file is that of AirScout, which has another form");
     EXPECT_EQ(reasonOf("# some notes\n"), "The file has no line for the Moon.");
     EXPECT_EQ(reasonOf(replaced(kSample, "Moon", "Mooo")), "The file has no line for the Moon.");
-    EXPECT_THAT(reasonOf(kSample + std::string(1, '\0')), HasSubstr("characters that are no plain text"));
-    EXPECT_THAT(reasonOf(std::string(132, '\0')), HasSubstr("characters that are no plain text"));
-    EXPECT_THAT(reasonOf(kSample + "\x1b[2J\n"), HasSubstr("characters that are no plain text"));
+    EXPECT_THAT(reasonOf(kSample + std::string(1, '\0')), HasSubstr("characters that are not plain text"));
+    EXPECT_THAT(reasonOf(std::string(132, '\0')), HasSubstr("characters that are not plain text"));
+    EXPECT_THAT(reasonOf(kSample + "\x1b[2J\n"), HasSubstr("characters that are not plain text"));
     EXPECT_THAT(reasonOf(kSample + std::string(kLongestAzelText, 'x')), HasSubstr("longer than 512 bytes"));
-    EXPECT_THAT(reasonOf(std::string(kLongestAzelText, '\n')), HasSubstr("no line of the Moon"));
+    EXPECT_THAT(reasonOf(std::string(kLongestAzelText, '\n')), HasSubstr("no line for the Moon"));
 }
 
 }  // namespace

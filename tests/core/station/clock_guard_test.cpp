@@ -69,8 +69,8 @@ TEST_F(ClockGuardTest, AComputerThatSleptIsReported)
     clock.sleep(Seconds(20.0));
     tick();
     tick();
-    EXPECT_THAT(lines(), ElementsAre("this computer slept for 20.0 s"));
-    EXPECT_THAT(alarmsShown(), ElementsAre("This computer slept for 20.0 s."));
+    EXPECT_THAT(lines(), ElementsAre("this computer was suspended for 20.0 s"));
+    EXPECT_THAT(alarmsShown(), ElementsAre("This computer was suspended for 20.0 s."));
 }
 
 // REQ-STATION-232: The state of the clock is asked for once a second.
