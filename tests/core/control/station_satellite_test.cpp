@@ -283,21 +283,6 @@ TEST_F(StationSatellite, ACorrectionOfTheClockLeapsNowhere)
     EXPECT_LT(std::hypot(acrossNow, alongNow), 0.02);
 }
 
-// REQ-TRACK-913: A target that passes behind a keep-out holds the mount with one line of the log.
-// Story: a rehearsal showed a line for each 0.1° of the way, so the log held nothing else.
-TEST_F(StationSatellitePass, AKeepOutOnTheWayIsOneLine)
-{
-    profile::Profile profile = rig.profile;
-    profile.limits.keepOuts = {
-        {.name = "roof", .azimuthFrom = 0_deg, .azimuthTo = 359.9_deg, .elevationMin = 20_deg, .elevationMax = 90_deg}};
-    rig.setProfile(profile);
-    const FoundOrbit found = follow(Seconds(5.0), Seconds(120.0));
-    runUntil(found.pass.los.utc - std::chrono::seconds(5));
-    EXPECT_EQ(std::ranges::count_if(rig.log.since(0, EventLog::kCapacity),
-                                    [](const LogEntry& line) { return line.text.contains(QLatin1String("held")); }),
-              1);
-}
-
 // REQ-TRACK-905: An orbit that cannot be computed any more ends the tracking with an alarm. The mount holds.
 TEST_F(StationSatellitePass, AnOrbitThatEndsIsAnAlarm)
 {
