@@ -133,7 +133,7 @@ protected:
         EXPECT_LT(Seconds(stop->time), Seconds(1.0) + starved);
         EXPECT_LT(stop->excursion, 6.0 + 10.0 * starved.count());
         // "No reply" or "timed out", as the guest's processor had time to notice.
-        EXPECT_TRUE(mount.waitForWords("azimuth drive", logBefore).has_value()) << mount.log();
+        EXPECT_TRUE(mount.waitForWords("Boresight ended the motion", logBefore).has_value()) << mount.log();
         EXPECT_TRUE(mount.waitForWords("press Re-arm", logBefore).has_value()) << mount.log();
     }
 
