@@ -175,7 +175,7 @@ TEST_F(SerialSourceTest, OneTroubleIsToldOnceHoweverOftenItIsTried)
     QObject::connect(&absent, &SensorSource::statusChanged, &absent, [&told] { ++told; });
     fakes::HandTurnedTimers timers(absent, clock);
     absent.open();
-    EXPECT_TRUE(absent.status().problem.contains(QLatin1String("is not there")));
+    EXPECT_TRUE(absent.status().problem.contains(QLatin1String("does not exist")));
     timers.elapse(1s);
     EXPECT_EQ(told, 1);
     absent.close();
