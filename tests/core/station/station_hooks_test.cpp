@@ -27,7 +27,7 @@ profile::Profile running(const profile::PassHooks& hooks)
 
 struct HooksRig
 {
-    explicit HooksRig(const profile::PassHooks& hooks) : inForce(running(hooks)) {}
+    explicit HooksRig(const profile::PassHooks& wanted) : inForce(running(wanted)) {}
     // As the log has the end of the program.
     std::string tell(const schedule::PassMoment& moment)
     {
