@@ -227,11 +227,6 @@ void TargetTrack::step(SteadyTime)
         return;
     }
     const UtcTime utc = m_utc.now(helm().view().clock);
-    if (m_utc.jump() != Seconds(0.0)) {
-        helm().note(Severity::Warning, Text::tr("the clock of this computer was set by %1 s while %2 is tracked")
-                                           .arg(m_utc.jump().count(), 0, 'f', 1)
-                                           .arg(m_tracked->target.name));
-    }
     watchClock();
     m_tracked->isUp = utc > m_tracked->up.rises;
     if (m_tracked->up.sets && utc > *m_tracked->up.sets) {
