@@ -50,7 +50,7 @@ Result<ElementAddress> celestrakGroup(std::string_view group)
                         std::ranges::all_of(group, [](char c) { return isLetterOrDigit(c) || c == '-'; });
     if (!isName) {
         return failure(ErrorCode::InvalidInput,
-                       Text::tr("\"%1\" is no name of a CelesTrak group. One is expected like celestrak:stations")
+                       Text::tr("\"%1\" is not the name of a CelesTrak group. An example is celestrak:stations")
                            .arg(quoted(group)));
     }
     const QString name = toQString(group).toLower();

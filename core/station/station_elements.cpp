@@ -148,7 +148,7 @@ void StationElements::tellKept(std::size_t count)
     if (count > 0) {
         m_log.add(
             Severity::Warning, kElementSource,
-            Text::tr("satellites that are missing there, and keep the elements that were read before: %1").arg(count));
+            Text::tr("%1 satellites are missing there. They keep the elements that were read before.").arg(count));
     }
 }
 

@@ -7276,10 +7276,6 @@ até %1</translation>
         <translation>termina o seguimento, porque o controlo foi cedido</translation>
     </message>
     <message>
-        <source>the clock of this computer was set by %1 s while %2 is tracked</source>
-        <translation>o relógio deste computador foi acertado em %1 s durante o seguimento de %2</translation>
-    </message>
-    <message>
         <source>%1 has set, and the mount holds</source>
         <translation>%1 pôs-se, e a montagem mantém a posição</translation>
     </message>
@@ -7952,10 +7948,6 @@ até %1</translation>
         <translation>Próxima transferência: %1.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no name of a CelesTrak group. One is expected like celestrak:stations</source>
-        <translation>&quot;%1&quot; não é nome de um grupo do CelesTrak. Espera-se, por exemplo, celestrak:stations</translation>
-    </message>
-    <message>
         <source>CelesTrak group %1</source>
         <translation>Grupo %1 do CelesTrak</translation>
     </message>
@@ -8288,8 +8280,12 @@ até %1</translation>
         <translation>&quot;%1&quot; não é um satélite conhecido, um corpo nem um localizador. Os corpos são: %2.</translation>
     </message>
     <message>
-        <source>satellites that are missing there, and keep the elements that were read before: %1</source>
-        <translation>satélites que lá faltam e mantêm os elementos lidos antes: %1</translation>
+        <source>&quot;%1&quot; is not the name of a CelesTrak group. An example is celestrak:stations</source>
+        <translation>&quot;%1&quot; não é o nome de um grupo CelesTrak. Um exemplo é celestrak:stations</translation>
+    </message>
+    <message>
+        <source>%1 satellites are missing there. They keep the elements that were read before.</source>
+        <translation>Faltam lá %1 satélites. Mantêm os elementos lidos antes.</translation>
     </message>
 </context>
 <context>

@@ -27,7 +27,7 @@ TEST(ElementAddress, AGroupOfCelestrakIsTheAddressThatItDocuments)
               "https://celestrak.org/NORAD/elements/gp.php?GROUP=stations&FORMAT=json");
     EXPECT_THAT(group->file.toStdString(), MatchesRegex("celestrak-stations-[0-9a-f]{12}"));
     for (const char* const bad : {"celestrak:", "celestrak:a b", "celestrak:x&FORMAT=tle", "celestrak:../x"}) {
-        EXPECT_THAT(reasonOf(bad), HasSubstr("is no name of a CelesTrak group")) << bad;
+        EXPECT_THAT(reasonOf(bad), HasSubstr("is not the name of a CelesTrak group")) << bad;
     }
 }
 

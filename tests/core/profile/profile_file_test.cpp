@@ -348,7 +348,7 @@ TEST(ProfileFile, AddressesOfElementsAreCheckedWithTheirKey)
               "accepted");
     for (const auto& [entry, reason] :
          {std::pair("http://example.org/a", "does not begin with https://"),
-          std::pair("celestrak:a b", "is no name of a CelesTrak group"), std::pair("a.tle", "a path from / on")}) {
+          std::pair("celestrak:a b", "is not the name of a CelesTrak group"), std::pair("a.tle", "a path from / on")}) {
         const std::string errors = errorsOf(std::string("version = 1\n[orbit]\nelements = [\"") + entry + "\"]\n");
         EXPECT_NE(errors.find("orbit.elements"), std::string::npos) << errors;
         EXPECT_NE(errors.find(reason), std::string::npos) << errors;

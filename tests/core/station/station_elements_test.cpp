@@ -125,7 +125,7 @@ TEST_F(StationElementsTest, KeepsWhatItKnowsWhileAFileIsGoneOrBroken)
     ASSERT_TRUE(waitFor(elements, 1));
     ASSERT_TRUE(QFile::remove(file()));
     ASSERT_TRUE(laterWarned("No such file"));
-    ASSERT_TRUE(laterWarned("keep the elements that were read before: 1"));
+    ASSERT_TRUE(laterWarned("1 satellites are missing there. They keep"));
     EXPECT_EQ(elements.satellites()->size(), 1U);
     write("<html>503 Service Unavailable</html>");
     ASSERT_TRUE(laterWarned("There is no element set in this file"));
