@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // boresightctl ephemeris and passes as a shell starts them.
-#include "core/element_web/element_cache.h"
-#include "tests/app/ctl_outcome.h"
+#include "tests/app/ctl_sky_fixture.h"
 
 #include <QDir>
-#include <QTemporaryDir>
 
 #include <gmock/gmock.h>
-
-#include <fstream>
 
 namespace boresight {
 namespace {
@@ -17,10 +13,6 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-const std::string kStation =
-    "ISS (ZARYA)\n"
-    "1 25544U 98067A   24130.36689744  .00016024  00000+0  27777-3 0  9992\n"
-    "2 25544  51.6381 147.8590 0003466 150.4670 338.5502 15.51043222452521\n";
 const std::string kLowOne =
     "SURFSAT\n"
     "1 43614U 18070B   23023.23658432  .02464742  16729-6  12889-2 0  9997\n"
@@ -29,29 +21,16 @@ const std::string kDamaged =
     "1 33591U 09005A   23023.55811021  .00000311  00000+0  19296-3 0  9992\n"
     "2 33591  99.1220  67.0323 0012994 290.9949  68.9832 14.12673821719520\n";
 
-class CtlSkyTest : public testing::Test
+class CtlSkyTest : public CtlSkyFixture
 {
 protected:
-    QString write(const char* name, const std::string& text) const
-    {
-        const QString path = folder.filePath(QString::fromUtf8(name));
-        std::ofstream(path.toStdString()) << text;
-        return path;
-    }
-
     // Of the station over Lisbon.
     Outcome ephemeris(const char* more, const QByteArray& times) const
     {
         const QStringList line{QStringLiteral("ephemeris"), QStringLiteral("--elements"), elements};
         return ctl(line + words("--norad 25544 --site 38.757,-9.117,80 --times -") + words(more), times);
     }
-    Outcome passes(const QString& file, const char* more) const
-    {
-        const QStringList line{QStringLiteral("passes"), QStringLiteral("--elements"), file};
-        return ctl(line + words("--site 38.757,-9.117,80") + words(more));
-    }
 
-    QTemporaryDir folder;
     QString elements = write("sats.tle", kStation + kLowOne);
 };
 
@@ -177,30 +156,6 @@ TEST_F(CtlSkyTest, TheFilesOfGpredictAreUsed)
                                                  write("bad.qth", "[QTH]\nLAT=38.757\n")});
     EXPECT_EQ(wrong.status, 1);
     EXPECT_THAT(wrong.errors, HasSubstr("bad.qth: LON is missing"));
-}
-
-// REQ-CTL-09: --elements takes addresses as the station does: what is due is downloaded first, which is told, and the
-// cache is used. A problem with an address is reported.
-TEST_F(CtlSkyTest, AnAddressIsReadFromTheCache)
-{
-    const QByteArray before = qgetenv("XDG_CACHE_HOME");
-    qputenv("XDG_CACHE_HOME", QFile::encodeName(folder.path()));
-    const orbit::ElementCache cache(orbit::ElementCache::userFolder());
-    const auto group = orbit::parseElementAddress("celestrak:stations");
-    ASSERT_TRUE(cache.keepContent(*group, QByteArray::fromStdString(kStation)));
-    const UtcTime now = SystemClock().utc();
-    ASSERT_TRUE(cache.keepState(*group, {.lastTry = now, .fetched = now}));
-    const char* const day = "--from 2024-05-09T12:00:00Z --days 1";
-    const Outcome known = passes(QStringLiteral("celestrak:stations"), day);
-    EXPECT_EQ(known.status, 0);
-    EXPECT_THAT(known.output, HasSubstr("ISS (ZARYA),25544,"));
-    EXPECT_EQ(known.errors, "");
-    const Outcome refused = passes(QStringLiteral("http://127.0.0.1:1/a.tle"), day);
-    EXPECT_EQ(refused.status, 1);
-    EXPECT_THAT(refused.errors, AllOf(StartsWith("Boresight downloads element sets"),
-                                      HasSubstr("http://127.0.0.1:1/a.tle: The download has failed: "),
-                                      HasSubstr("The cache has no elements of it.")));
-    qputenv("XDG_CACHE_HOME", before);
 }
 
 }  // namespace boresight
