@@ -21,7 +21,7 @@ QString driverText(const QString& axis, const profile::AxisSettings& settings)
     return kind.hasId ? QStringLiteral("%1 id %2").arg(text, QString::number(settings.id)) : text;
 }
 
-ExitStatus run(Arguments arguments)
+ExitStatus runCheck(Arguments arguments)
 {
     if (arguments.size() != 1) {
         return usageError(kCheckCommand, QStringLiteral("give one profile"));
@@ -64,6 +64,6 @@ Exit status: 0 no error, 1 there are errors or the file cannot be read.
 Example:
   boresightctl check mount.toml && boresightd --profile mount.toml
 )",
-    .run = run};
+    .run = runCheck};
 
 }  // namespace boresight::ctl

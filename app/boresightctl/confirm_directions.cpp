@@ -47,7 +47,7 @@ bool isConfirmedByHand(const profile::Profile& profile)
     return answer == "yes";
 }
 
-ExitStatus run(Arguments arguments)
+ExitStatus runConfirmDirections(Arguments arguments)
 {
     if (arguments.size() != 1) {
         return usageError(kConfirmDirectionsCommand, QStringLiteral("give one profile"));
@@ -94,6 +94,6 @@ Exit status: 0 the directions are confirmed, 1 they are not: the file is unchang
 Example:
   boresightctl confirm-directions /etc/boresight/profile.toml
 )",
-    .run = run};
+    .run = runConfirmDirections};
 
 }  // namespace boresight::ctl

@@ -65,7 +65,7 @@ Result<CanFrame> readFrame(Arguments arguments)
     });
 }
 
-ExitStatus run(Arguments arguments)
+ExitStatus runDecode(Arguments arguments)
 {
     if (arguments.empty()) {
         return usageError(kDecodeCommand, QStringLiteral("which frame? Give its identifier and its data"));
@@ -90,6 +90,6 @@ The first line tells who speaks to whom, then one line for every register, error
 Example:
   boresightctl decode 8001 01 00 0a 0e 20 00 00 80 3e 00 00 00 00 11 00 1f 01
 )",
-    .run = run};
+    .run = runDecode};
 
 }  // namespace boresight::ctl

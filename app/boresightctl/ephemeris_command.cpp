@@ -167,7 +167,7 @@ ExitStatus printTable(const SkyOptions& options, const Site& site, const SkyTime
     return problem.isEmpty() && times.badLines == 0 ? kDone : kFoundWrong;
 }
 
-ExitStatus run(Arguments arguments)
+ExitStatus runEphemeris(Arguments arguments)
 {
     const Result<SkyOptions> options = parseEphemerisOptions(arguments);
     if (!options) {
@@ -221,6 +221,6 @@ Example:
   boresightctl ephemeris --elements weather.tle --norad 33591 --site 38.757,-9.117,80 --times times.txt
   date -u +%FT%TZ | boresightctl ephemeris --body moon --site 38.757,-9.117,80 --times -
 )",
-    .run = run};
+    .run = runEphemeris};
 
 }  // namespace boresight::ctl

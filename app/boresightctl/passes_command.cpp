@@ -75,7 +75,7 @@ void report(const orbit::ElementSet& set, const passes::PassList& list, const pa
     }
 }
 
-ExitStatus run(Arguments arguments)
+ExitStatus runPasses(Arguments arguments)
 {
     const Result<SkyOptions> options = parsePassesOptions(arguments);
     if (!options) {
@@ -136,6 +136,6 @@ Exit status: 0 done, also without any pass, 1 no usable element set, or a site t
 Example:
   boresightctl passes --elements weather.tle --site 38.757,-9.117,80 --from now --days 2 --min-el 10 --format table
 )",
-    .run = run};
+    .run = runPasses};
 
 }  // namespace boresight::ctl

@@ -5,7 +5,7 @@
 namespace boresight::ctl {
 namespace {
 
-ExitStatus run(Arguments arguments)
+ExitStatus runProfile(Arguments arguments)
 {
     if (arguments.size() != 1 || arguments.front() != "--default") {
         return usageError(kProfileCommand, QStringLiteral("which profile? --default is the only one there is"));
@@ -26,6 +26,6 @@ With another bus.name the directions of its axes are unconfirmed: see "help conf
 Example:
   boresightctl profile --default > mount.toml
 )",
-    .run = run};
+    .run = runProfile};
 
 }  // namespace boresight::ctl

@@ -57,7 +57,7 @@ ExitStatus scan(CanLink& link)
     return status;
 }
 
-ExitStatus run(Arguments arguments)
+ExitStatus runScan(Arguments arguments)
 {
     if (arguments.size() != 1) {
         return usageError(kScanCommand, QStringLiteral("give one bus"));
@@ -85,6 +85,6 @@ Exit status: 0 all in order, 1 nothing found, two boards with one id, a fault, a
 Example:
   boresightctl scan fdcanusb:/dev/boresight/fdcanusb
 )",
-    .run = run};
+    .run = runScan};
 
 }  // namespace boresight::ctl

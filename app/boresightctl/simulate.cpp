@@ -221,7 +221,7 @@ Examples:
   boresightctl simulate --pty /tmp/mount --sensor-mqtt 127.0.0.1 --sensor-deviation 0,0,0,0
 )";
 
-ExitStatus run(Arguments arguments)
+ExitStatus runSimulate(Arguments arguments)
 {
     const Result<SimulateOptions> options = parseSimulateOptions(arguments);
     return options ? simulate(*options) : usageError(kSimulateCommand, options.error().text);
@@ -233,6 +233,6 @@ const Subcommand kSimulateCommand{.name = "simulate",
                                   .arguments = "--pty PATH | --can IFACE [OPTION …]",
                                   .summary = "Be a mount: two simulated moteus controllers as a device of their own",
                                   .details = kDetails,
-                                  .run = run};
+                                  .run = runSimulate};
 
 }  // namespace boresight::ctl

@@ -4,6 +4,8 @@
 set(BORESIGHT_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined or thread")
 
 add_library(boresight_options INTERFACE)
+# Programs like libraries, so that they share precompiled headers.
+target_compile_options(boresight_options INTERFACE -fPIC)
 target_compile_features(boresight_options INTERFACE cxx_std_20)
 target_compile_options(boresight_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Werror
@@ -60,8 +62,7 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 set(CMAKE_AUTOMOC ON)
 set(CMAKE_AUTORCC ON)
 
-# One cache for every checkout: paths below the source folder are made relative before hashing, and a precompiled header
-# is compared by what it defines rather than by its date.
+# A precompiled header is compared by what it defines rather than by its date.
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER
@@ -79,6 +80,16 @@ endif()
 # nothing.
 function(boresight_precompile target)
   target_precompile_headers(${target} PRIVATE ${ARGN})
+endfunction()
+
+# boresight_moc_alone(TARGET): its classes with Q_OBJECT are read by moc_alone.sh.in.
+function(boresight_moc_alone target)
+  if(NOT EXISTS "${CMAKE_BINARY_DIR}/moc_alone.sh")
+    get_target_property(BORESIGHT_MOC Qt6::moc IMPORTED_LOCATION)
+    configure_file("${CMAKE_SOURCE_DIR}/packaging/cmake/moc_alone.sh.in" "${CMAKE_BINARY_DIR}/moc_alone.sh"
+      @ONLY FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+  endif()
+  set_target_properties(${target} PROPERTIES AUTOMOC_EXECUTABLE "${CMAKE_BINARY_DIR}/moc_alone.sh")
 endfunction()
 
 option(BORESIGHT_UNITY "Compile several sources of a folder at once: half of the time of a build from nothing" ON)
