@@ -144,6 +144,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     }
     checkRegion(problems, profile);
     checkSupervision(problems, profile);
+    checkSatellites(problems, profile);
     checkSchedule(problems, profile);
     checkSensor(problems, profile);
     checkPower(problems, profile);
@@ -157,6 +158,7 @@ std::vector<Problem> problemsOf(const Profile& profile)
     checkRows(problems, kHorizonKey, horizonSettings(), profile.limits.horizon);
     checkRows(problems, kKeepOutKey, keepOutSettings(), profile.limits.keepOuts);
     checkRows(problems, kPresetKey, presetSettings(), profile.presets);
+    checkRows(problems, kSatelliteKey, satelliteSettings(), profile.satellites);
     checkRows(problems, kWatchKey, watchSettings(), profile.schedule.watch);
     for (Problem& problem : crossCheck(profile)) {
         problems.push_back(std::move(problem));

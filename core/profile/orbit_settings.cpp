@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The satellites that are known, and the Moon of azel.dat.
+#include "core/base/control_characters.h"
 #include "core/base/text.h"
 #include "core/elements/element_address.h"
 #include "core/profile/setting_groups.h"
@@ -26,6 +27,37 @@ Result<> checkElements(const std::string& entry)
                ? Result<>{}
                : failure(ErrorCode::InvalidInput, Text::tr("a path from / on, an address that begins with https://, or "
                                                            "celestrak:GROUP is expected"));
+}
+
+// Of one line: the file and the window have no place for more.
+Result<> checkNote(const std::string& note)
+{
+    return hasControlCharacters(note) || toQString(note).size() > static_cast<qsizetype>(orbit::kLongestNote)
+               ? failure(ErrorCode::InvalidInput,
+                         Text::tr("a text of one line, of at most %1 characters, is expected").arg(orbit::kLongestNote))
+               : Result<>{};
+}
+
+std::vector<SettingOf<orbit::SatelliteMark>> makeSatelliteSettings()
+{
+    using orbit::SatelliteMark;
+    return {
+        integer<SatelliteMark>(
+            "norad", {}, {1.0, 999'999'999.0}, kNow,
+            {QT_TRANSLATE_NOOP("Text", "Satellite"),
+             QT_TRANSLATE_NOOP("Text", "Its number in the catalogue of NORAD.")},
+            [](auto& row) -> auto& { return row.number; }),
+        choice<SatelliteMark>(
+            "favourite", {"off", "on"}, kNow,
+            {QT_TRANSLATE_NOOP("Text", "Favourite"),
+             QT_TRANSLATE_NOOP("Text", "Whether it has a star and a place in the timeline.")},
+            [](auto& row) -> auto& { return row.favourite; }),
+        textual<SatelliteMark>(
+            "note", kNow,
+            {QT_TRANSLATE_NOOP("Text", "Note"),
+             QT_TRANSLATE_NOOP("Text", "A line of the operator's own, such as frequency and polarisation.")},
+            [](const SatelliteMark& row) { return row.note; },
+            [](SatelliteMark& row, const std::string& note) { return checkNote(note).map([&] { row.note = note; }); })};
 }
 
 }  // namespace
@@ -86,6 +118,17 @@ void addAzel(std::vector<Setting>& list)
                            "Whether the mount stands still while WSJT-X transmits. The way that is saved up is driven "
                            "in the next receive period.")},
         [](auto& p) -> auto& { return p.azel.onlyWhileReceiving; }));
+}
+
+std::span<const SettingOf<orbit::SatelliteMark>> satelliteSettings()
+{
+    static const std::vector<SettingOf<orbit::SatelliteMark>> list = makeSatelliteSettings();
+    return list;
+}
+
+void checkSatellites(std::vector<Problem>& problems, const Profile& profile)
+{
+    checkNumbers(problems, kSatelliteKey, profile.satellites);
 }
 
 }  // namespace boresight::profile

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/elements/satellite_mark.h"
 #include "core/pointing/mount_model.h"
 #include "core/pointing/pointing_model.h"
 #include "core/pointing/region.h"
@@ -391,6 +392,7 @@ struct Profile
     SiteSettings site;
     GpredictSettings gpredict;
     OrbitSettings orbit;
+    orbit::SatelliteMarks satellites;  // that the operator knows: favourites and notes
     AzelSettings azel;
     ScheduleSettings schedule;
     SunSettings sun;

@@ -131,13 +131,15 @@ QString namesText(const std::vector<Row>& shown, const std::vector<Row>& others)
     return names.isEmpty() ? Text::tr("none") : names.join(QStringLiteral(", "));
 }
 
-QString watchText(const std::vector<schedule::WatchEntry>& shown, const std::vector<schedule::WatchEntry>& others)
+// The same of rows that are known by the number of a satellite.
+template <class Row>
+QString numbersText(const std::vector<Row>& shown, const std::vector<Row>& others)
 {
     QStringList numbers;
-    for (const schedule::WatchEntry& entry : shown) {
-        const bool isListed = std::ranges::count(others, entry.number, &schedule::WatchEntry::number) > 0;
-        const bool isAlike = std::ranges::count(others, entry) > 0;
-        numbers << QString::number(entry.number) + (isListed && !isAlike ? u' ' + Text::tr("(different)") : QString());
+    for (const Row& row : shown) {
+        const bool isListed = std::ranges::count(others, row.number, &Row::number) > 0;
+        const bool isAlike = std::ranges::count(others, row) > 0;
+        numbers << QString::number(row.number) + (isListed && !isAlike ? u' ' + Text::tr("(different)") : QString());
     }
     return numbers.isEmpty() ? Text::tr("none") : numbers.join(QStringLiteral(", "));
 }
@@ -160,9 +162,14 @@ std::vector<Item> makeItems()
             items.push_back(listItem(
                 kPresetKey, presetSettings(), [](auto& p) -> auto& { return p.presets; }, &namesText<Preset>));
             items.push_back(siteItem());
+        } else if (setting.key == "orbit.lead_s") {
+            items.push_back(listItem(
+                kSatelliteKey, satelliteSettings(), [](auto& p) -> auto& { return p.satellites; },
+                &numbersText<orbit::SatelliteMark>));
         } else if (setting.key == "schedule.unattended") {
             items.push_back(listItem(
-                kWatchKey, watchSettings(), [](auto& p) -> auto& { return p.schedule.watch; }, &watchText));
+                kWatchKey, watchSettings(), [](auto& p) -> auto& { return p.schedule.watch; },
+                &numbersText<schedule::WatchEntry>));
         }
     }
     return items;

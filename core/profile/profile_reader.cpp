@@ -85,6 +85,8 @@ private:
             readRows(key, node, line, keepOutSettings(), m_profile.limits.keepOuts);
         } else if (key == kPresetKey) {
             readRows(key, node, line, presetSettings(), m_profile.presets);
+        } else if (key == kSatelliteKey) {
+            readRows(key, node, line, satelliteSettings(), m_profile.satellites);
         } else if (key == kWatchKey) {
             readRows(key, node, line, watchSettings(), m_profile.schedule.watch);
         } else {

@@ -121,6 +121,10 @@ std::string listsAfter(const std::string& table, const Profile& profile)
     if (table == "park") {
         return rowsText(kPresetKey, "Named directions, to go there by one click.", presetSettings(), profile.presets);
     }
+    if (table == "orbit") {
+        return rowsText(kSatelliteKey, "What the operator keeps about a satellite.", satelliteSettings(),
+                        profile.satellites);
+    }
     if (table == "schedule") {
         return rowsText(kWatchKey, "Satellites whose passes are tracked while the schedule is armed.", watchSettings(),
                         profile.schedule.watch);

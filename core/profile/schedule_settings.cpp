@@ -5,8 +5,6 @@
 #include "core/profile/setting_groups.h"
 #include "core/profile/setting_makers.h"
 
-#include <set>
-
 namespace boresight::profile {
 
 using namespace makers;
@@ -131,16 +129,7 @@ std::span<const SettingOf<schedule::WatchEntry>> watchSettings()
 
 void checkSchedule(std::vector<Problem>& problems, const Profile& profile)
 {
-    std::set<int> seen;
-    for (std::size_t i = 0; i < profile.schedule.watch.size(); ++i) {
-        const int number = profile.schedule.watch[i].number;
-        const std::string key = std::string(kWatchKey) + "[" + std::to_string(i + 1) + "].norad";
-        if (number == 0) {
-            problems.push_back({key, Text::tr("is needed")});
-        } else if (!seen.insert(number).second) {
-            problems.push_back({key, Text::tr("is in the list twice")});
-        }
-    }
+    checkNumbers(problems, kWatchKey, profile.schedule.watch);
 }
 
 }  // namespace boresight::profile

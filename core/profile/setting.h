@@ -16,7 +16,7 @@
 
 // Every setting, described once: the file's reader and writer, the commented default file, the dialog and the manual's
 // table are made from this list. The default is what a default Profile holds. The rows of the profile's lists (horizon,
-// keep-outs, presets, watch list) are described in the same way, each with a list of its own.
+// keep-outs, presets, watch list, satellites) are described in the same way, each with a list of its own.
 namespace boresight::profile {
 
 enum class SettingType
@@ -73,6 +73,7 @@ inline constexpr std::string_view kHorizonKey = "limits.horizon";
 inline constexpr std::string_view kKeepOutKey = "keep_out";
 inline constexpr std::string_view kPresetKey = "preset";
 inline constexpr std::string_view kWatchKey = "watch";
+inline constexpr std::string_view kSatelliteKey = "satellite";
 
 // One per tenth of a degree: the region is laid out anew whenever it changes.
 inline constexpr std::size_t kMaxHorizonPoints = 3600;
@@ -84,6 +85,7 @@ inline constexpr std::size_t kMaxKeepOuts = 32;
 [[nodiscard]] std::span<const SettingOf<pointing::KeepOut>> keepOutSettings();
 [[nodiscard]] std::span<const SettingOf<Preset>> presetSettings();
 [[nodiscard]] std::span<const SettingOf<schedule::WatchEntry>> watchSettings();
+[[nodiscard]] std::span<const SettingOf<orbit::SatelliteMark>> satelliteSettings();
 
 struct Problem
 {

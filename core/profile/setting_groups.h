@@ -3,6 +3,7 @@
 
 #include "core/profile/setting.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,9 +30,25 @@ void addPower(std::vector<Setting>& list);
 [[nodiscard]] Result<> checkAddress(const std::string& text);
 [[nodiscard]] Result<> checkNetwork(const std::string& text);
 
-// Cross checks of the region, the Sun, the park place and the presets; of the watch list; of the sensor; of the
-// received power.
+// Of rows that are known by the number of a satellite: each is needed, and once.
+template <class Row>
+void checkNumbers(std::vector<Problem>& problems, std::string_view list, const std::vector<Row>& rows)
+{
+    std::set<int> seen;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const std::string key = std::string(list) + "[" + std::to_string(i + 1) + "].norad";
+        if (rows[i].number == 0) {
+            problems.push_back({key, Text::tr("is needed")});
+        } else if (!seen.insert(rows[i].number).second) {
+            problems.push_back({key, Text::tr("is in the list twice")});
+        }
+    }
+}
+
+// Cross checks of the region, the Sun, the park place and the presets; of the satellites; of the watch list; of the
+// sensor; of the received power.
 void checkRegion(std::vector<Problem>& problems, const Profile& profile);
+void checkSatellites(std::vector<Problem>& problems, const Profile& profile);
 void checkSchedule(std::vector<Problem>& problems, const Profile& profile);
 void checkSensor(std::vector<Problem>& problems, const Profile& profile);
 void checkPower(std::vector<Problem>& problems, const Profile& profile);

@@ -65,6 +65,7 @@ constexpr Name kNames[] = {{"limits.azimuth_min_deg", QT_TRANSLATE_NOOP("Setting
                            {profile::kHorizonKey, QT_TRANSLATE_NOOP("SettingWords", "horizon")},
                            {profile::kKeepOutKey, QT_TRANSLATE_NOOP("SettingWords", "keep-outs")},
                            {profile::kPresetKey, QT_TRANSLATE_NOOP("SettingWords", "presets")},
+                           {profile::kSatelliteKey, QT_TRANSLATE_NOOP("SettingWords", "favourites and notes")},
                            {profile::kWatchKey, QT_TRANSLATE_NOOP("SettingWords", "watch list")},
                            {"site", QT_TRANSLATE_NOOP("SettingWords", "site")}};
 

@@ -216,6 +216,34 @@ TEST(CrossCheck, TheWatchListHasEachSatelliteOnce)
     EXPECT_EQ(keysOf(crossCheck(profile)), (std::vector<std::string>{"watch[2].norad", "watch[3].norad"}));
 }
 
+// REQ-PASSES-959: The profile keeps favourites and notes of satellites, each satellite once. A note is one line of at
+// most 120 characters.
+TEST(CrossCheck, TheMarksHaveEachSatelliteOnce)
+{
+    Profile profile;
+    profile.satellites = {{.number = 25544, .note = {}}, {.number = 33591, .note = {}}};
+    EXPECT_TRUE(crossCheck(profile).empty());
+    profile.satellites = {{.number = 25544, .note = {}}, {}, {.number = 25544, .note = {}}};
+    EXPECT_EQ(keysOf(crossCheck(profile)), (std::vector<std::string>{"satellite[2].norad", "satellite[3].norad"}));
+}
+
+TEST(Check, ANoteIsOneShortLine)
+{
+    const auto isGood = [](const std::string& note) {
+        Profile profile;
+        profile.satellites = {{.number = 25544, .note = note}};
+        return problemsOf(profile).empty();
+    };
+    EXPECT_TRUE(isGood("435.350 MHz GMSK, à direita"));
+    std::string longest;
+    for (std::size_t i = 0; i < orbit::kLongestNote; ++i) {
+        longest += "é";
+    }
+    EXPECT_TRUE(isGood(longest)) << "characters are counted, not bytes";
+    EXPECT_FALSE(isGood(longest + "é"));
+    EXPECT_FALSE(isGood("two\nlines"));
+}
+
 // REQ-PROFILE-06
 TEST(CrossCheck, ALockedMountSaysToWhom)
 {

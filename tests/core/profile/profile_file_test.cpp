@@ -106,6 +106,8 @@ TEST(ProfileFile, EveryValueSurvivesTheRoundTrip)
                       .horizon = {{0_deg, 5_deg}, {123.456789012_deg, -90_deg}, {359.999999_deg, 5.5_deg}},
                       .keepOuts = {{"mast \"2\"", 350_deg, 10_deg, 40_deg, 90_deg},
                                    {"Sun's shed", 0_deg, 0.001_deg, -90_deg, -89_deg}}};
+    changed.satellites = {{.number = 25544, .favourite = orbit::Favourite::On, .note = "145.800 MHz \"FM\", RHCP"},
+                          {.number = 33591, .note = ""}};
     changed.schedule.watch = {{.number = 25544, .priority = 2, .leastElevation = 5.5_deg}, {.number = 33591}};
     changed.presets = {{"north", {0_deg, 0_deg}}, {"over the top \\", {359.5_deg, 180_deg}}};
     changed.site = {.known = true, .latitude = 38.7223_deg, .longitude = -9.1393_deg, .heightMetres = 102.25};

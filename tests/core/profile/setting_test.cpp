@@ -137,6 +137,7 @@ TEST(Settings, RowsAreDescribedToo)
     EXPECT_EQ(check(horizonSettings()), "azimuth_deg elevation_deg ");
     EXPECT_EQ(check(keepOutSettings()), "name azimuth_from_deg azimuth_to_deg elevation_min_deg elevation_max_deg ");
     EXPECT_EQ(check(presetSettings()), "name azimuth_deg elevation_deg ");
+    EXPECT_EQ(check(satelliteSettings()), "norad favourite note ");
     EXPECT_EQ(check(watchSettings()), "norad priority min_elevation_deg ");
 }
 
