@@ -7,7 +7,9 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include <cmath>
 #include <functional>
+#include <numbers>
 #include <utility>
 
 namespace boresight::ui {
@@ -58,6 +60,16 @@ public:
     void arc(double x, double y, double radius, int from, int span)
     {
         m_painter.drawArc(QRectF(at(x - radius, y - radius), at(x + radius, y + radius)), from * 16, span * 16);
+    }
+    void shape(const QPolygonF& corners, bool filled)
+    {
+        QPolygonF polygon;
+        for (const QPointF& corner : corners) {
+            polygon << at(corner.x(), corner.y());
+        }
+        m_painter.setBrush(filled ? QBrush(m_colour) : QBrush(Qt::NoBrush));
+        m_painter.drawPolygon(polygon);
+        m_painter.setBrush(Qt::NoBrush);
     }
     void letter(const QString& text)
     {
@@ -208,6 +220,18 @@ void drawAbout(Pen& pen)
     pen.line({{0.5, 0.46}, {0.5, 0.74}});
 }
 
+// Five points, the first at the top.
+void drawStar(Pen& pen, bool filled)
+{
+    QPolygonF star;
+    for (int corner = 0; corner < 10; ++corner) {
+        const double angle = corner * std::numbers::pi / 5.0;
+        const double radius = corner % 2 == 0 ? 0.46 : 0.2;
+        star << QPointF(0.5 + radius * std::sin(angle), 0.53 - radius * std::cos(angle));
+    }
+    pen.shape(star, filled);
+}
+
 using Paint = std::function<void(QPainter& painter, const QRectF& box, bool quiet)>;
 
 // Nothing is kept: the next picture has the colours of the theme that is current then.
@@ -278,6 +302,10 @@ void drawGlyph(QPainter& painter, Glyph glyph, const QRectF& box, const QColor& 
             return drawAbout(pen);
         case Glyph::Brightness:
             return drawBrightness(pen);
+        case Glyph::Favourite:
+            return drawStar(pen, true);
+        case Glyph::NoFavourite:
+            return drawStar(pen, false);
     }
 }
 

@@ -32,7 +32,9 @@ enum class Glyph
     Diagnostics,
     Profile,
     About,
-    Brightness
+    Brightness,
+    Favourite,   // a star
+    NoFavourite  // its outline
 };
 
 void drawGlyph(QPainter& painter, Glyph glyph, const QRectF& box, const QColor& colour);

@@ -4,6 +4,7 @@
 #include "core/elements/element_set.h"
 #include "core/passes/pass.h"
 
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -18,6 +19,12 @@ struct BookedPass
     std::size_t satellite = 0;  // in PassBook::satellites
     passes::Pass pass;
 };
+
+// A new search finds a pass a little different. That of the same satellite is the same one if it is highest then.
+[[nodiscard]] inline bool isSameMoment(UtcTime one, UtcTime other)
+{
+    return std::chrono::abs(one - other) < std::chrono::minutes(2);
+}
 
 struct PassBook
 {

@@ -3,16 +3,14 @@
 
 #include "core/targets/target.h"
 #include "ui/kit/format.h"
+#include "ui/look/glyph.h"
 #include "ui/passes/pass_words.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace boresight::ui {
 
 namespace {
-
-constexpr std::chrono::minutes kSamePass{2};
 
 bool matches(const orbit::ElementSet& elements, const QStringList& words)
 {
@@ -23,7 +21,7 @@ bool matches(const orbit::ElementSet& elements, const QStringList& words)
 }  // namespace
 
 PassTable::PassTable(QObject* parent)
-    : TableModel({tr("Satellite"), tr("Rises (UTC)"), tr("In"), tr("Highest"), tr("Lasts")}, parent)
+    : TableModel({QString(), tr("Satellite"), tr("Rises (UTC)"), tr("In"), tr("Highest"), tr("Lasts")}, parent)
 {}
 
 void PassTable::show(const std::shared_ptr<const PassBook>& book, UtcTime now)
@@ -33,31 +31,37 @@ void PassTable::show(const std::shared_ptr<const PassBook>& book, UtcTime now)
     select();
 }
 
-void PassTable::setWords(const QString& words)
+void PassTable::setChoice(const PassChoice& choice)
 {
-    m_words = words;
+    m_choice = choice;
     select();
 }
 
-void PassTable::setLowest(Angle elevation)
+void PassTable::setMarks(const orbit::SatelliteMarks& marks)
 {
-    m_lowest = elevation;
-    select();
+    m_marks = marks;
+    if (m_choice.onlyFavourites) {
+        select();
+    } else {
+        changeCells();
+    }
 }
 
 void PassTable::select()
 {
-    const QStringList words = m_words.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    const QStringList words = m_choice.words.split(QLatin1Char(' '), Qt::SkipEmptyParts);
     std::vector<bool> wanted;
     if (m_book->satellites) {
-        std::ranges::transform(*m_book->satellites, std::back_inserter(wanted),
-                               [&](const orbit::ElementSet& elements) { return matches(elements, words); });
+        std::ranges::transform(*m_book->satellites, std::back_inserter(wanted), [&](const orbit::ElementSet& elements) {
+            const bool isKind = !m_choice.onlyFavourites || orbit::isFavourite(m_marks, elements.number);
+            return isKind && matches(elements, words);
+        });
     }
     beginResetModel();
     m_rows.clear();
     for (std::size_t i = 0; i < m_book->passes.size(); ++i) {
         const BookedPass& one = m_book->passes[i];
-        if (wanted[one.satellite] && one.pass.los.utc > m_now && one.pass.tca.direction.elevation >= m_lowest) {
+        if (wanted[one.satellite] && one.pass.los.utc > m_now && one.pass.tca.direction.elevation >= m_choice.lowest) {
             m_rows.push_back(i);
         }
     }
@@ -82,16 +86,39 @@ std::optional<int> PassTable::rowOf(std::int64_t number, UtcTime highest) const
 {
     for (std::size_t row = 0; row < m_rows.size(); ++row) {
         const BookedPass& one = m_book->passes[m_rows[row]];
-        if (m_book->elementsOf(one).number == number && std::chrono::abs(one.pass.tca.utc - highest) < kSamePass) {
+        if (m_book->elementsOf(one).number == number && isSameMoment(one.pass.tca.utc, highest)) {
             return static_cast<int>(row);
         }
     }
     return std::nullopt;
 }
 
+bool PassTable::isFavourite(const BookedPass& one) const
+{
+    return orbit::isFavourite(m_marks, m_book->elementsOf(one).number);
+}
+
+QVariant PassTable::star(const BookedPass& one, int role) const
+{
+    switch (role) {
+        case Qt::DecorationRole:
+            return glyphIcon(isFavourite(one) ? Glyph::Favourite : Glyph::NoFavourite);
+        case Qt::AccessibleTextRole:
+            return isFavourite(one) ? tr("Favourite") : tr("No favourite");
+        case Qt::ToolTipRole:
+            return isFavourite(one) ? tr("A favourite. A click takes the star away")
+                                    : tr("A click makes this satellite a favourite");
+        default:
+            return {};
+    }
+}
+
 QVariant PassTable::data(const QModelIndex& index, int role) const
 {
     const BookedPass& one = pass(index.row());
+    if (index.column() == Favourite) {
+        return star(one, role);
+    }
     if (role == Qt::TextAlignmentRole && index.column() != Satellite) {
         return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     }

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/elements/satellite_mark.h"
 #include "ui/kit/table_model.h"
 #include "ui/passes/pass_book.h"
-
-#include <QString>
+#include "ui/passes/pass_filter.h"
 
 #include <memory>
 #include <optional>
 #include <vector>
 
-// The passes that are still to come, or go on, as a table in the order in which they begin. Words that are typed select
-// satellites by name or number. Gui thread.
+// The passes that are still to come, or go on, as a table in the order in which they begin, as far as they were chosen.
+// Favourites have a star. Gui thread.
 namespace boresight::ui {
 
 class PassTable : public TableModel
@@ -21,6 +21,7 @@ class PassTable : public TableModel
 public:
     enum Column
     {
+        Favourite,
         Satellite,
         Rises,
         Until,
@@ -31,9 +32,9 @@ public:
     explicit PassTable(QObject* parent = nullptr);
 
     void show(const std::shared_ptr<const PassBook>& book, UtcTime now);
-    void setWords(const QString& words);  // all of them; empty: each satellite
-    void setLowest(Angle elevation);      // passes that stay below are left out
-    void tick(UtcTime now);               // passes that are over go
+    void setChoice(const PassChoice& choice);
+    void setMarks(const orbit::SatelliteMarks& marks);
+    void tick(UtcTime now);  // passes that are over go
 
     [[nodiscard]] const BookedPass& pass(int row) const { return m_book->passes.at(m_rows.at(std::size_t(row))); }
     [[nodiscard]] const std::shared_ptr<const PassBook>& book() const { return m_book; }
@@ -47,11 +48,13 @@ protected:
 
 private:
     void select();
+    [[nodiscard]] bool isFavourite(const BookedPass& one) const;
+    [[nodiscard]] QVariant star(const BookedPass& one, int role) const;
 
     std::shared_ptr<const PassBook> m_book = std::make_shared<const PassBook>();
     std::vector<std::size_t> m_rows;  // into the passes of the book
-    QString m_words;
-    Angle m_lowest;
+    PassChoice m_choice;
+    orbit::SatelliteMarks m_marks;
     UtcTime m_now{};
 };
 

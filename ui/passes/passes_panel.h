@@ -9,25 +9,20 @@
 #include <memory>
 #include <optional>
 
-class QBoxLayout;
-class QDoubleSpinBox;
-class QLineEdit;
 class QPushButton;
 class QTableView;
 
-// The coming passes of the satellites whose elements the station knows: a table to search, and of the selected pass its
-// facts, Track, and whether the satellite is in the schedule. The plot shows its way over the sky. They are searched
-// for beside the gui thread, for a day ahead, and again when the elements, the site or the limits change. Gui thread.
-//
-// More than 15 members: the widgets that it composes, and what is selected.
+// The coming passes of the satellites whose elements the station knows: a table to search, and below it the selected
+// pass. The plot shows its way over the sky. They are searched for beside the gui thread, for a day ahead, and again
+// when the elements, the site or the limits change. Gui thread.
 namespace boresight::ui {
 
-class CommandButton;
+class PassFilter;
 class PassTable;
 class ProfileDraft;
 class RequestDesk;
+class SelectedPass;
 class ValueLabel;
-class WatchButton;
 
 class PassesPanel : public QWidget
 {
@@ -47,6 +42,7 @@ protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     // What the passes depend on.
@@ -70,19 +66,15 @@ private:
         std::int64_t number = 0;
         UtcTime highest{};
         targets::SkyWay way{};
-        QString light{};
     };
 
     void build();
-    [[nodiscard]] QWidget* makeSearchLine();
-    [[nodiscard]] QWidget* makeSelection();
+    void fitColumns();
     void searchAgain(const StationStatus& status);
     void showBook(const std::shared_ptr<const PassBook>& book);
     void showRows();
     void select(int row);
-    void track();
-    [[nodiscard]] bool isLow() const;
-    void showSelected();
+    void toggleFavourite(int row);
     void tellWay();
     void showNote(const StationStatus& status);
     void showProblems(const QStringList& problems);
@@ -90,16 +82,12 @@ private:
     PassSearcher* m_searcher;
     PassTable* m_passes;
     QTableView* m_table;
-    QLineEdit* m_words;
-    QDoubleSpinBox* m_lowest;
+    PassFilter* m_filter;
     ValueLabel* m_note;
     QPushButton* m_openSetting;
     ValueLabel* m_problem;
-    ValueLabel* m_facts;
-    ValueLabel* m_refused;
-    QBoxLayout* m_buttons;
-    CommandButton* m_track;
-    WatchButton* m_watch;
+    SelectedPass* m_selection;
+    orbit::SatelliteMarks m_marks;
     Search m_last;
     UtcTime m_now{};
     std::optional<Selected> m_selected;

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/passes/selected_pass.h"
+
+#include "core/passes/pass_light.h"
+#include "core/targets/target.h"
+#include "ui/kit/command_button.h"
+#include "ui/kit/value_label.h"
+#include "ui/look/paint.h"
+#include "ui/passes/favourite_button.h"
+#include "ui/passes/note_line.h"
+#include "ui/passes/pass_words.h"
+#include "ui/passes/watch_button.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <chrono>
+
+namespace boresight::ui {
+
+namespace {
+
+constexpr int kFactLines = 7;
+constexpr int kBriefLines = 3;  // as high as the buttons beside them
+
+}  // namespace
+
+SelectedPass::SelectedPass(ProfileDraft& draft, RequestDesk& desk, QWidget* parent)
+    : QWidget(parent),
+      m_facts(new ValueLabel(tr("The selected pass"), fonts::label(), {}, this)),
+      m_refused(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_buttons(new QBoxLayout(QBoxLayout::TopToBottom)),
+      m_track(new CommandButton(tr("Track"),
+                                tr("Go to where the satellite rises and follow it until it sets. Then the mount holds"),
+                                desk, *m_refused, this)),
+      m_watch(new WatchButton(draft, desk, *m_refused, this)),
+      m_favourite(new FavouriteButton(draft, desk, *m_refused, this)),
+      m_note(new NoteLine(draft, *m_refused, this))
+{
+    build();
+    connect(m_track, &QPushButton::clicked, this, &SelectedPass::track);
+}
+
+void SelectedPass::build()
+{
+    m_facts->setStretching(true);
+    m_facts->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_refused->setLines(2);
+    m_refused->setStretching(true);
+    m_refused->setCollapsing(true);
+    setEmphasis(*m_track, Emphasis::Primary);
+    m_buttons->setSpacing(kGrid);
+    m_buttons->addStretch(1);
+    m_buttons->addWidget(m_favourite);
+    m_buttons->addWidget(m_watch);
+    m_buttons->addWidget(m_track);
+    auto* const words = new QVBoxLayout;
+    words->setSpacing(4);
+    words->addWidget(m_facts, 1);
+    words->addWidget(m_refused);
+    auto* const row = new QHBoxLayout;
+    row->setSpacing(kGrid);
+    row->addLayout(words, 1);
+    row->addLayout(m_buttons);
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addWidget(m_note);
+    column->addLayout(row);
+    setBrief(false);
+}
+
+void SelectedPass::setBrief(bool on)
+{
+    m_isBrief = on;
+    m_facts->setLines(on ? kBriefLines : kFactLines);
+    m_buttons->setDirection(on ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_favourite->setHidden(on);  // the star in the table does the same
+    showFacts();
+}
+
+void SelectedPass::setNoteShown(bool on)
+{
+    m_note->setVisible(on);
+    showFacts();
+}
+
+std::optional<int> SelectedPass::satellite() const
+{
+    return m_pass ? std::optional(static_cast<int>(m_book->elementsOf(*m_pass).number)) : std::nullopt;
+}
+
+void SelectedPass::select(const std::shared_ptr<const PassBook>& book, const std::optional<BookedPass>& pass)
+{
+    m_book = book;
+    m_pass = pass;
+    m_light = pass ? lightText(passes::lightOf(pass->pass, book->elementsOf(*pass), book->site)) : QString();
+    showFacts();
+}
+
+void SelectedPass::showStatus(const StationStatus& status)
+{
+    const orbit::SatelliteMarks& marks = status.profile->satellites;
+    m_satellites = status.satellites;
+    m_track->setBlocked(!m_pass ? tr("Select a pass first.") : status.permissions.reason(Action::Track));
+    m_watch->show(satellite(), status.profile->schedule.watch);
+    m_favourite->show(satellite(), marks);
+    m_note->show(satellite(), marks);
+    const QString note = m_pass ? QString::fromStdString(orbit::noteOf(marks, *satellite())) : QString();
+    const UtcTime second = std::chrono::floor<std::chrono::seconds>(status.utc);
+    if (second != m_now || note != m_noteText) {
+        m_now = second;
+        m_noteText = note;
+        showFacts();
+    }
+}
+
+void SelectedPass::track()
+{
+    const auto found = std::ranges::find(*m_satellites, *satellite(), &orbit::ElementSet::number);
+    if (found != m_satellites->end()) {
+        m_track->ask(request::Track{targets::satelliteTarget(*found)});
+    }
+}
+
+void SelectedPass::toggleFavourite(int satellite)
+{
+    m_favourite->toggle(satellite);
+}
+
+void SelectedPass::editNote()
+{
+    m_note->setVisible(true);
+    m_note->setFocus(Qt::ShortcutFocusReason);
+}
+
+void SelectedPass::showFacts()
+{
+    if (!m_pass) {
+        m_facts->setValue({});
+        m_facts->setToolTip({});
+        return;
+    }
+    const QString light = QLatin1Char('\n') + m_light;
+    const QString note = m_noteText.isEmpty() ? QString() : m_noteText + QLatin1Char('\n');
+    const QString all = factsOf(*m_pass, *m_book, m_now) + light;
+    const QString brief = (m_note->isHidden() ? note : QString()) + briefFactsOf(*m_pass, *m_book) + light;
+    m_facts->setValue(m_isBrief ? brief : all);
+    m_facts->setToolTip(m_isBrief ? note + all : QString());
+}
+
+}  // namespace boresight::ui
+
+#include "moc_selected_pass.cpp"

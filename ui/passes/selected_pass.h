@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/messages/station_status.h"
+#include "ui/passes/pass_book.h"
+
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+class QBoxLayout;
+
+// The selected pass in words, with the note of its satellite, and what can be done with it: track it, watch it, make it
+// a favourite. Gui thread.
+namespace boresight::ui {
+
+class CommandButton;
+class FavouriteButton;
+class NoteLine;
+class ProfileDraft;
+class RequestDesk;
+class ValueLabel;
+class WatchButton;
+
+class SelectedPass : public QWidget
+{
+    Q_OBJECT
+
+public:
+    SelectedPass(ProfileDraft& draft, RequestDesk& desk, QWidget* parent = nullptr);
+
+    // Empty: none.
+    void select(const std::shared_ptr<const PassBook>& book, const std::optional<BookedPass>& pass);
+    void showStatus(const StationStatus& status);
+    void setBrief(bool on);      // in little room: what the table does not show
+    void setNoteShown(bool on);  // the line to edit; else the note is among the facts
+    void toggleFavourite(int satellite);
+    void editNote();
+
+private:
+    void build();
+    void track();
+    void showFacts();
+    [[nodiscard]] std::optional<int> satellite() const;
+
+    ValueLabel* m_facts;
+    ValueLabel* m_refused;
+    QBoxLayout* m_buttons;
+    CommandButton* m_track;
+    WatchButton* m_watch;
+    FavouriteButton* m_favourite;
+    NoteLine* m_note;
+    std::shared_ptr<const PassBook> m_book;
+    std::optional<BookedPass> m_pass;
+    Satellites m_satellites;  // as they are now
+    QString m_light;
+    QString m_noteText;
+    UtcTime m_now{};
+    bool m_isBrief = false;
+};
+
+}  // namespace boresight::ui
