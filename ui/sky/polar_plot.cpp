@@ -443,6 +443,11 @@ void PolarPlot::setChosenWay(const targets::SkyWay& way)
     m_chosenWay = way;  // drawn with the next status, which has the time
 }
 
+void PolarPlot::setSatellites(const std::vector<SatellitePlace>& places)
+{
+    m_markers->setSatellites(places);
+}
+
 void PolarPlot::describe(const StationStatus& status)
 {
     const bool live = worseFreshness(status) == Freshness::Live;

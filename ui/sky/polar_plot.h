@@ -38,7 +38,8 @@ public:
     void showStatus(const StationStatus& status);
     void setPicked(const std::optional<SkyPointing>& direction);
     void setChosenWay(const targets::SkyWay& way);  // of the pass that is selected in a list; null: none
-    void describe(const StationStatus& status);     // in words, for screen readers; once a second is enough
+    void setSatellites(const std::vector<SatellitePlace>& places);  // that are up, besides what is tracked
+    void describe(const StationStatus& status);  // in words, for screen readers; once a second is enough
     void setEditing(bool on);
     void toggleZoom();
     void zoomBy(int steps);

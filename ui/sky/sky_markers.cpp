@@ -48,6 +48,7 @@ void SkyMarkers::setGround(const QPixmap& ground, const SkyProjection& projectio
     m_trail.setSky(projection);
     m_tracked.setSky(projection);
     m_chosen.setSky(projection);
+    m_satellites.setSky(projection);
     rebuildWay();
     update();
 }
@@ -104,6 +105,11 @@ void SkyMarkers::setTracked(const targets::SkyWay& way, UtcTime utc)
 void SkyMarkers::setChosen(const targets::SkyWay& way, UtcTime utc)
 {
     update(m_chosen.show(way, utc));
+}
+
+void SkyMarkers::setSatellites(const std::vector<SatellitePlace>& places)
+{
+    update(m_satellites.show(places));
 }
 
 void SkyMarkers::setPicked(const std::optional<SkyPointing>& direction)
@@ -239,6 +245,7 @@ void SkyMarkers::paint(QPainter& painter) const
     for (const BodyPlace& body : m_bodies) {
         paintBody(painter, body, m_projection);
     }
+    m_satellites.paint(painter);
     m_chosen.paint(painter, colours.secondary);
     m_tracked.paint(painter, colours.accent);
     m_trail.paint(painter);

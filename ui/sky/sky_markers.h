@@ -5,6 +5,7 @@
 #include "ui/sky/cable_ring.h"
 #include "ui/sky/sky_frame.h"
 #include "ui/sky/sky_path.h"
+#include "ui/sky/sky_satellites.h"
 #include "ui/sky/sky_trail.h"
 
 #include <QPainterPath>
@@ -51,7 +52,8 @@ public:
     void setCable(const CableState& cable);
     void setBodies(const std::vector<BodyPlace>& bodies);
     void setTracked(const targets::SkyWay& way, UtcTime utc);
-    void setChosen(const targets::SkyWay& way, UtcTime utc);  // of the pass that is selected in a list
+    void setChosen(const targets::SkyWay& way, UtcTime utc);        // of the pass that is selected in a list
+    void setSatellites(const std::vector<SatellitePlace>& places);  // that are up besides
     void setPicked(const std::optional<SkyPointing>& direction);
     void setFocused(bool on);             // the plot has the keyboard: its rim shows that
     void paint(QPainter& painter) const;  // all but the ground, also for a picture of the plot
@@ -65,6 +67,7 @@ public:
     [[nodiscard]] const QPainterPath& wayPixels() const { return m_wayPixels; }
     [[nodiscard]] const SkyPath& tracked() const { return m_tracked; }
     [[nodiscard]] const SkyPath& chosen() const { return m_chosen; }
+    [[nodiscard]] const SkySatellites& satellites() const { return m_satellites; }
     [[nodiscard]] const QPixmap& ground() const { return m_ground; }
 
 Q_SIGNALS:
@@ -93,6 +96,7 @@ private:
     std::optional<CableRing> m_ring;
     CableState m_cable;
     std::vector<BodyPlace> m_bodies;
+    SkySatellites m_satellites;
     QPainterPath m_wayPixels;
     SkyPath m_tracked;
     SkyPath m_chosen;
