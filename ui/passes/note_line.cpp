@@ -44,6 +44,7 @@ void NoteLine::focusOutEvent(QFocusEvent* event)
     } else if (event->reason() != Qt::PopupFocusReason && event->reason() != Qt::ActiveWindowFocusReason) {
         store();
     }
+    Q_EMIT left();
 }
 
 void NoteLine::takeBack()

@@ -25,6 +25,9 @@ public:
     // Empty: none is selected.
     void show(const std::optional<int>& satellite, const orbit::SatelliteMarks& marks);
 
+Q_SIGNALS:
+    void left();
+
 protected:
     void focusOutEvent(QFocusEvent* event) override;
 

@@ -8,12 +8,13 @@
 #include "ui/look/paint.h"
 #include "ui/passes/pass_filter.h"
 #include "ui/passes/pass_table.h"
+#include "ui/passes/pass_views.h"
 #include "ui/passes/pass_way.h"
 #include "ui/passes/selected_pass.h"
 
+#include <QAction>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QKeyEvent>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -38,6 +39,8 @@ PassesPanel::PassesPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent
       m_searcher(new PassSearcher(this)),
       m_passes(new PassTable(this)),
       m_table(makeReadTable(tr("Coming passes"), *m_passes, this)),
+      m_views(new PassViews(*m_passes, *m_table, this)),
+      m_choices(m_views->makeChoices(this)),
       m_filter(new PassFilter(this)),
       m_note(new ValueLabel(tr("About the passes"), fonts::label(), {}, this)),
       m_openSetting(makePushButton({.text = tr("Open the setting"), .help = tr("The files with element sets")}, this)),
@@ -59,6 +62,7 @@ PassesPanel::PassesPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent
             toggleFavourite(cell.row());
         }
     });
+    connect(m_views, &PassViews::viewChanged, this, &PassesPanel::fitHeight);
     connect(m_openSetting, &QPushButton::clicked, this, [this] { Q_EMIT settingsWanted(tr("elements")); });
 }
 
@@ -71,6 +75,8 @@ void PassesPanel::build()
     m_note->setStretching(true);
     column->addWidget(m_filter);
     auto* const notes = new QHBoxLayout;
+    notes->setSpacing(kGrid);
+    notes->addWidget(m_choices);
     notes->addWidget(m_note, 1);
     notes->addWidget(m_openSetting);
     column->addLayout(notes);
@@ -78,9 +84,9 @@ void PassesPanel::build()
     m_problem->setStretching(true);
     m_problem->setCollapsing(true);
     column->addWidget(m_problem);
-    column->addWidget(m_table, 1);
+    column->addWidget(m_views, 1);
     column->addWidget(m_selection);
-    m_table->installEventFilter(this);
+    addActions();
     fitColumns();
 }
 
@@ -104,24 +110,33 @@ void PassesPanel::fitColumns()
 void PassesPanel::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    const bool isLow = height() < kRoomForAllFacts;
-    m_selection->setBrief(isLow);
-    m_selection->setNoteShown(!isLow);
+    fitHeight();
 }
 
-// Space gives a star, as it ticks a box elsewhere. F2 edits, as everywhere.
-bool PassesPanel::eventFilter(QObject* watched, QEvent* event)
+void PassesPanel::fitHeight()
 {
-    if (event->type() != QEvent::KeyPress || !m_table->currentIndex().isValid()) {
-        return QWidget::eventFilter(watched, event);
-    }
-    const int key = static_cast<QKeyEvent*>(event)->key();
-    if (key == Qt::Key_Space) {
-        toggleFavourite(m_table->currentIndex().row());
-    } else if (key == Qt::Key_F2) {
-        m_selection->editNote();
-    }
-    return key == Qt::Key_Space || key == Qt::Key_F2;
+    const bool isLow = height() < kRoomForAllFacts;
+    m_selection->setBrief(isLow);
+    m_selection->setNoteShown(!isLow || m_views->view() != PassViews::List);
+}
+
+// A menu by the right button, and keys: Space ticks and F2 edits, as everywhere.
+void PassesPanel::addActions()
+{
+    m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
+    const auto add = [this](const QString& text, Qt::Key key, auto act) {
+        auto* const action = new QAction(text, m_table);
+        action->setShortcut(key);
+        action->setShortcutContext(Qt::WidgetShortcut);
+        m_table->addAction(action);
+        connect(action, &QAction::triggered, this, [this, act] {
+            if (m_table->currentIndex().isValid()) {
+                act();
+            }
+        });
+    };
+    add(tr("Favourite, or not"), Qt::Key_Space, [this] { toggleFavourite(m_table->currentIndex().row()); });
+    add(tr("Edit the note"), Qt::Key_F2, [this] { m_selection->editNote(); });
 }
 
 void PassesPanel::toggleFavourite(int row)
@@ -137,6 +152,7 @@ void PassesPanel::showStatus(const StationStatus& status)
     searchAgain(status);
     if (isNextSecond) {
         m_passes->tick(m_now);
+        m_views->showStatus(status);
     }
     if (status.profile->satellites != m_marks) {
         m_marks = status.profile->satellites;
@@ -199,12 +215,14 @@ void PassesPanel::select(int row)
     if (row < 0) {
         m_selected.reset();
         m_selection->select(nullptr, std::nullopt);
+        m_views->select(nullptr, std::nullopt, nullptr);
     } else {
         const BookedPass& pass = m_passes->pass(row);
         const PassBook& book = *m_passes->book();
         m_selected =
             Selected{.number = book.elementsOf(pass).number, .highest = pass.pass.tca.utc, .way = wayOf(pass, book)};
         m_selection->select(m_passes->book(), pass);
+        m_views->select(m_passes->book(), pass, m_selected->way);
     }
     if (isVisible()) {
         tellWay();
@@ -233,6 +251,7 @@ void PassesPanel::showNote(const StationStatus& status)
 {
     const bool areKnown = status.satellites && !status.satellites->empty();
     m_openSetting->setVisible(!areKnown);
+    m_choices->setVisible(areKnown && status.profile->site.known);
     if (!areKnown) {
         m_note->setValue(
             tr("Boresight knows no satellites. Open the setting and name a file or address with their elements."),
@@ -241,8 +260,7 @@ void PassesPanel::showNote(const StationStatus& status)
         m_note->setValue(tr("The site is not set. Enter it on the page Profile, or in the guide."), Tone::Warning,
                          Symbol::Warning);
     } else if (m_passes->rowCount() == 0 && m_filter->choice().onlyFavourites) {
-        m_note->setValue(tr("No favourite yet, or none that passes. A click on the star of a row makes a favourite."),
-                         Tone::Secondary);
+        m_note->setValue(tr("No favourite passes within a day. Click the star of a row to add one."), Tone::Secondary);
     } else {
         m_note->setValue(
             tr("%1 passes of %2 satellites within a day").arg(m_passes->rowCount()).arg(status.satellites->size()),

@@ -12,13 +12,14 @@
 class QPushButton;
 class QTableView;
 
-// The coming passes of the satellites whose elements the station knows: a table to search, and below it the selected
-// pass. The plot shows its way over the sky. They are searched for beside the gui thread, for a day ahead, and again
-// when the elements, the site or the limits change. Gui thread.
+// The coming passes of the satellites whose elements the station knows, to search, as a list and in pictures, and below
+// them the selected pass. The plot shows its way over the sky. They are searched for beside the gui thread, for a day
+// ahead, and again when the elements, the site or the limits change. Gui thread.
 namespace boresight::ui {
 
 class PassFilter;
 class PassTable;
+class PassViews;
 class ProfileDraft;
 class RequestDesk;
 class SelectedPass;
@@ -42,7 +43,6 @@ protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     // What the passes depend on.
@@ -69,7 +69,9 @@ private:
     };
 
     void build();
+    void addActions();
     void fitColumns();
+    void fitHeight();
     void searchAgain(const StationStatus& status);
     void showBook(const std::shared_ptr<const PassBook>& book);
     void showRows();
@@ -82,6 +84,8 @@ private:
     PassSearcher* m_searcher;
     PassTable* m_passes;
     QTableView* m_table;
+    PassViews* m_views;
+    QWidget* m_choices;  // of the view
     PassFilter* m_filter;
     ValueLabel* m_note;
     QPushButton* m_openSetting;

@@ -40,6 +40,7 @@ SelectedPass::SelectedPass(ProfileDraft& draft, RequestDesk& desk, QWidget* pare
 {
     build();
     connect(m_track, &QPushButton::clicked, this, &SelectedPass::track);
+    connect(m_note, &NoteLine::left, this, [this] { setNoteShown(m_isNoteShown); });
 }
 
 void SelectedPass::build()
@@ -82,7 +83,8 @@ void SelectedPass::setBrief(bool on)
 
 void SelectedPass::setNoteShown(bool on)
 {
-    m_note->setVisible(on);
+    m_isNoteShown = on;
+    m_note->setVisible(on || m_note->hasFocus());
     showFacts();
 }
 
@@ -132,6 +134,7 @@ void SelectedPass::toggleFavourite(int satellite)
 void SelectedPass::editNote()
 {
     m_note->setVisible(true);
+    showFacts();
     m_note->setFocus(Qt::ShortcutFocusReason);
 }
 

@@ -34,7 +34,7 @@ public:
     void select(const std::shared_ptr<const PassBook>& book, const std::optional<BookedPass>& pass);
     void showStatus(const StationStatus& status);
     void setBrief(bool on);      // in little room: what the table does not show
-    void setNoteShown(bool on);  // the line to edit; else the note is among the facts
+    void setNoteShown(bool on);  // always; else only while it is edited, and the note is among the facts
     void toggleFavourite(int satellite);
     void editNote();
 
@@ -58,6 +58,7 @@ private:
     QString m_noteText;
     UtcTime m_now{};
     bool m_isBrief = false;
+    bool m_isNoteShown = true;
 };
 
 }  // namespace boresight::ui

@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/passes/passes_panel.h"
 
-#include "tests/fakes/low_orbit.h"
-#include "tests/fakes/wait_until.h"
 #include "tests/ui/event_loop.h"
-#include "tests/ui/window_fixture.h"
+#include "tests/ui/passes/passes_fixture.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
 #include "ui/passes/note_line.h"
-#include "ui/passes/pass_table.h"
 #include "ui/passes/pass_words.h"
 #include "ui/sky/polar_plot.h"
 
 #include <QDoubleSpinBox>
 #include <QLineEdit>
-#include <QTableView>
 #include <QToolButton>
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace boresight::ui {
@@ -29,50 +24,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-orbit::ElementSet satellite(const char* name, std::int64_t number, Angle node, UtcTime epoch)
-{
-    orbit::ElementSet elements = fakes::lowOrbit(epoch, node);
-    elements.name = name;
-    elements.number = number;
-    return elements;
-}
-
-class PassesPanelTest : public WindowFixture
-{
-protected:
-    PassesPanelTest() { openPanel('T'); }
-
-    StationStatus withSatellites()
-    {
-        StationStatus status = samples::idle();
-        profile::Profile profile = *status.profile;
-        profile.site = {.known = true, .latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
-        status.profile = std::make_shared<const profile::Profile>(profile);
-        status.satellites = std::make_shared<const std::vector<orbit::ElementSet>>(std::vector{
-            satellite("ALPHA ONE", 25544, 10_deg, status.utc), satellite("BETA", 40069, 130_deg, status.utc),
-            satellite("ALPHA TWO", 43013, 250_deg, status.utc)});
-        return status;
-    }
-    void giveFound(const StationStatus& status)
-    {
-        give(samples::update(status));
-        ASSERT_TRUE(fakes::waitUntil([this] { return rows() > 0; }));
-        give(samples::update(status));
-    }
-    [[nodiscard]] int rows() { return table().model()->rowCount(); }
-    QTableView& table() { return *named<QTableView>("Coming passes"); }
-    QString cell(int row, PassTable::Column column) { return table().model()->index(row, column).data().toString(); }
-    [[nodiscard]] std::vector<std::string> names()
-    {
-        std::vector<std::string> all;
-        for (int row = 0; row < rows(); ++row) {
-            all.push_back(cell(row, PassTable::Satellite).toStdString());
-        }
-        std::ranges::sort(all);
-        all.erase(std::ranges::unique(all).begin(), all.end());
-        return all;
-    }
-};
+using PassesPanelTest = PassesFixture;
 
 // REQ-PASSES-950: The panel Passes lists the coming passes of all satellites within a day, in the order in which they
 // rise. Typed words and a least height select among them. Without satellites, or without a site, it says what to do.
@@ -349,7 +301,7 @@ TEST_F(MarkedPassesTest, FavouritesOnly)
     mark({});
     EXPECT_EQ(rows(), 0);
     EXPECT_EQ(text("The selected pass"), QString());
-    EXPECT_THAT(text("About the passes").toStdString(), HasSubstr("No favourite yet"));
+    EXPECT_THAT(text("About the passes").toStdString(), HasSubstr("No favourite passes"));
     QTest::mouseClick(only, Qt::LeftButton);
     EXPECT_EQ(names().size(), 3U);
 }

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/targets/sky_moment.h"
+
+#include <QPainterPath>
+#include <QWidget>
+
+#include <optional>
+
+// The elevation of the selected pass over time, from its rise to its set: dotted where the limits of the mount hide it,
+// with the elevation from which it counts, and where it is now. Passive. Gui thread, UTC.
+namespace boresight::ui {
+
+class PassCurve : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit PassCurve(QWidget* parent = nullptr);
+
+    void show(const targets::SkyWay& way);              // null: none
+    void setLowest(const std::optional<Angle>& angle);  // empty: all of it counts
+    void setNow(UtcTime now);
+
+    [[nodiscard]] QPainterPath line(bool hidden) const;  // in pixels
+    [[nodiscard]] std::optional<QPointF> place() const;  // of the satellite now; empty: it is not up
+    [[nodiscard]] Angle top() const;                     // of the scale
+    [[nodiscard]] QPointF pixelOf(UtcTime utc, Angle elevation) const;
+
+    [[nodiscard]] QSize minimumSizeHint() const override { return {200, 80}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    [[nodiscard]] QRectF canvas() const;
+    [[nodiscard]] const targets::SkyMoment& highest() const;
+    void paintGrid(QPainter& painter) const;
+    void paintTimes(QPainter& painter) const;
+    void paintMarks(QPainter& painter) const;
+    void describe();
+
+    targets::SkyWay m_way;
+    std::optional<Angle> m_lowest;
+    UtcTime m_now{};
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/passes/pass_timeline_rows.h"
+
+#include <QAbstractScrollArea>
+
+#include <optional>
+
+// The coming passes of a day side by side: a row for each satellite, a bar for each pass, the higher the stronger. A
+// click or the arrow keys select a pass. Passive: it paints what it is given. Gui thread, UTC.
+namespace boresight::ui {
+
+class PassTimeline : public QAbstractScrollArea
+{
+    Q_OBJECT
+
+public:
+    explicit PassTimeline(QWidget* parent = nullptr);
+
+    void show(const Timeline& timeline);
+    void setNow(UtcTime now);
+    void setSelected(std::int64_t number, UtcTime highest);
+
+    [[nodiscard]] const Timeline& timeline() const { return m_timeline; }
+    [[nodiscard]] QRectF barBox(std::size_t row, const TimelineBar& bar) const;  // in the viewport
+    [[nodiscard]] QString summary() const;                                       // what is shown, and what is not
+
+    [[nodiscard]] QSize minimumSizeHint() const override { return {200, 80}; }
+
+Q_SIGNALS:
+    void passChosen(std::int64_t number, boresight::UtcTime highest);
+    void stepWanted(int passes);  // to the next, or to the one before, in the order of time
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    bool viewportEvent(QEvent* event) override;
+
+private:
+    struct Place
+    {
+        std::size_t row = 0;
+        std::size_t bar = 0;
+    };
+
+    [[nodiscard]] double pixelOf(UtcTime utc) const;
+    [[nodiscard]] double rowHeight() const;
+    [[nodiscard]] double nameWidth() const;
+    [[nodiscard]] double headHeight() const;
+    [[nodiscard]] QRectF rowBox(std::size_t row) const;
+    [[nodiscard]] bool isSelected(const TimelineRow& row, const TimelineBar& bar) const;
+    [[nodiscard]] std::optional<Place> placeAt(const QPointF& at) const;
+    [[nodiscard]] QString helpAt(const QPointF& at) const;
+    void fitScrollBar();
+    void paintRow(QPainter& painter, std::size_t row) const;
+    void paintBar(QPainter& painter, std::size_t row, const TimelineBar& bar) const;
+    void paintHours(QPainter& painter) const;
+    void paintSelectedSpan(QPainter& painter) const;
+
+    Timeline m_timeline;
+    UtcTime m_now{};
+    UtcTime m_begin{};  // at the left: the hour that goes on
+    std::int64_t m_number = 0;
+    UtcTime m_highest{};
+};
+
+}  // namespace boresight::ui

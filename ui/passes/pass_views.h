@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/messages/station_status.h"
+#include "core/targets/sky_moment.h"
+#include "ui/passes/pass_book.h"
+
+#include <QStackedWidget>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+class QTableView;
+
+// One place for the passes as a list, as a timeline, and for the selected pass as its elevation over time and its way
+// over the Earth. What is not seen is not worked out. Gui thread.
+namespace boresight::ui {
+
+class ChoiceButton;
+class GroundMap;
+class PassCurve;
+class PassTable;
+class PassTimeline;
+
+class PassViews : public QStackedWidget
+{
+    Q_OBJECT
+
+public:
+    enum View
+    {
+        List,
+        Timeline,
+        Elevation,
+        Map
+    };
+
+    // The table becomes the list.
+    PassViews(PassTable& passes, QTableView& table, QWidget* parent = nullptr);
+
+    [[nodiscard]] QWidget* makeChoices(QWidget* parent);  // to switch the view, once
+    void showView(View view);
+    [[nodiscard]] View view() const { return static_cast<View>(currentIndex()); }
+
+    void showStatus(const StationStatus& status);  // once a second is enough
+    // Empty: none.
+    void select(const std::shared_ptr<const PassBook>& book, const std::optional<BookedPass>& pass,
+                const targets::SkyWay& way);
+
+Q_SIGNALS:
+    void viewChanged();
+
+private:
+    void showTimeline();
+    void showMap();
+    void showMoment();
+    void step(int passes);
+    void choose(std::int64_t number, UtcTime highest);
+    [[nodiscard]] std::optional<Angle> lowest() const;
+
+    PassTable& m_passes;
+    QTableView& m_table;
+    PassTimeline* m_timeline;
+    PassCurve* m_curve;
+    GroundMap* m_map;
+    std::array<ChoiceButton*, 4> m_choices{};
+    std::shared_ptr<const profile::Profile> m_profile;
+    std::shared_ptr<const ScheduleStatus> m_schedule;
+    UtcTime m_now{};
+    std::shared_ptr<const PassBook> m_book;  // of the selected pass
+    std::optional<BookedPass> m_pass;
+    bool m_isTimelineOld = true;
+    bool m_isTrackOld = true;
+};
+
+}  // namespace boresight::ui
