@@ -153,6 +153,7 @@ void PassesPanel::showStatus(const StationStatus& status)
     if (isNextSecond) {
         m_passes->tick(m_now);
         m_views->showStatus(status);
+        showFavourites(status);
     }
     if (status.profile->satellites != m_marks) {
         m_marks = status.profile->satellites;
@@ -244,6 +245,16 @@ void PassesPanel::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
     Q_EMIT wayChosen({});
+}
+
+// The plot is always there.
+void PassesPanel::showFavourites(const StationStatus& status)
+{
+    const profile::SiteSettings& site = status.profile->site;
+    m_favourites.setBasis(status.satellites, status.profile->satellites,
+                          site.known ? std::optional(site.place()) : std::nullopt);
+    Q_EMIT favouritesMoved(
+        m_favourites.at(status.utc, status.tracked ? status.tracked->number : std::optional<std::int64_t>()));
 }
 
 // Why there is nothing to see, and what to do.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/messages/station_status.h"
+#include "ui/passes/favourite_places.h"
 #include "ui/passes/pass_searcher.h"
 
 #include <QWidget>
@@ -38,6 +39,7 @@ Q_SIGNALS:
     void settingsWanted(const QString& words);  // of the page Profile
     // Of the selected pass, while it is seen here; null: of none.
     void wayChosen(const boresight::targets::SkyWay& way);
+    void favouritesMoved(const std::vector<boresight::ui::SatellitePlace>& places);  // that are up, once a second
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -78,6 +80,7 @@ private:
     void select(int row);
     void toggleFavourite(int row);
     void tellWay();
+    void showFavourites(const StationStatus& status);
     void showNote(const StationStatus& status);
     void showProblems(const QStringList& problems);
 
@@ -92,6 +95,7 @@ private:
     ValueLabel* m_problem;
     SelectedPass* m_selection;
     orbit::SatelliteMarks m_marks;
+    FavouritePlaces m_favourites;
     Search m_last;
     UtcTime m_now{};
     std::optional<Selected> m_selected;

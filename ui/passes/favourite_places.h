@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/elements/satellite_mark.h"
+#include "core/orbit/sgp4.h"
+#include "core/orbit/topocentric.h"
+#include "ui/passes/pass_book.h"
+#include "ui/sky/sky_satellites.h"
+
+#include <optional>
+#include <vector>
+
+// Where the favourites stand that are up. A moment of 200 of them costs less than a millisecond. Gui thread.
+namespace boresight::ui {
+
+class FavouritePlaces
+{
+public:
+    // An empty site: it is not known, and nothing is up.
+    void setBasis(const Satellites& satellites, const orbit::SatelliteMarks& marks, const std::optional<Site>& site);
+    // The highest ones, without the satellite that has a mark of its own.
+    [[nodiscard]] std::vector<SatellitePlace> at(UtcTime utc, const std::optional<std::int64_t>& without);
+
+private:
+    struct One
+    {
+        std::int64_t number = 0;
+        QString name;
+        orbit::Sgp4 orbit;
+        orbit::ResonanceState resonance = {};
+    };
+
+    Satellites m_satellites;
+    orbit::SatelliteMarks m_marks;
+    std::optional<Site> m_site;
+    std::vector<One> m_favourites;
+};
+
+inline constexpr std::size_t kMostFavouritePlaces = 20;
+
+}  // namespace boresight::ui
