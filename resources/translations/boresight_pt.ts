@@ -732,6 +732,10 @@ até %1</translation>
         <source>watch list</source>
         <translation>lista da agenda</translation>
     </message>
+    <message>
+        <source>favourites and notes</source>
+        <translation>favoritos e notas</translation>
+    </message>
 </context>
 <context>
     <name>SkyBodies</name>
@@ -8287,6 +8291,26 @@ até %1</translation>
         <source>%1 satellites are missing there. They keep the elements that were read before.</source>
         <translation>Faltam lá %1 satélites. Mantêm os elementos lidos antes.</translation>
     </message>
+    <message>
+        <source>a text of one line, of at most %1 characters, is expected</source>
+        <translation>espera-se um texto de uma linha, com no máximo %1 caracteres</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>Favorito</translation>
+    </message>
+    <message>
+        <source>Whether it has a star and a place in the timeline.</source>
+        <translation>Se tem uma estrela e um lugar na linha do tempo.</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message>
+        <source>A line of the operator&apos;s own, such as frequency and polarisation.</source>
+        <translation>Uma linha do próprio operador, como frequência e polarização.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -9833,6 +9857,29 @@ Mantenha pessoas e cordas longe da antena. STOP termina a prova.</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::FavouriteButton</name>
+    <message>
+        <source>Add to favourites</source>
+        <translation>Juntar aos favoritos</translation>
+    </message>
+    <message>
+        <source>Remove from favourites</source>
+        <translation>Tirar dos favoritos</translation>
+    </message>
+    <message>
+        <source>Take the star of this satellite away (Space in the table)</source>
+        <translation>Tirar a estrela a este satélite (Espaço na tabela)</translation>
+    </message>
+    <message>
+        <source>Give this satellite a star and a place in the timeline (Space in the table)</source>
+        <translation>Dar a este satélite uma estrela e um lugar na linha do tempo (Espaço na tabela)</translation>
+    </message>
+    <message>
+        <source>Select a pass first.</source>
+        <translation>Escolha primeiro uma passagem.</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::FiguresModel</name>
     <message>
         <source>Figure</source>
@@ -10027,6 +10074,21 @@ O acionamento mantém estes ganhos depois de desligado e ligado. Guarda também 
     <message>
         <source>Go: Enter an azimuth, an elevation or both.</source>
         <translation>Ir: Indique um azimute, uma elevação ou ambos.</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::GroundMap</name>
+    <message>
+        <source>Ground track of the satellite</source>
+        <translation>Percurso do satélite sobre a Terra</translation>
+    </message>
+    <message>
+        <source>Over latitude %1, longitude %2, %3 km high</source>
+        <translation>Sobre a latitude %1, longitude %2, a %3 km de altura</translation>
+    </message>
+    <message>
+        <source>Thick line: the pass. Thin line: the orbit after it. The dashed circle sees the satellite now.</source>
+        <translation>Linha grossa: a passagem. Linha fina: a órbita seguinte. O círculo tracejado vê o satélite agora.</translation>
     </message>
 </context>
 <context>
@@ -12298,6 +12360,25 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     </message>
 </context>
 <context>
+    <name>boresight::ui::NoteLine</name>
+    <message>
+        <source>Note about the satellite</source>
+        <translation>Nota sobre o satélite</translation>
+    </message>
+    <message>
+        <source>Note: frequency, polarisation, …</source>
+        <translation>Nota: frequência, polarização, …</translation>
+    </message>
+    <message>
+        <source>A note about this satellite. Enter stores it, Esc takes back what was typed</source>
+        <translation>Uma nota sobre este satélite. Enter guarda-a, Esc desfaz o que foi escrito</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Nota: %1</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::PanelTabs</name>
     <message>
         <source>Panels</source>
@@ -12441,6 +12522,52 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     </message>
 </context>
 <context>
+    <name>boresight::ui::PassCurve</name>
+    <message>
+        <source>Elevation over time</source>
+        <translation>Elevação ao longo do tempo</translation>
+    </message>
+    <message>
+        <source>From %1Z to %2Z, %3 high at %4Z</source>
+        <translation>Das %1Z às %2Z, %3 de altura às %4Z</translation>
+    </message>
+    <message>
+        <source>Select a pass first.</source>
+        <translation>Escolha primeiro uma passagem.</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>desde %1</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::PassFilter</name>
+    <message>
+        <source>Favourites only</source>
+        <translation>Só favoritos</translation>
+    </message>
+    <message>
+        <source>Satellites to list</source>
+        <translation>Satélites a listar</translation>
+    </message>
+    <message>
+        <source>Name or number</source>
+        <translation>Nome ou número</translation>
+    </message>
+    <message>
+        <source>Least height of a listed pass</source>
+        <translation>Altura mínima de uma passagem listada</translation>
+    </message>
+    <message>
+        <source>Passes that do not come higher are not listed</source>
+        <translation>As passagens que não sobem mais não são listadas</translation>
+    </message>
+    <message>
+        <source>at least</source>
+        <translation>pelo menos</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::PassTable</name>
     <message>
         <source>Satellite</source>
@@ -12466,6 +12593,84 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <source>always</source>
         <translation>sempre</translation>
     </message>
+    <message>
+        <source>Favourite</source>
+        <translation>Favorito</translation>
+    </message>
+    <message>
+        <source>No favourite</source>
+        <translation>Não é favorito</translation>
+    </message>
+    <message>
+        <source>A favourite. A click takes the star away</source>
+        <translation>Um favorito. Um clique tira a estrela</translation>
+    </message>
+    <message>
+        <source>A click makes this satellite a favourite</source>
+        <translation>Um clique torna este satélite favorito</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::PassTimeline</name>
+    <message>
+        <source>Timeline of the coming passes</source>
+        <translation>Linha do tempo das próximas passagens</translation>
+    </message>
+    <message>
+        <source>%1 satellites</source>
+        <translation>%1 satélites</translation>
+    </message>
+    <message>
+        <source>%1, favourites first. %2 more are only in the list.</source>
+        <translation>%1, primeiro os favoritos. Mais %2 só estão na lista.</translation>
+    </message>
+    <message>
+        <source>UTC</source>
+        <translation>UTC</translation>
+    </message>
+    <message>
+        <source>%1: %2Z to %3Z, %4 high</source>
+        <translation>%1: das %2Z às %3Z, %4 de altura</translation>
+    </message>
+    <message>
+        <source>A high pass has a high bar. Underlined: the schedule tracks it. Hollow: the schedule leaves it out.</source>
+        <translation>Uma passagem alta tem uma barra alta. Sublinhada: a agenda segue-a. Oca: a agenda deixa-a de fora.</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::PassViews</name>
+    <message>
+        <source>List</source>
+        <translation>Lista</translation>
+    </message>
+    <message>
+        <source>The passes as a list</source>
+        <translation>As passagens em lista</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>The passes of the next 24 hours side by side</source>
+        <translation>As passagens das próximas 24 horas lado a lado</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Elevação</translation>
+    </message>
+    <message>
+        <source>The elevation of the selected pass over time</source>
+        <translation>A elevação da passagem selecionada ao longo do tempo</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>The way of the selected satellite over the Earth</source>
+        <translation>O caminho do satélite selecionado sobre a Terra</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::PassesPanel</name>
@@ -12486,52 +12691,12 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Os ficheiros com os elementos</translation>
     </message>
     <message>
-        <source>The selected pass</source>
-        <translation>A passagem escolhida</translation>
-    </message>
-    <message>
-        <source>Refused</source>
-        <translation>Recusado</translation>
-    </message>
-    <message>
-        <source>Track</source>
-        <translation>Seguir</translation>
-    </message>
-    <message>
-        <source>Go to where the satellite rises and follow it until it sets. Then the mount holds</source>
-        <translation>Ir para onde o satélite nasce e segui-lo até se pôr. Depois a montagem mantém a posição</translation>
-    </message>
-    <message>
         <source>Searching for passes: %1 %</source>
         <translation>A procurar passagens: %1 %</translation>
     </message>
     <message>
         <source>elements</source>
         <translation>elementos</translation>
-    </message>
-    <message>
-        <source>Satellites to list</source>
-        <translation>Satélites a listar</translation>
-    </message>
-    <message>
-        <source>Name or number</source>
-        <translation>Nome ou número</translation>
-    </message>
-    <message>
-        <source>Least height of a listed pass</source>
-        <translation>Altura mínima de uma passagem listada</translation>
-    </message>
-    <message>
-        <source>Passes that do not come higher are not listed</source>
-        <translation>As passagens que não sobem mais não são listadas</translation>
-    </message>
-    <message>
-        <source>at least</source>
-        <translation>pelo menos</translation>
-    </message>
-    <message>
-        <source>Select a pass first.</source>
-        <translation>Escolha primeiro uma passagem.</translation>
     </message>
     <message>
         <source>The site is not set. Enter it on the page Profile, or in the guide.</source>
@@ -12552,6 +12717,10 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     <message>
         <source>The log has more problems.</source>
         <translation>O registo tem mais problemas.</translation>
+    </message>
+    <message>
+        <source>No favourite passes within a day. Click the star of a row to add one.</source>
+        <translation>Nenhum favorito passa dentro de um dia. Clique na estrela de uma linha para juntar um.</translation>
     </message>
 </context>
 <context>
@@ -14062,6 +14231,29 @@ Erro máximo: %6</translation>
     <message>
         <source>Rehearsed: within 3 dB for %1 of %2 s</source>
         <translation>Ensaio: dentro de 3 dB durante %1 de %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::SelectedPass</name>
+    <message>
+        <source>The selected pass</source>
+        <translation>A passagem escolhida</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>Seguir</translation>
+    </message>
+    <message>
+        <source>Go to where the satellite rises and follow it until it sets. Then the mount holds</source>
+        <translation>Ir para onde o satélite nasce e segui-lo até se pôr. Depois a montagem mantém a posição</translation>
+    </message>
+    <message>
+        <source>Select a pass first.</source>
+        <translation>Escolha primeiro uma passagem.</translation>
     </message>
 </context>
 <context>
