@@ -73,7 +73,7 @@ QPainterPath GroundMap::lineOf(const std::vector<Site>& places) const
     QPainterPath path;
     for (const Site& place : places) {
         const QPointF at = pixelOf(place);
-        if (path.isEmpty() || std::abs(at.x() - path.currentPosition().x()) > map().width() / 2.0) {
+        if (path.elementCount() == 0 || std::abs(at.x() - path.currentPosition().x()) > map().width() / 2.0) {
             path.moveTo(at);
         } else {
             path.lineTo(at);
