@@ -232,7 +232,7 @@ void drawStar(Pen& pen, bool filled)
     pen.shape(star, filled);
 }
 
-using Paint = std::function<void(QPainter& painter, const QRectF& box, bool quiet)>;
+using Paint = std::function<void(QPainter& painter, const QRectF& box, QIcon::Mode mode)>;
 
 // Nothing is kept: the next picture has the colours of the theme that is current then.
 class PaintedIcon : public QIconEngine
@@ -243,7 +243,7 @@ public:
     void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override
     {
         painter->save();
-        m_paint(*painter, rect, mode == QIcon::Disabled);
+        m_paint(*painter, rect, mode);
         painter->restore();
     }
     QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override
@@ -311,14 +311,19 @@ void drawGlyph(QPainter& painter, Glyph glyph, const QRectF& box, const QColor& 
 
 QIcon glyphIcon(Glyph glyph)
 {
-    return QIcon(new PaintedIcon([glyph](QPainter& painter, const QRectF& box, bool quiet) {
-        drawGlyph(painter, glyph, box, quiet ? currentTheme().hairline : currentTheme().text);
+    return QIcon(new PaintedIcon([glyph](QPainter& painter, const QRectF& box, QIcon::Mode mode) {
+        const Theme& colours = currentTheme();
+        const QColor& plain = glyph == Glyph::NoFavourite ? colours.secondary : colours.text;
+        drawGlyph(painter, glyph, box,
+                  mode == QIcon::Disabled   ? colours.hairline
+                  : mode == QIcon::Selected ? colours.onAccent  // in a row of a table
+                                            : plain);
     }));
 }
 
 QIcon themePicture(ThemeKind kind)
 {
-    return QIcon(new PaintedIcon([kind](QPainter& painter, const QRectF& box, bool) {
+    return QIcon(new PaintedIcon([kind](QPainter& painter, const QRectF& box, QIcon::Mode) {
         const Theme& colours = theme(kind, currentBrightness());
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setPen(currentTheme().secondary);
