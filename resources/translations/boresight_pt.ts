@@ -514,6 +514,10 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <source>number %1, from %2 to %3</source>
         <translation>número %1, de %2 a %3</translation>
     </message>
+    <message>
+        <source>%1, from %2 to %3</source>
+        <translation>%1, de %2 a %3</translation>
+    </message>
 </context>
 <context>
     <name>PlotPicture</name>
@@ -12721,6 +12725,14 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     <message>
         <source>No favourite passes within a day. Click the star of a row to add one.</source>
         <translation>Nenhum favorito passa dentro de um dia. Clique na estrela de uma linha para juntar um.</translation>
+    </message>
+    <message>
+        <source>Favourite, or not</source>
+        <translation>Favorito, ou não</translation>
+    </message>
+    <message>
+        <source>Edit the note</source>
+        <translation>Editar a nota</translation>
     </message>
 </context>
 <context>

@@ -76,7 +76,7 @@ const targets::SkyMoment& PassCurve::highest() const
 QRectF PassCurve::canvas() const
 {
     const double left = fontMetrics().horizontalAdvance(QStringLiteral("90°")) + 8.0;
-    return QRectF(rect()).adjusted(left, fontMetrics().height() / 2.0 + 2.0, -14.0, -fontMetrics().height() - 6.0);
+    return QRectF(rect()).adjusted(left, fontMetrics().height() / 2.0 + 2.0, -14.0, -fontMetrics().height() - 10.0);
 }
 
 // A low pass has a scale of its own.
@@ -176,7 +176,7 @@ void PassCurve::paintTimes(QPainter& painter) const
         kTimeSteps, [&](std::chrono::minutes one) { return Seconds(one) / length * box.width() > room; });
     const UtcTime::duration apart = step == std::end(kTimeSteps) ? kWidestStep : *step;
     const auto label = [&](double x, const QString& text) {
-        const QRectF place(std::clamp(x - room / 2.0, 0.0, width() - room), box.bottom() + 4.0, room,
+        const QRectF place(std::clamp(x - room / 2.0, 0.0, width() - room), box.bottom() + 8.0, room,
                            fontMetrics().height());
         painter.setPen(colours.secondary);
         painter.drawText(place, Qt::AlignCenter, text);

@@ -35,7 +35,6 @@ PassFilter::PassFilter(QWidget* parent)
     m_lowest->setToolTip(tr("Passes that do not come higher are not listed"));
     m_lowest->setMinimumHeight(kRowHeight);
     m_favourites->setIcon(glyphIcon(Glyph::Favourite));
-    m_favourites->setMinimumHeight(kRowHeight);
     m_favourites->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     auto* const row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);

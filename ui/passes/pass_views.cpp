@@ -2,7 +2,6 @@
 #include "ui/passes/pass_views.h"
 
 #include "ui/kit/choice_button.h"
-#include "ui/kit/theme.h"
 #include "ui/passes/ground_map.h"
 #include "ui/passes/pass_curve.h"
 #include "ui/passes/pass_table.h"
@@ -51,7 +50,6 @@ QWidget* PassViews::makeChoices(QWidget* parent)
     auto* const group = new QButtonGroup(box);
     for (std::size_t view = 0; view < m_choices.size(); ++view) {
         auto* const button = new ChoiceButton(views[view].first, views[view].second, box);
-        button->setMinimumHeight(kRowHeight);
         button->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
         m_choices[view] = button;
         group->addButton(button);

@@ -101,12 +101,14 @@ QString factsOf(const BookedPass& one, const PassBook& book, UtcTime now)
     return lines.join(QLatin1Char('\n'));
 }
 
-QString briefFactsOf(const BookedPass& one, const PassBook& book)
+QString briefFactsOf(const BookedPass& one, const PassBook& book, bool isNamed)
 {
     const passes::Pass& pass = one.pass;
-    QStringList lines{PassWords::tr("number %1, from %2 to %3")
-                          .arg(QString::number(book.elementsOf(one).number), azimuthText(pass.aos.direction.azimuth, 0),
-                               azimuthText(pass.los.direction.azimuth, 0))};
+    const orbit::ElementSet& elements = book.elementsOf(one);
+    const QString words = isNamed ? PassWords::tr("%1, from %2 to %3") : PassWords::tr("number %1, from %2 to %3");
+    const QString which = isNamed ? targets::satelliteName(elements) : QString::number(elements.number);
+    QStringList lines{
+        words.arg(which, azimuthText(pass.aos.direction.azimuth, 0), azimuthText(pass.los.direction.azimuth, 0))};
     if (const Seconds hidden = hiddenTime(pass); hidden >= Seconds(1.0)) {
         lines << PassWords::tr("hidden for %1 by the limits").arg(lengthText(hidden));
     }

@@ -24,7 +24,8 @@ struct PassWords
 // A line for each fact.
 [[nodiscard]] QString factsOf(const BookedPass& one, const PassBook& book, UtcTime now);
 // What the table does not show of it: where it rises and sets, and what the limits hide.
-[[nodiscard]] QString briefFactsOf(const BookedPass& one, const PassBook& book);
+// Its name is in the table, too, but in no picture.
+[[nodiscard]] QString briefFactsOf(const BookedPass& one, const PassBook& book, bool isNamed);
 
 // One line: "in sunlight", "enters the shadow 17:05:59Z".
 [[nodiscard]] QString lightText(const passes::PassLight& light);

@@ -29,6 +29,7 @@ constexpr std::chrono::hours kSearchAgain{6};
 // So far back that a pass that goes on now has its own beginning.
 constexpr std::chrono::minutes kBack{30};
 constexpr int kProblemLines = 3;
+constexpr int kCellMargins = 14;  // px
 // With less room than this the facts would leave the table a row or two.
 constexpr int kRoomForAllFacts = 400;
 
@@ -98,11 +99,14 @@ void PassesPanel::fitColumns()
     header->setMinimumSectionSize(kRowHeight);
     header->resizeSection(PassTable::Favourite, kRowHeight);
     const QFontMetrics metrics(m_table->font());
-    for (int section = PassTable::Rises; section <= PassTable::Lasts; ++section) {
+    const std::pair<PassTable::Column, QString> widest[] = {{PassTable::Rises, QStringLiteral("00:00:00")},
+                                                            {PassTable::Until, QStringLiteral("59 min")},
+                                                            {PassTable::Highest, QStringLiteral("90°")},
+                                                            {PassTable::Lasts, QStringLiteral("23 h 59")}};
+    for (const auto& [section, text] : widest) {
         const QString heading = m_passes->headerData(section, Qt::Horizontal, Qt::DisplayRole).toString();
-        const QString widest = section == PassTable::Highest ? QStringLiteral("90°") : QStringLiteral("00:00:00");
-        header->resizeSection(section,
-                              std::max(metrics.horizontalAdvance(heading), metrics.horizontalAdvance(widest)) + 14);
+        header->resizeSection(
+            section, std::max(metrics.horizontalAdvance(heading), metrics.horizontalAdvance(text)) + kCellMargins);
     }
 }
 
@@ -116,8 +120,9 @@ void PassesPanel::resizeEvent(QResizeEvent* event)
 void PassesPanel::fitHeight()
 {
     const bool isLow = height() < kRoomForAllFacts;
-    m_selection->setBrief(isLow);
-    m_selection->setNoteShown(!isLow || m_views->view() != PassViews::List);
+    const bool isPicture = m_views->view() != PassViews::List;
+    m_selection->setBrief(isLow, isPicture);
+    m_selection->setNoteShown(!isLow || isPicture);
 }
 
 // A menu by the right button, and keys: Space ticks and F2 edits, as everywhere.

@@ -69,12 +69,13 @@ void SelectedPass::build()
     column->setSpacing(4);
     column->addWidget(m_note);
     column->addLayout(row);
-    setBrief(false);
+    setBrief(false, true);
 }
 
-void SelectedPass::setBrief(bool on)
+void SelectedPass::setBrief(bool on, bool isNamed)
 {
     m_isBrief = on;
+    m_isNamed = isNamed;
     m_facts->setLines(on ? kBriefLines : kFactLines);
     m_buttons->setDirection(on ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     m_favourite->setHidden(on);  // the star in the table does the same
@@ -148,7 +149,7 @@ void SelectedPass::showFacts()
     const QString light = QLatin1Char('\n') + m_light;
     const QString note = m_noteText.isEmpty() ? QString() : m_noteText + QLatin1Char('\n');
     const QString all = factsOf(*m_pass, *m_book, m_now) + light;
-    const QString brief = (m_note->isHidden() ? note : QString()) + briefFactsOf(*m_pass, *m_book) + light;
+    const QString brief = (m_note->isHidden() ? note : QString()) + briefFactsOf(*m_pass, *m_book, m_isNamed) + light;
     m_facts->setValue(m_isBrief ? brief : all);
     m_facts->setToolTip(m_isBrief ? note + all : QString());
 }

@@ -13,6 +13,7 @@ class QBoxLayout;
 
 // The selected pass in words, with the note of its satellite, and what can be done with it: track it, watch it, make it
 // a favourite. Gui thread.
+// More than 15 members: the widgets that it composes, and how much room they have.
 namespace boresight::ui {
 
 class CommandButton;
@@ -33,8 +34,8 @@ public:
     // Empty: none.
     void select(const std::shared_ptr<const PassBook>& book, const std::optional<BookedPass>& pass);
     void showStatus(const StationStatus& status);
-    void setBrief(bool on);      // in little room: what the table does not show
-    void setNoteShown(bool on);  // always; else only while it is edited, and the note is among the facts
+    void setBrief(bool on, bool isNamed);  // in little room: what the table does not show, the name where it is wanted
+    void setNoteShown(bool on);            // always; else only while it is edited, and the note is among the facts
     void toggleFavourite(int satellite);
     void editNote();
 
@@ -58,6 +59,7 @@ private:
     QString m_noteText;
     UtcTime m_now{};
     bool m_isBrief = false;
+    bool m_isNamed = true;
     bool m_isNoteShown = true;
 };
 
