@@ -145,9 +145,8 @@ QStringList problems(std::span<const FoundController> controllers)
     for (const FoundController& controller : controllers) {
         if (controller.isUnreadable()) {
             found << QStringLiteral(
-                         "id %1: something is there, but its answer to the question for the UUID never "
-                         "arrives whole. Probably two controllers have this id, as all have fresh from the "
-                         "box, and their answers destroy each other. %2")
+                         "id %1: a controller answers, but its UUID never arrives complete. Probably two controllers "
+                         "have this id, because all new controllers have the same id. Their answers collide. %2")
                          .arg(QString::number(controller.id), kOneIdEach);
         } else {
             addOwnProblems(controller, found);

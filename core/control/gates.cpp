@@ -395,9 +395,8 @@ Result<> Gates::mayLeaveSunBand(const AxisRates& rates, const Source& source) co
 Result<> Gates::mayFaceSun() const
 {
     if (m_of.profile.sun.keepAway == profile::KeepAway::On) {
-        return failure(ErrorCode::Refused,
-                       Text::tr("the profile keeps the beam away from the Sun. Switch sun.keep_away off first, if feed "
-                                "and receiver withstand the Sun."));
+        return failure(ErrorCode::Refused, Text::tr("the profile keeps the beam away from the Sun. If feed and "
+                                                    "receiver withstand the Sun, switch sun.keep_away off first."));
     }
     return {};
 }

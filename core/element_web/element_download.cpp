@@ -107,9 +107,9 @@ bool ElementDownload::follow()
     const QUrl to = m_reply->url().resolved(target);
     ++m_redirects;
     if (m_redirects > kMostRedirects) {
-        m_problem = Text::tr("The server leads from one address to the next, more than %1 times.").arg(kMostRedirects);
+        m_problem = Text::tr("The server redirects more than %1 times.").arg(kMostRedirects);
     } else if (!isPermittedAddress(to)) {
-        m_problem = Text::tr("The server leads to %1, which does not begin with https://.")
+        m_problem = Text::tr("The server redirects to %1. Only https:// is accepted.")
                         .arg(orbit::quoted(to.toDisplayString(QUrl::RemoveQuery).toStdString(), kLongestShown));
     } else {
         ask(to);

@@ -83,9 +83,10 @@ Result<ElementAddress> parseElementAddress(std::string_view entry)
         return failure(ErrorCode::InvalidInput, Text::tr("\"%1\" is no address").arg(quoted(entry)));
     }
     if (!isPermittedAddress(url)) {
-        return failure(ErrorCode::InvalidInput,
-                       Text::tr("\"%1\" does not begin with https://. Anybody on the way could change the elements")
-                           .arg(quoted(entry)));
+        return failure(
+            ErrorCode::InvalidInput,
+            Text::tr("\"%1\" does not begin with https://. Without https others could change the elements on the way")
+                .arg(quoted(entry)));
     }
     if (!url.userInfo().isEmpty()) {
         return failure(ErrorCode::InvalidInput, Text::tr("the address must not hold a user name or a password"));

@@ -24,9 +24,10 @@ Result<> checkSerialPort(const QString& path)
         if (errno == EACCES) {
             return failure(ErrorCode::Denied, Text::tr("%1: no permission to enter its folder").arg(path));
         }
-        return failure(ErrorCode::NoDevice,
-                       Text::tr("%1 does not exist. Is the adapter plugged in? ls /dev/serial/by-id lists the adapters")
-                           .arg(path));
+        return failure(
+            ErrorCode::NoDevice,
+            Text::tr("%1 does not exist. Plug the adapter in. The command ls /dev/serial/by-id lists all adapters")
+                .arg(path));
     }
     if (!S_ISCHR(info.st_mode)) {
         return failure(ErrorCode::InvalidInput, Text::tr("%1 is not a serial port").arg(path));

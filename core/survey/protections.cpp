@@ -107,14 +107,16 @@ QString boundConsequence(double found, bool narrow)
 {
     constexpr double kFactoryBound = 0.01;
     if (std::isnan(found)) {
-        return Text::tr("The drive has no limit of its own. Only this program ends a motion");
+        return Text::tr("The drive has no limit of its own. Only Boresight ends a motion.");
     }
     if (std::abs(std::abs(found) - kFactoryBound) < 1e-6) {
-        return Text::tr("the factory's ±3.6° would end every move in fault 39");
+        return Text::tr("With the factory's ±3.6° every move ends in fault 39.");
     }
     return narrow
-               ? Text::tr("lies inside the travel: the drive would fault (39) or stop where the profile permits a move")
-               : Text::tr("lies too far out: the drive would not stop the axis before the cable or the frame does");
+               ? Text::tr(
+                     "The limit lies inside the travel. The drive stops with fault 39 where the profile permits a "
+                     "move.")
+               : Text::tr("The limit lies too far out. The cable or the frame stops the axis before the drive does.");
 }
 
 // `outwards`: +1 for the upper bound. Half the margin at least, so that the axis can settle at the end of its travel.
@@ -130,7 +132,7 @@ void addBound(List& list, const profile::Profile& profile, const DriveScale& sca
                          .isRight = [=](double found) { return isWithin(beyond(found), nearest, farthest); },
                          .otherwise = Verdict::Dangerous,
                          .remedy = travelEnd + outwards * scale.turns(margin),
-                         .reason = Text::tr("the drive ends a move here by itself, a little beyond the travel"),
+                         .reason = Text::tr("The drive stops the axis here by itself, a little beyond the travel."),
                          .consequence = [=](double found) { return boundConsequence(found, beyond(found) < nearest); },
                          .explain = scale.asAngle(),
                          .isAngle = true,
@@ -149,10 +151,10 @@ void addIdentity(List& list, const profile::AxisSettings& axis)
 QString timeoutModeConsequence(double found)
 {
     if (found == kTimeoutDamp) {
-        return Text::tr("mode 12 only damps: a loaded elevation creeps down when the computer dies");
+        return Text::tr("Mode 12 only damps. Without commands a loaded elevation creeps down.");
     }
     if (found == 0.0) {
-        return Text::tr("mode 0 switches the motor off: the axis is free when the computer dies");
+        return Text::tr("Mode 0 switches the motor off. Without commands the axis is free.");
     }
     if (found == kTimeoutBrake) {
         return Text::tr(
@@ -160,8 +162,8 @@ QString timeoutModeConsequence(double found)
             "in the profile).");
     }
     return found == kTimeoutHold
-               ? Text::tr("The gearbox of the profile locks itself, so the profile asks for brake (15)")
-               : Text::tr("no mode in which a drive may be left alone");
+               ? Text::tr("The gearbox of the profile locks itself, so the profile asks for brake (15).")
+               : Text::tr("This mode is not safe for a drive without commands.");
 }
 
 QString timeoutModeWord(double mode)
@@ -184,28 +186,27 @@ void addTimeout(List& list, const profile::ControlSettings& control, const profi
 {
     const bool holds = axis.timeoutMode == profile::TimeoutMode::Hold;
     const int mode = holds ? kTimeoutHold : kTimeoutBrake;
-    addWithRemedy(list,
-                  {.key = "servo.timeout_mode",
-                   .isRight = [mode](double found) { return found == mode; },
-                   .otherwise = Verdict::Dangerous,
-                   .remedy = mode,
-                   .reason = holds ? Text::tr("what the drive does by itself when the computer dies: brake, then hold")
-                                   : Text::tr("what the drive does by itself when the computer dies: brake"),
-                   .consequence = timeoutModeConsequence,
-                   .explain = timeoutModeWord});
+    addWithRemedy(list, {.key = "servo.timeout_mode",
+                         .isRight = [mode](double found) { return found == mode; },
+                         .otherwise = Verdict::Dangerous,
+                         .remedy = mode,
+                         .reason = holds ? Text::tr("Without commands the drive brakes by itself, then holds.")
+                                         : Text::tr("Without commands the drive brakes by itself."),
+                         .consequence = timeoutModeConsequence,
+                         .explain = timeoutModeWord});
     addWithRemedy(list, {.key = "servo.default_timeout_s",
                          .unit = QStringLiteral("s"),
                          .wanted = Text::tr("0.05 to 0.2 s"),
                          .isRight = [](double found) { return isWithin(found, 0.05, 0.2); },
                          .otherwise = Verdict::Dangerous,
                          .remedy = control.watchdog.count(),
-                         .reason = Text::tr("after this time without an order the drive stops by itself")});
+                         .reason = Text::tr("After this time without a command the drive stops by itself.")});
     addWithRemedy(list, {.key = "servo.timeout_max_torque_Nm",
                          .unit = QStringLiteral("Nm"),
                          .wanted = Text::tr("above 0 Nm"),
                          .isRight = [](double found) { return found > 0.0; },
                          .remedy = std::min(5.0, axis.maxTorque),  // the factory's
-                         .reason = Text::tr("the torque with which timeout mode 12 damps")});
+                         .reason = Text::tr("Timeout mode 12 damps with this torque.")});
 }
 
 void addElectrical(List& list)
@@ -217,13 +218,15 @@ void addElectrical(List& list)
                     .otherwise = Verdict::Dangerous,
                     .reason = Text::tr("Without current the axis falls. Without a limit the motor burns. The value is "
                                        "in the data sheet of the motor.")});
-    addWithRemedy(list, {.key = "servo.max_voltage",
-                         .unit = QStringLiteral("V"),
-                         .wanted = Text::tr("10 to 46 V"),
-                         .isRight = [](double found) { return isWithin(found, 10.0, 46.0); },
-                         .otherwise = Verdict::Dangerous,
-                         .remedy = 46.0,  // the factory's, for a board of 44 V
-                         .reason = Text::tr("above it the drive stops before braking energy destroys the board")});
+    addWithRemedy(
+        list,
+        {.key = "servo.max_voltage",
+         .unit = QStringLiteral("V"),
+         .wanted = Text::tr("10 to 46 V"),
+         .isRight = [](double found) { return isWithin(found, 10.0, 46.0); },
+         .otherwise = Verdict::Dangerous,
+         .remedy = 46.0,  // the factory's, for a board of 44 V
+         .reason = Text::tr("Above this voltage the drive stops, so that braking energy cannot destroy the board.")});
     addWithRemedy(
         list,
         {.key = "servo.flux_brake_margin_voltage",
@@ -231,7 +234,7 @@ void addElectrical(List& list)
          .wanted = Text::tr("1 to 20 V"),
          .isRight = [](double found) { return isWithin(found, 1.0, 20.0); },
          .remedy = 3.0,  // the factory's
-         .reason = Text::tr("so far below the highest voltage the drive begins to turn braking energy into heat")});
+         .reason = Text::tr("This far below the highest voltage the motor begins to turn braking energy into heat.")});
 }
 
 void addLimits(List& list, const profile::AxisSettings& axis, const DriveScale& scale)
@@ -243,7 +246,7 @@ void addLimits(List& list, const profile::AxisSettings& axis, const DriveScale& 
                          .wantedBrief = scale.angles(speed, 2.0 * speed, QStringLiteral("°/s")),
                          .isRight = [speed](double found) { return isWithin(found, speed, 2.0 * speed); },
                          .remedy = tracking::kLimitGuard * speed,
-                         .reason = Text::tr("The speed of each command that gives none. The factory sets no limit."),
+                         .reason = Text::tr("The speed of a command that names no speed. The factory sets no limit."),
                          .explain = scale.asSpan(QStringLiteral("°/s")),
                          .isAngle = true});
     const double braking = scale.turns(Angle::fromDegrees(tracking::emergencyBraking(axis.limits).degrees()));
@@ -254,8 +257,8 @@ void addLimits(List& list, const profile::AxisSettings& axis, const DriveScale& 
                          .wantedBrief = scale.angles(lowest, 2.0 * braking, QStringLiteral("°/s²")),
                          .isRight = [=](double found) { return isWithin(found, lowest, 2.0 * braking); },
                          .remedy = braking,
-                         .reason = Text::tr("with it the drive brakes when the computer dies: too low and the axis "
-                                            "runs on, too high (the factory's 50 turns/s²) and the mount is hit hard"),
+                         .reason = Text::tr("Without commands the drive brakes with this. Too low: the axis runs on. "
+                                            "Too high (factory: 50 turns/s²): the stop shakes the mount."),
                          .explain = scale.asSpan(QStringLiteral("°/s²")),
                          .isAngle = true});
 }
@@ -279,38 +282,37 @@ void addGear(List& list, const profile::AxisSettings& axis)
          .reason =
              Text::tr("With the other sign the axis turns the other way. Then change the sign in the profile, too.")});
     const bool needed = axis.powerUpPosition == profile::PowerUpPosition::Trusted && axis.geometry.gearRatio > 1.0;
-    list.push_back({.key = "motor_position.output.reference_source",
-                    .wanted = needed ? Text::tr("0 or above") : Text::tr("any"),
-                    .isRight = [needed](double found) { return found >= (needed ? 0.0 : -1.0); },
-                    .reason = needed
-                                  ? Text::tr("the profile trusts the position after power-up (power_up_position), and "
-                                             "the drive has no encoder on the axis")
-                                  : Text::tr("-1: no encoder on the axis, so the turn is not known after power-up")});
+    list.push_back(
+        {.key = "motor_position.output.reference_source",
+         .wanted = needed ? Text::tr("0 or above") : Text::tr("any"),
+         .isRight = [needed](double found) { return found >= (needed ? 0.0 : -1.0); },
+         .reason =
+             needed ? Text::tr("The profile trusts the position after power-up (power_up_position), but the drive has "
+                               "no encoder on the axis.")
+                    : Text::tr("-1: the drive has no encoder on the axis. After power-up the cable wrap is unknown.")});
 }
 
 void addSecondLines(List& list, const DriveScale& scale)
 {
     const double least = scale.turns(2.0_deg);
     const double most = scale.turns(20.0_deg);
-    addWithRemedy(
-        list,
-        {.key = "servo.fault_position_error",
-         .unit = Text::tr("turns"),
-         .wanted = scale.range(least, most, Text::tr("turns"), QStringLiteral("°")),
-         .wantedBrief = scale.angles(least, most, QStringLiteral("°")),
-         .isRight = [=](double found) { return isWithin(found, least, most); },
-         .remedy = scale.turns(10.0_deg),
-         .reason = Text::tr(
-             "second line against a jam: so far behind its order the drive gives up (fault 49) without this program"),
-         .explain = scale.asSpan(QStringLiteral("°")),
-         .isAngle = true});
+    addWithRemedy(list, {.key = "servo.fault_position_error",
+                         .unit = Text::tr("turns"),
+                         .wanted = scale.range(least, most, Text::tr("turns"), QStringLiteral("°")),
+                         .wantedBrief = scale.angles(least, most, QStringLiteral("°")),
+                         .isRight = [=](double found) { return isWithin(found, least, most); },
+                         .remedy = scale.turns(10.0_deg),
+                         .reason = Text::tr("With a larger position error the drive stops with fault 49. This protects "
+                                            "a blocked axis even without Boresight."),
+                         .explain = scale.asSpan(QStringLiteral("°")),
+                         .isAngle = true});
     const double slip = scale.turns(1.0_deg);
     addWithRemedy(list, {.key = "servo.max_position_slip",
                          .unit = Text::tr("turns"),
                          .wanted = Text::tr("none or ≥ 1°"),
                          .isRight = [slip](double found) { return std::isnan(found) || found >= slip; },
                          .remedy = kNone,
-                         .reason = Text::tr("a small one lets the axis give way to the wind instead of holding"),
+                         .reason = Text::tr("With a small value the wind can push the axis away."),
                          .explain = scale.asSpan(QStringLiteral("°")),
                          .isAngle = true});
 }

@@ -2351,36 +2351,8 @@ até %1</translation>
         <translation>%1 a %2 %3 (%4)</translation>
     </message>
     <message>
-        <source>the factory&apos;s ±3.6° would end every move in fault 39</source>
-        <translation>os ±3.6° de fábrica terminariam todo movimento com a falha 39</translation>
-    </message>
-    <message>
-        <source>lies inside the travel: the drive would fault (39) or stop where the profile permits a move</source>
-        <translation>fica dentro do curso: o acionamento entraria em falha (39) ou pararia onde o perfil permite um movimento</translation>
-    </message>
-    <message>
-        <source>lies too far out: the drive would not stop the axis before the cable or the frame does</source>
-        <translation>fica longe demais: o acionamento não pararia o eixo antes do cabo ou da estrutura</translation>
-    </message>
-    <message>
         <source>turns</source>
         <translation>voltas</translation>
-    </message>
-    <message>
-        <source>the drive ends a move here by itself, a little beyond the travel</source>
-        <translation>aqui o acionamento termina por si um movimento, um pouco além do curso</translation>
-    </message>
-    <message>
-        <source>mode 12 only damps: a loaded elevation creeps down when the computer dies</source>
-        <translation>o modo 12 só amortece: uma elevação carregada desce devagar quando o computador morre</translation>
-    </message>
-    <message>
-        <source>mode 0 switches the motor off: the axis is free when the computer dies</source>
-        <translation>o modo 0 desliga o motor: o eixo fica solto quando o computador morre</translation>
-    </message>
-    <message>
-        <source>no mode in which a drive may be left alone</source>
-        <translation>nenhum modo em que se possa deixar um acionamento sozinho</translation>
     </message>
     <message>
         <source>off</source>
@@ -2399,28 +2371,12 @@ até %1</translation>
         <translation>desconhecido</translation>
     </message>
     <message>
-        <source>what the drive does by itself when the computer dies: brake, then hold</source>
-        <translation>o que o acionamento faz por si quando o computador morre: frear, depois manter</translation>
-    </message>
-    <message>
-        <source>what the drive does by itself when the computer dies: brake</source>
-        <translation>o que o acionamento faz por si quando o computador morre: frear</translation>
-    </message>
-    <message>
         <source>0.05 to 0.2 s</source>
         <translation>0.05 a 0.2 s</translation>
     </message>
     <message>
-        <source>after this time without an order the drive stops by itself</source>
-        <translation>após este tempo sem ordem o acionamento para por si</translation>
-    </message>
-    <message>
         <source>above 0 Nm</source>
         <translation>acima de 0 Nm</translation>
-    </message>
-    <message>
-        <source>the torque with which timeout mode 12 damps</source>
-        <translation>o torque com que o modo 12 amortece</translation>
     </message>
     <message>
         <source>above 0 A</source>
@@ -2431,16 +2387,8 @@ até %1</translation>
         <translation>10 a 46 V</translation>
     </message>
     <message>
-        <source>above it the drive stops before braking energy destroys the board</source>
-        <translation>acima dela o acionamento para antes de a energia da frenagem destruir a placa</translation>
-    </message>
-    <message>
         <source>1 to 20 V</source>
         <translation>1 a 20 V</translation>
-    </message>
-    <message>
-        <source>so far below the highest voltage the drive begins to turn braking energy into heat</source>
-        <translation>tanto abaixo da tensão máxima o acionamento começa a transformar em calor a energia da frenagem</translation>
     </message>
     <message>
         <source>turns/s</source>
@@ -2449,10 +2397,6 @@ até %1</translation>
     <message>
         <source>turns/s²</source>
         <translation>voltas/s²</translation>
-    </message>
-    <message>
-        <source>with it the drive brakes when the computer dies: too low and the axis runs on, too high (the factory&apos;s 50 turns/s²) and the mount is hit hard</source>
-        <translation>com ela o acionamento freia quando o computador morre: baixa demais e o eixo continua, alta demais (de fábrica 50 voltas/s²) e a montagem leva uma pancada</translation>
     </message>
     <message>
         <source>1 or -1</source>
@@ -2467,24 +2411,8 @@ até %1</translation>
         <translation>qualquer</translation>
     </message>
     <message>
-        <source>the profile trusts the position after power-up (power_up_position), and the drive has no encoder on the axis</source>
-        <translation>o perfil confia na posição depois de ligar (power_up_position), e o acionamento não tem encoder no eixo</translation>
-    </message>
-    <message>
-        <source>-1: no encoder on the axis, so the turn is not known after power-up</source>
-        <translation>-1: não há encoder no eixo, por isso a volta não se sabe depois de ligar</translation>
-    </message>
-    <message>
-        <source>second line against a jam: so far behind its order the drive gives up (fault 49) without this program</source>
-        <translation>segunda linha contra um bloqueio: tão atrás da sua ordem o acionamento desiste (falha 49) sem este programa</translation>
-    </message>
-    <message>
         <source>none or ≥ 1°</source>
         <translation>nenhum ou ≥ 1°</translation>
-    </message>
-    <message>
-        <source>a small one lets the axis give way to the wind instead of holding</source>
-        <translation>um pequeno deixa o eixo ceder ao vento em vez de se manter</translation>
     </message>
     <message>
         <source>not known to this firmware</source>
@@ -7140,10 +7068,6 @@ até %1</translation>
         <translation>Sem corrente o eixo cai. Sem limite o motor queima. O valor está na folha de dados do motor.</translation>
     </message>
     <message>
-        <source>The speed of each command that gives none. The factory sets no limit.</source>
-        <translation>A velocidade de cada ordem que não indica nenhuma. De fábrica não há limite.</translation>
-    </message>
-    <message>
         <source>Cleared.</source>
         <translation>Terminou.</translation>
     </message>
@@ -7900,14 +7824,6 @@ até %1</translation>
         <translation>A transferência demorou mais de %1 minutos.</translation>
     </message>
     <message>
-        <source>The server leads from one address to the next, more than %1 times.</source>
-        <translation>O servidor encaminha de um endereço para o seguinte, mais de %1 vezes.</translation>
-    </message>
-    <message>
-        <source>The server leads to %1, which does not begin with https://.</source>
-        <translation>O servidor encaminha para %1, que não começa por https://.</translation>
-    </message>
-    <message>
         <source>The answer is larger than %1 MB.</source>
         <translation>A resposta é maior do que %1 MB.</translation>
     </message>
@@ -7962,10 +7878,6 @@ até %1</translation>
     <message>
         <source>&quot;%1&quot; is no address</source>
         <translation>&quot;%1&quot; não é um endereço</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; does not begin with https://. Anybody on the way could change the elements</source>
-        <translation>&quot;%1&quot; não começa por https://. Qualquer um no caminho poderia alterar os elementos</translation>
     </message>
     <message>
         <source>the address must not hold a user name or a password</source>
@@ -8136,10 +8048,6 @@ até %1</translation>
         <translation>a interface foi removida: conecte de novo o adaptador</translation>
     </message>
     <message>
-        <source>the profile keeps the beam away from the Sun. Switch sun.keep_away off first, if feed and receiver withstand the Sun.</source>
-        <translation>o perfil mantém o feixe afastado do Sol. Desligue primeiro sun.keep_away, se o alimentador e o recetor suportarem o Sol.</translation>
-    </message>
-    <message>
         <source>%1: &quot;%2&quot; is not a catalogue number.</source>
         <translation>%1: &quot;%2&quot; não é um número de catálogo.</translation>
     </message>
@@ -8252,10 +8160,6 @@ até %1</translation>
         <translation>Avisar quando a última resposta de um acionamento é mais antiga do que isto.</translation>
     </message>
     <message>
-        <source>%1 does not exist. Is the adapter plugged in? ls /dev/serial/by-id lists the adapters</source>
-        <translation>%1 não existe. O adaptador está conectado? ls /dev/serial/by-id lista os adaptadores</translation>
-    </message>
-    <message>
         <source>Boresight cannot read all drives. It tries again every 2 s.</source>
         <translation>O Boresight não consegue ler todos os acionamentos. Tenta de novo a cada 2 s.</translation>
     </message>
@@ -8268,16 +8172,8 @@ até %1</translation>
         <translation>A placa de %1 não indica um mapa de registos. O Boresight só suporta a versão %2</translation>
     </message>
     <message>
-        <source>The drive has no limit of its own. Only this program ends a motion</source>
-        <translation>O acionamento não tem limite próprio. Só este programa termina um movimento</translation>
-    </message>
-    <message>
         <source>The profile has this id for this axis.</source>
         <translation>O perfil tem este id para este eixo.</translation>
-    </message>
-    <message>
-        <source>The gearbox of the profile locks itself, so the profile asks for brake (15)</source>
-        <translation>O redutor do perfil é autobloqueante, por isso o perfil pede travão (15)</translation>
     </message>
     <message>
         <source>With the other sign the axis turns the other way. Then change the sign in the profile, too.</source>
@@ -8314,6 +8210,110 @@ até %1</translation>
     <message>
         <source>A line of the operator&apos;s own, such as frequency and polarisation.</source>
         <translation>Uma linha do próprio operador, como frequência e polarização.</translation>
+    </message>
+    <message>
+        <source>the profile keeps the beam away from the Sun. If feed and receiver withstand the Sun, switch sun.keep_away off first.</source>
+        <translation>o perfil mantém o feixe longe do Sol. Se o alimentador e o recetor suportam o Sol, desligue primeiro sun.keep_away.</translation>
+    </message>
+    <message>
+        <source>The server redirects more than %1 times.</source>
+        <translation>O servidor redireciona mais de %1 vezes.</translation>
+    </message>
+    <message>
+        <source>The server redirects to %1. Only https:// is accepted.</source>
+        <translation>O servidor redireciona para %1. Só https:// é aceite.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not begin with https://. Without https others could change the elements on the way</source>
+        <translation>&quot;%1&quot; não começa por https://. Sem https, outros poderiam alterar os elementos pelo caminho</translation>
+    </message>
+    <message>
+        <source>%1 does not exist. Plug the adapter in. The command ls /dev/serial/by-id lists all adapters</source>
+        <translation>%1 não existe. Ligue o adaptador. O comando ls /dev/serial/by-id mostra todos os adaptadores</translation>
+    </message>
+    <message>
+        <source>The drive has no limit of its own. Only Boresight ends a motion.</source>
+        <translation>O acionamento não tem limite próprio. Só o Boresight termina um movimento.</translation>
+    </message>
+    <message>
+        <source>With the factory&apos;s ±3.6° every move ends in fault 39.</source>
+        <translation>Com os ±3.6° de fábrica, todos os movimentos terminam na falha 39.</translation>
+    </message>
+    <message>
+        <source>The limit lies inside the travel. The drive stops with fault 39 where the profile permits a move.</source>
+        <translation>O limite fica dentro do curso. O acionamento para com a falha 39 onde o perfil permite um movimento.</translation>
+    </message>
+    <message>
+        <source>The limit lies too far out. The cable or the frame stops the axis before the drive does.</source>
+        <translation>O limite fica demasiado longe. O cabo ou a estrutura param o eixo antes do acionamento.</translation>
+    </message>
+    <message>
+        <source>The drive stops the axis here by itself, a little beyond the travel.</source>
+        <translation>Aqui o acionamento para o eixo por si próprio, um pouco além do curso.</translation>
+    </message>
+    <message>
+        <source>Mode 12 only damps. Without commands a loaded elevation creeps down.</source>
+        <translation>O modo 12 só amortece. Sem comandos, uma elevação com carga desce devagar.</translation>
+    </message>
+    <message>
+        <source>Mode 0 switches the motor off. Without commands the axis is free.</source>
+        <translation>O modo 0 desliga o motor. Sem comandos, o eixo fica solto.</translation>
+    </message>
+    <message>
+        <source>The gearbox of the profile locks itself, so the profile asks for brake (15).</source>
+        <translation>O redutor do perfil é irreversível, por isso o perfil pede travar (15).</translation>
+    </message>
+    <message>
+        <source>This mode is not safe for a drive without commands.</source>
+        <translation>Este modo não é seguro para um acionamento sem comandos.</translation>
+    </message>
+    <message>
+        <source>Without commands the drive brakes by itself, then holds.</source>
+        <translation>Sem comandos, o acionamento trava por si próprio e depois mantém a posição.</translation>
+    </message>
+    <message>
+        <source>Without commands the drive brakes by itself.</source>
+        <translation>Sem comandos, o acionamento trava por si próprio.</translation>
+    </message>
+    <message>
+        <source>After this time without a command the drive stops by itself.</source>
+        <translation>Após este tempo sem comandos, o acionamento para por si próprio.</translation>
+    </message>
+    <message>
+        <source>Timeout mode 12 damps with this torque.</source>
+        <translation>O modo 12 de tempo esgotado amortece com este binário.</translation>
+    </message>
+    <message>
+        <source>Above this voltage the drive stops, so that braking energy cannot destroy the board.</source>
+        <translation>Acima desta tensão o acionamento para, para que a energia de travagem não destrua a placa.</translation>
+    </message>
+    <message>
+        <source>This far below the highest voltage the motor begins to turn braking energy into heat.</source>
+        <translation>A esta distância abaixo da tensão máxima, o motor começa a transformar a energia de travagem em calor.</translation>
+    </message>
+    <message>
+        <source>The speed of a command that names no speed. The factory sets no limit.</source>
+        <translation>A velocidade de um comando que não indica velocidade. De fábrica não há limite.</translation>
+    </message>
+    <message>
+        <source>Without commands the drive brakes with this. Too low: the axis runs on. Too high (factory: 50 turns/s²): the stop shakes the mount.</source>
+        <translation>Sem comandos, o acionamento trava com este valor. Demasiado baixo: o eixo continua. Demasiado alto (fábrica: 50 voltas/s²): a paragem sacode a montagem.</translation>
+    </message>
+    <message>
+        <source>The profile trusts the position after power-up (power_up_position), but the drive has no encoder on the axis.</source>
+        <translation>O perfil confia na posição após ligar (power_up_position), mas o acionamento não tem encoder no eixo.</translation>
+    </message>
+    <message>
+        <source>-1: the drive has no encoder on the axis. After power-up the cable wrap is unknown.</source>
+        <translation>-1: o acionamento não tem encoder no eixo. Após ligar, a volta do cabo é desconhecida.</translation>
+    </message>
+    <message>
+        <source>With a larger position error the drive stops with fault 49. This protects a blocked axis even without Boresight.</source>
+        <translation>Com um erro de posição maior, o acionamento para com a falha 49. Isto protege um eixo bloqueado mesmo sem o Boresight.</translation>
+    </message>
+    <message>
+        <source>With a small value the wind can push the axis away.</source>
+        <translation>Com um valor pequeno, o vento pode empurrar o eixo.</translation>
     </message>
 </context>
 <context>
@@ -10913,10 +10913,6 @@ trocar os motores</translation>
         <translation>Os limites dos próprios acionamentos continuam certos.</translation>
     </message>
     <message>
-        <source>The drives&apos; own bounds are to be fixed afterwards (step Protect).</source>
-        <translation>Depois há que corrigir os limites dos acionamentos (passo Proteção).</translation>
-    </message>
-    <message>
         <source>Every angle changes by %1: %2. %3</source>
         <translation>Cada ângulo muda %1: %2. %3</translation>
     </message>
@@ -10943,6 +10939,10 @@ trocar os motores</translation>
     <message>
         <source>The angle that the %1 reports now</source>
         <translation>O ângulo que o %1 indica agora</translation>
+    </message>
+    <message>
+        <source>Then fix the limits of the drives (step Protect).</source>
+        <translation>Depois corrija os limites dos acionamentos (passo Proteção).</translation>
     </message>
 </context>
 <context>
@@ -13508,10 +13508,6 @@ el %2</translation>
         <translation>Selecione uma linha para ler por que importa</translation>
     </message>
     <message>
-        <source>What is in force already is kept in the drives&apos; memory. Nothing moves.</source>
-        <translation>O que já está em vigor fica guardado na memória dos acionamentos. Nada se move.</translation>
-    </message>
-    <message>
         <source>
 
 Written, read back, and kept in the drives&apos; memory. Nothing moves.</source>
@@ -13624,6 +13620,10 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
     <message>
         <source>Drive check</source>
         <translation>Verificação dos acionamentos</translation>
+    </message>
+    <message>
+        <source>The drives store the settings that are already in force. Nothing moves.</source>
+        <translation>Os acionamentos guardam as definições já em vigor. Nada se move.</translation>
     </message>
 </context>
 <context>

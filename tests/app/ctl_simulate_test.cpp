@@ -232,7 +232,7 @@ TEST_F(SimulateTest, BoardsFreshFromTheBoxAreSaidToShareAnId)
     start({QStringLiteral("--factory")});
     scan();
     EXPECT_EQ(scanStatus, 1);
-    EXPECT_THAT(scanned, HasSubstr("id 1: something is there"));
+    EXPECT_THAT(scanned, HasSubstr("id 1: a controller answers, but its UUID never arrives complete"));
     EXPECT_THAT(scanned, HasSubstr("Probably two controllers have this id"));
 }
 

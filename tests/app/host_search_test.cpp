@@ -53,7 +53,7 @@ TEST_F(HostSearchTest, APortThatIsNotThereIsToldWithItsRemedyAndTheNextScanWorks
     ASSERT_TRUE(answered(1));
     EXPECT_TRUE(results[0].drives.empty());
     ASSERT_EQ(results[0].problems.size(), 1);
-    EXPECT_TRUE(results[0].problems[0].contains(QStringLiteral("plugged in")));
+    EXPECT_TRUE(results[0].problems[0].contains(QStringLiteral("Plug the adapter in")));
     search.scan(QStringLiteral("simulated"));
     ASSERT_TRUE(answered(2));
     EXPECT_EQ(results[1].drives.size(), 2u);

@@ -24,26 +24,26 @@ struct Setting
 constexpr Setting kSettings[] = {
     {"id.id", "1", "2", nullptr, Verdict::Right, "The profile has this id for this axis."},
     {"servopos.position_min", "-0.258333 turns (-93.0°)", "-0.008333 turns (-3.0°)", "-0.01 turns (-3.6°)",
-     Verdict::Dangerous, "the factory's ±3.6° would end every move in fault 39"},
+     Verdict::Dangerous, "With the factory's ±3.6° every move ends in fault 39."},
     {"servopos.position_max", "1.25833 turns (453.0°)", "0.258333 turns (93.0°)", "0.01 turns (3.6°)",
-     Verdict::Dangerous, "the factory's ±3.6° would end every move in fault 39"},
+     Verdict::Dangerous, "With the factory's ±3.6° every move ends in fault 39."},
     {"servo.timeout_mode", "10 (hold)", nullptr, "12 (damp)", Verdict::Dangerous,
-     "mode 12 only damps: a loaded elevation creeps down when the computer dies"},
+     "Mode 12 only damps. Without commands a loaded elevation creeps down."},
     {"servo.default_timeout_s", "0.05 to 0.2 s", nullptr, "0.1 s", Verdict::Right,
-     "after this time without an order the drive stops by itself"},
+     "After this time without a command the drive stops by itself."},
     {"servo.timeout_max_torque_Nm", "above 0 Nm", nullptr, "5 Nm", Verdict::Right,
-     "the torque with which timeout mode 12 damps"},
+     "Timeout mode 12 damps with this torque."},
     {"servo.max_current_A", "above 0 A", nullptr, "20 A", Verdict::Right,
      "Without current the axis falls. Without a limit the motor burns. The value is in the data sheet of the motor."},
     {"servo.max_voltage", "10 to 46 V", nullptr, "46 V", Verdict::Right,
-     "above it the drive stops before braking energy destroys the board"},
+     "Above this voltage the drive stops, so that braking energy cannot destroy the board."},
     {"servo.flux_brake_margin_voltage", "1 to 20 V", nullptr, "3 V", Verdict::Right,
-     "so far below the highest voltage the drive begins to turn braking energy into heat"},
+     "This far below the highest voltage the motor begins to turn braking energy into heat."},
     {"servo.default_velocity_limit", "0.025 turns/s (9°/s)", nullptr, "none", Verdict::Advised,
-     "The speed of each command that gives none. The factory sets no limit."},
+     "The speed of a command that names no speed. The factory sets no limit."},
     {"servo.default_accel_limit", "0.166667 turns/s² (60°/s²)", nullptr, "50 turns/s² (18000°/s²)", Verdict::Advised,
-     "with it the drive brakes when the computer dies: too low and the axis runs on, too high (the factory's 50 "
-     "turns/s²) and the mount is hit hard"},
+     "Without commands the drive brakes with this. Too low: the axis runs on. Too high (factory: 50 turns/s²): the "
+     "stop shakes the mount."},
     {"motor_position.rotor_to_output_ratio", "0.00666667", nullptr, "1", Verdict::Dangerous,
      "the gear as the profile has it (gear_ratio, gear_in): with another one every angle is wrong. To be changed by "
      "hand only: the gains change with the square of it"},
@@ -52,9 +52,10 @@ constexpr Setting kSettings[] = {
     {"motor_position.output.reference_source", "any", nullptr, "-1", Verdict::Right,
      "-1: no encoder on the axis, so the cable wrap is unknown after power-up"},
     {"servo.fault_position_error", "0.0277778 turns (10°)", nullptr, "none", Verdict::Advised,
-     "second line against a jam: so far behind its order the drive gives up (fault 49) without this program"},
+     "With a larger position error the drive stops with fault 49. This protects a blocked axis even without "
+     "Boresight."},
     {"servo.max_position_slip", "none or ≥ 1°", nullptr, "none", Verdict::Right,
-     "a small one lets the axis give way to the wind instead of holding"},
+     "With a small value the wind can push the axis away."},
 };
 
 struct Brief

@@ -163,7 +163,7 @@ void ProtectionPanel::showReason()
 void ProtectionPanel::fix()
 {
     const QStringList changes = m_model->changes();
-    QString text = changes.isEmpty() ? tr("What is in force already is kept in the drives' memory. Nothing moves.")
+    QString text = changes.isEmpty() ? tr("The drives store the settings that are already in force. Nothing moves.")
                                      : changes.join(QLatin1Char('\n')) +
                                            tr("\n\nWritten, read back, and kept in the drives' memory. Nothing moves.");
     if (const QStringList left = m_model->leftAlone(); !left.isEmpty()) {

@@ -134,10 +134,9 @@ void GuideZero::showEffect()
     const QString ends = tr("travel %1, now %2")
                              .arg(travelText(then.axis(kAxis).geometry.travel),
                                   travelText(m_change.applied().axis(kAxis).geometry.travel));
-    const QString bounds = !m_status.drives ? QString()
-                           : m_endsStay->isChecked()
-                               ? tr("The drives' own bounds stay right.")
-                               : tr("The drives' own bounds are to be fixed afterwards (step Protect).");
+    const QString bounds = !m_status.drives          ? QString()
+                           : m_endsStay->isChecked() ? tr("The drives' own bounds stay right.")
+                                                     : tr("Then fix the limits of the drives (step Protect).");
     m_effect->setValue(tr("Every angle changes by %1: %2. %3").arg(by, ends, bounds), Tone::Secondary);
 }
 

@@ -92,7 +92,7 @@ TEST_F(FdcanusbLinkTest, OpenErrorsNameTheRemedy)
 
     FdcanusbLink absent{QStringLiteral("/dev/boresight/absent"), clock};
     EXPECT_EQ(absent.open().error().code, ErrorCode::NoDevice);
-    EXPECT_THAT(textOf(absent.open().error()), HasSubstr("plugged in"));
+    EXPECT_THAT(textOf(absent.open().error()), HasSubstr("Plug the adapter in"));
 
     FdcanusbLink file{QCoreApplication::applicationFilePath(), clock};
     EXPECT_THAT(textOf(file.open().error()), HasSubstr("not a serial port"));

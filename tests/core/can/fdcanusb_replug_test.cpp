@@ -80,7 +80,7 @@ TEST_F(FdcanusbReplugTest, AdapterIsFoundAgainUnderItsStableName)
     ASSERT_FALSE(absent.has_value());
     EXPECT_EQ(absent.error().code, ErrorCode::NoDevice);
     EXPECT_THAT(textOf(absent.error()),
-                HasSubstr("usb-mjbots_fdcanusb_F34E5D64-if00 does not exist. Is the adapter plugged"));
+                HasSubstr("usb-mjbots_fdcanusb_F34E5D64-if00 does not exist. Plug the adapter in"));
 
     name("usb-mjbots_fdcanusb_F34E5D64-if00", second);
     ASSERT_TRUE(link.open().has_value());

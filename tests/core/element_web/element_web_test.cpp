@@ -244,10 +244,10 @@ TEST_F(ElementWebTest, NobodyIsLedAwayFromHttps)
 {
     fill();
     server.answersWith("/a", "301 Moved", "Location: http://example.org/a.json?key=1\r\n", {});
-    staysWhole("The server leads to http://example.org/a.json, which does not begin with https://.");
+    staysWhole("The server redirects to http://example.org/a.json. Only https:// is accepted.");
     clock.advance(kPeriod);
     server.answersWith("/a", "302 Found", "Location: /a\r\n", {});
-    staysWhole("The server leads from one address to the next, more than 3 times.");
+    staysWhole("The server redirects more than 3 times.");
     EXPECT_THAT(server.questions(), SizeIs(2 + 1 + ElementDownload::kMostRedirects));
 }
 

@@ -94,9 +94,9 @@ TEST(DriveSurvey, SaysWhatTheFactorySettingsWouldDo)
         EXPECT_EQ(found.verdict, Verdict::Dangerous) << key;
         EXPECT_THAT(found.reason.toStdString(), HasSubstr(reason));
     };
-    expectDangerous("servopos.position_min", "the factory's ±3.6° would end every move in fault 39");
+    expectDangerous("servopos.position_min", "With the factory's ±3.6° every move ends in fault 39.");
     expectDangerous("servopos.position_max", "fault 39");
-    expectDangerous("servo.timeout_mode", "a loaded elevation creeps down when the computer dies");
+    expectDangerous("servo.timeout_mode", "Without commands a loaded elevation creeps down.");
     expectDangerous("motor_position.rotor_to_output_ratio", "Boresight also changes the gains");
     EXPECT_EQ(line(rig.drives, Axis::Elevation, "servo.default_accel_limit").verdict, Verdict::Advised);
     EXPECT_EQ(line(rig.drives, Axis::Elevation, "servo.default_velocity_limit").found, QStringLiteral("none"));

@@ -111,7 +111,7 @@ TEST_F(DrivesTest, TheReasonOfTheSelectedLineIsReadWithTheKeyboardAndStaysWhileV
     }
     const QString reason = text("Why the selected setting matters");
     EXPECT_EQ(reason, QStringLiteral("servo.timeout_mode: wanted 10 (hold), found AZ 12 (damp), EL 12 (damp).\n"
-                                     "mode 12 only damps: a loaded elevation creeps down when the computer dies"));
+                                     "Mode 12 only damps. Without commands a loaded elevation creeps down."));
     EXPECT_FALSE(named<ValueLabel>("Why the selected setting matters")->isElided());
     give(samples::update(samples::reading()));
     EXPECT_EQ(table().currentIndex().row(), rowOf("If commands stop")) << "the line moved, the selection with it";
