@@ -282,7 +282,7 @@ using TuningRequest = std::variant<request::StartTuning, request::EndTuning>;
 
 using ScheduleRequest = std::variant<request::ArmSchedule, request::DisarmSchedule>;
 
-using Request =
+using AnyRequest =
     std::variant<request::PointSky, request::PointAxes, request::PointAxis, request::JudgeDirection, request::Jog,
                  request::Move, request::Step, request::Follow, request::Track, request::Nudge, request::ClearTrim,
                  request::Horizon, request::Hold, request::Stop, request::ResetStop, request::Park, request::Home,
@@ -293,6 +293,17 @@ using Request =
                  request::ChooseTurn, request::ProveCrashStop, request::EndProof, request::ReadGains, request::SetGain,
                  request::PutGainsBack, request::StoreGains, request::Trial, request::FollowAzel, request::Rehearse,
                  TuningRequest, CalibrationRequest, ScheduleRequest>;
+
+// Every source that includes this header would compile the copying of so many alternatives again. It is compiled once.
+struct Request : AnyRequest
+{
+    using AnyRequest::AnyRequest;
+    Request(const Request& other);
+    Request(Request&& other) noexcept;
+    Request& operator=(const Request& other);
+    Request& operator=(Request&& other) noexcept;
+    ~Request();
+};
 
 // A request of the screen, numbered so that the answer finds the control that sent it.
 struct NumberedRequest

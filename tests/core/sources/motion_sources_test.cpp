@@ -83,12 +83,12 @@ Request sampleOf<request::Step>()
 template <std::size_t... index>
 std::vector<Request> samples(std::index_sequence<index...>)
 {
-    return {sampleOf<std::variant_alternative_t<index, Request>>()...};
+    return {sampleOf<std::variant_alternative_t<index, AnyRequest>>()...};
 }
 
 const std::vector<Request>& allRequests()
 {
-    static const std::vector<Request> all = samples(std::make_index_sequence<std::variant_size_v<Request>>());
+    static const std::vector<Request> all = samples(std::make_index_sequence<std::variant_size_v<AnyRequest>>());
     return all;
 }
 
