@@ -84,11 +84,9 @@ endfunction()
 
 # boresight_moc_alone(TARGET): its classes with Q_OBJECT are read by moc_alone.sh.in.
 function(boresight_moc_alone target)
-  if(NOT EXISTS "${CMAKE_BINARY_DIR}/moc_alone.sh")
-    get_target_property(BORESIGHT_MOC Qt6::moc IMPORTED_LOCATION)
-    configure_file("${CMAKE_SOURCE_DIR}/packaging/cmake/moc_alone.sh.in" "${CMAKE_BINARY_DIR}/moc_alone.sh"
-      @ONLY FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
-  endif()
+  get_target_property(BORESIGHT_MOC Qt6::moc IMPORTED_LOCATION)
+  configure_file("${CMAKE_SOURCE_DIR}/packaging/cmake/moc_alone.sh.in" "${CMAKE_BINARY_DIR}/moc_alone.sh" @ONLY
+    USE_SOURCE_PERMISSIONS)
   set_target_properties(${target} PROPERTIES AUTOMOC_EXECUTABLE "${CMAKE_BINARY_DIR}/moc_alone.sh")
 endfunction()
 

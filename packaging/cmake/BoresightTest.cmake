@@ -17,11 +17,12 @@ set(BORESIGHT_TEST_RESULTS "${CMAKE_BINARY_DIR}/test-results")  # one XML file o
 #   TIMEOUT s   of each; 600 s if it is not said
 #   SLOW_TIME   its programs must keep the watchdog of a drive: their time passes slower (tests/system/programs/slow_clock.cpp)
 #   FOLDERS_TOGETHER  its sources lie in many small folders (boresight_unite)
-#   HEADERS …   precompiled for this program besides the usual ones, which all other programs share
+#   HEADERS_OF  station or ui: shares the headers that tests/CMakeLists.txt precompiles for programs before a whole station
+#               or for those of the window
 #   OPTIMISED   for a long one; tests are not, for what they test is, and half of a build from nothing goes into them
 function(boresight_add_test name)
-  cmake_parse_arguments(T "QT_MAIN;OWN_MAIN;ONE_THREAD;SLOW_TIME;OPTIMISED;FOLDERS_TOGETHER" "LABEL;TIMEOUT;SHARDS"
-    "SOURCES;LIBRARIES;HEADERS" ${ARGN})
+  cmake_parse_arguments(T "QT_MAIN;OWN_MAIN;ONE_THREAD;SLOW_TIME;OPTIMISED;FOLDERS_TOGETHER" "LABEL;TIMEOUT;SHARDS;HEADERS_OF"
+    "SOURCES;LIBRARIES" ${ARGN})
   if((T_ONE_THREAD AND BORESIGHT_SANITIZE MATCHES "thread") OR (T_LABEL STREQUAL "long" AND BORESIGHT_SANITIZE)
       OR (T_LABEL MATCHES "unit|ui" AND NOT BORESIGHT_UNIT_TESTS))
     return()
@@ -46,18 +47,28 @@ function(boresight_add_test name)
   if(T_OPTIMISED)
     target_compile_options(${name} PRIVATE -O1)
     boresight_precompile(${name} ${test_headers})
-  elseif(T_HEADERS)
-    target_compile_options(${name} PRIVATE -O0)
-    boresight_precompile(${name} ${test_headers} ${T_HEADERS})
   else()
     target_compile_options(${name} PRIVATE -O0)
-    target_precompile_headers(${name} REUSE_FROM boresight_test_headers)
+    string(JOIN _ headers boresight ${T_HEADERS_OF} test_headers)
+    target_precompile_headers(${name} REUSE_FROM ${headers})
   endif()
   target_compile_definitions(${name} PRIVATE BORESIGHT_TEST_DATA="${CMAKE_SOURCE_DIR}/tests/data")
   if(T_SLOW_TIME)
     add_dependencies(${name} slow_clock)
   endif()
   boresight_add_runs(${name} "${T_LABEL}" "${T_SHARDS}" "${T_TIMEOUT}" "${T_SLOW_TIME}")
+endfunction()
+
+# boresight_test_headers(NAME LIBRARIES … HEADERS …): compiled once for many test programs, by a program that is never run,
+# for it has to be compiled as they are.
+function(boresight_test_headers name)
+  cmake_parse_arguments(H "" "" "LIBRARIES;HEADERS" ${ARGN})
+  file(CONFIGURE OUTPUT ${name}.cpp CONTENT "int main()\n{}\n")
+  add_executable(${name} EXCLUDE_FROM_ALL "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
+  set_target_properties(${name} PROPERTIES AUTOMOC OFF)
+  target_link_libraries(${name} PRIVATE ${H_LIBRARIES} GTest::gmock)
+  target_compile_options(${name} PRIVATE -O0)
+  boresight_precompile(${name} ${test_headers} ${H_HEADERS})
 endfunction()
 
 # Tests that run at the same time do not find each other's settings.
