@@ -122,6 +122,8 @@ QString buttonText(AlarmHelp help)
             return Text::tr("Reset stop");
         case AlarmHelp::Unwind:
             return Text::tr("Unwrap now");
+        case AlarmHelp::HoldAtEnd:
+            return Text::tr("Hold at end");
         case AlarmHelp::Reconnect:
             return Text::tr("Reconnect");
         case AlarmHelp::MovePark:

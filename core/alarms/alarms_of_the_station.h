@@ -159,7 +159,9 @@ inline constexpr std::array kStationAlarms{
         .what = QT_TRANSLATE_NOOP("Text", "The azimuth reaches its cable end (%1) at %2"),
         .action = QT_TRANSLATE_NOOP("Text", "Boresight will unwrap the cable by 360° there. The target is lost for %3"),
         .remedy =
-            QT_TRANSLATE_NOOP("Text", "Press Unwrap now to choose the moment. Then hand control back to the clients"),
+            QT_TRANSLATE_NOOP("Text",
+                              "Press Unwrap now to choose the moment, then hand control back to the clients. Or press "
+                              "Hold at end to wait there"),
         .brief = QT_TRANSLATE_NOOP("Text", "reaches its cable end (%1) at %2"),
         .help = AlarmHelp::Unwind,
         .examples = {"450.0°", "17:06:10Z", "37 s"},

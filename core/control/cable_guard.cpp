@@ -82,16 +82,16 @@ QString CableGuard::begin(const TurnBack& back, const tracking::MotionLimits& li
 }
 
 void CableGuard::watch(const std::optional<tracking::MovingTarget>& path, const std::optional<Angle>& left,
-                       const TravelRange& range, const tracking::MotionLimits& limits)
+                       const TravelRange& range, const tracking::MotionLimits& limits, bool keepsWrap)
 {
     if (++m_ticks % kTicksBetween == 0) {
-        watchEnd(path, range, limits);
+        watchEnd(path, range, limits, keepsWrap);
     }
     watchTurnBack(left);
 }
 
 void CableGuard::watchEnd(const std::optional<tracking::MovingTarget>& path, const TravelRange& range,
-                          const tracking::MotionLimits& limits)
+                          const tracking::MotionLimits& limits, bool keepsWrap)
 {
     const auto forecast = path ? tracking::forecastCableEnd(*path, range) : std::nullopt;
     const double keep = m_end ? kKeep : 1.0;
@@ -102,16 +102,17 @@ void CableGuard::watchEnd(const std::optional<tracking::MovingTarget>& path, con
         return;
     }
     const Angle back = Angle::fromTurns(forecast->end == range.max ? -1.0 : 1.0);
-    m_end =
-        CableEnd{.end = forecast->end,
-                 .in = forecast->in,
-                 .turningBack = range.contains(forecast->end + back) ? std::optional(turnTime(limits)) : std::nullopt};
+    const bool turnsBack = !keepsWrap && range.contains(forecast->end + back);
+    m_end = CableEnd{.end = forecast->end,
+                     .in = forecast->in,
+                     .turningBack = turnsBack ? std::optional(turnTime(limits)) : std::nullopt};
     tell(*m_end);
 }
 
 bool CableGuard::isTold(const Told& end) const
 {
-    return m_told && end.severity <= m_told->severity && std::chrono::abs(Seconds(end.ends - m_told->ends)) < kTimeOff;
+    return m_told && end.turnsBack == m_told->turnsBack && end.severity <= m_told->severity &&
+           std::chrono::abs(Seconds(end.ends - m_told->ends)) < kTimeOff;
 }
 
 // An alarm when it comes in sight, and another when it is near. The time in its sentence follows the path.
@@ -119,7 +120,8 @@ void CableGuard::tell(const CableEnd& end)
 {
     const Severity severity = end.in > kWarnTime ? Severity::Advisory : Severity::Warning;
     const Told now{.severity = m_told ? std::max(severity, m_told->severity) : severity,
-                   .ends = m_clock.utc() + std::chrono::round<UtcTime::duration>(end.in)};
+                   .ends = m_clock.utc() + std::chrono::round<UtcTime::duration>(end.in),
+                   .turnsBack = end.turningBack.has_value()};
     if (isTold(now)) {
         return;
     }

@@ -47,8 +47,9 @@ public:
     void forgetTurnBack() { m_turnBack.reset(); }
 
     // Once per tick. `path` is followed; `left` is the way of the azimuth to where it is sent. Empty: there is none.
+    // `keepsWrap`: the mount waits at the end.
     void watch(const std::optional<tracking::MovingTarget>& path, const std::optional<Angle>& left,
-               const TravelRange& range, const tracking::MotionLimits& limits);
+               const TravelRange& range, const tracking::MotionLimits& limits, bool keepsWrap);
 
     [[nodiscard]] const std::optional<CableEnd>& end() const { return m_end; }  // of what is followed
     // Short, for the line below the state; empty: it does not turn back now.
@@ -60,10 +61,11 @@ private:
     {
         Severity severity;
         UtcTime ends;
+        bool turnsBack;
     };
 
     void watchEnd(const std::optional<tracking::MovingTarget>& path, const TravelRange& range,
-                  const tracking::MotionLimits& limits);
+                  const tracking::MotionLimits& limits, bool keepsWrap);
     void watchTurnBack(const std::optional<Angle>& left);
     void tell(const CableEnd& end);
     [[nodiscard]] bool isTold(const Told& end) const;

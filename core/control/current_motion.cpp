@@ -12,9 +12,11 @@ bool CurrentMotion::continues(Activity activity, const Source& source) const
 
 void CurrentMotion::begin(Activity activity, const Source& source, const QString& text)
 {
-    if (!continues(activity, source) && activity != Activity::Jogging) {
+    const bool goesOn = continues(activity, source);
+    if (!goesOn && activity != Activity::Jogging) {
         ++m_errand;
     }
+    m_keepsWrap = m_keepsWrap && goesOn;
     m_activity = activity;
     m_commander = source;
     m_text = text;
@@ -24,6 +26,7 @@ void CurrentMotion::begin(Activity activity, const Source& source, const QString
 void CurrentMotion::end(Activity left)
 {
     m_activity = left;
+    m_keepsWrap = false;
     m_text.clear();
     forgetDetails();
 }

@@ -63,6 +63,10 @@ public:
     [[nodiscard]] const QString& limitedReason() const { return m_limitedReason; }  // empty: it is driven
     [[nodiscard]] const std::optional<SkyPointing>& limitedDirection() const { return m_limitedDirection; }
 
+    // The operator chose to wait at the end of the cable. Ends with the motion.
+    void keepWrap() { m_keepsWrap = true; }
+    [[nodiscard]] bool keepsWrap() const { return m_keepsWrap; }
+
 private:
     void forgetDetails();
 
@@ -73,6 +77,7 @@ private:
     std::optional<AxisPosition> m_point;
     QString m_limitedReason;
     std::optional<SkyPointing> m_limitedDirection;
+    bool m_keepsWrap = false;
 };
 
 }  // namespace boresight

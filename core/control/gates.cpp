@@ -366,6 +366,14 @@ Result<> Gates::mayResetStop() const
     });
 }
 
+Result<> Gates::mayHoldAtEnd() const
+{
+    const std::optional<CableEnd>& end = m_of.cable.end();
+    return end && end->turningBack
+               ? Result<>{}
+               : failure(ErrorCode::Refused, Text::tr("No unwrapping is ahead. There is nothing to choose."));
+}
+
 Result<> Gates::mayClearTrim() const
 {
     return m_of.motion.trim() != AxisPosition{} ? Result<>{}

@@ -66,6 +66,7 @@ public:
     [[nodiscard]] Result<> mayTakeBus() const;
     [[nodiscard]] Result<> mayChooseTurn(Axis axis) const;  // answer which wrap it is on
     [[nodiscard]] Result<> mayResetStop() const;
+    [[nodiscard]] Result<> mayHoldAtEnd() const;  // instead of the unwrapping that is ahead
     [[nodiscard]] Result<> mayClearTrim() const;  // there is one
     [[nodiscard]] Result<> mayGiveControl() const;
     [[nodiscard]] Result<> mayGiveLead(std::uint64_t clientId) const;

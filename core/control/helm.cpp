@@ -7,6 +7,8 @@
 #include "core/units/direction_text.h"
 #include "core/units/duration_text.h"
 
+#include <utility>
+
 namespace boresight {
 
 QString Helm::directionText(const AxisPosition& place) const
@@ -175,12 +177,15 @@ Result<AxisPosition> Helm::lead(const Lead& lead, const Source& by, const QStrin
 {
     return mayPoint(by).map([&] {
         const pointing::MountModel& model = view().model;
-        const pointing::Resolved here = model.resolve(lead.now, lead.near.value_or(heading()));
-        const pointing::Resolved there = model.resolve(lead.soon, here.position);
-        const bool limited = here.limited || !m_of.motion.region().permits(here.position);
+        pointing::Resolved here = model.resolve(lead.now, lead.near.value_or(heading()));
         const bool goesOn = current().continues(Activity::Streaming, by);
         const bool onWrap = lead.near && abs(here.position.azimuth - lead.near->azimuth) < 180_deg;
-        const auto back = goesOn && onWrap ? std::nullopt : turnBackTo(here.position, by);
+        auto back = goesOn && onWrap ? std::nullopt : turnBackTo(here.position, by);
+        if (waitsAtEnd(back, by)) {
+            here = endOf(*std::exchange(back, std::nullopt), here.position);
+        }
+        const pointing::Resolved there = model.resolve(lead.soon, here.position);
+        const bool limited = here.limited || !m_of.motion.region().permits(here.position);
         begin(Activity::Streaming, by, what);
         beginTurnBack(back);
         if (limited) {
@@ -209,7 +214,10 @@ Result<> Helm::follow(pointing::Resolved resolved, const SkyPointing& asked, con
     }
     const bool wasLimited = !current().limitedReason().isEmpty();
     const bool newStream = !current().is(Activity::Streaming) || !current().isFor(by);
-    const auto back = turnBackTo(resolved.position, by);
+    auto back = turnBackTo(resolved.position, by);
+    if (waitsAtEnd(back, by)) {
+        resolved = endOf(*std::exchange(back, std::nullopt), resolved.position);
+    }
     begin(Activity::Streaming, by,
           what.isEmpty() ? QStringLiteral("P ") + placeText({asked.azimuth, asked.elevation}) : what);
     beginTurnBack(back);
@@ -235,6 +243,26 @@ std::optional<CableGuard::TurnBack> Helm::turnBackTo(const AxisPosition& place, 
     return CableGuard::turnBackTo(place.azimuth,
                                   {.here = standing().azimuth, .heading = heading().azimuth, .follows = follows},
                                   m_of.motion.region().ranges().azimuth);
+}
+
+bool Helm::waitsAtEnd(const std::optional<CableGuard::TurnBack>& back, const Source& by) const
+{
+    return back && current().keepsWrap() && current().continues(Activity::Streaming, by);
+}
+
+pointing::Resolved Helm::endOf(const CableGuard::TurnBack& back, const AxisPosition& place)
+{
+    return {
+        .position = {.azimuth = back.end, .elevation = place.elevation},
+        .limited = true,
+        .reason =
+            Text::tr("the cable ends at axis %1, and the operator chose to hold there").arg(degreesText(back.end, 1))};
+}
+
+void Helm::keepWrap(const Source& by)
+{
+    m_of.current.keepWrap();
+    m_of.log.insist(Severity::Advisory, by, Text::tr("chooses to hold at the cable end instead of unwrapping"));
 }
 
 // The log names it as a motion of its own: the mount leaves a target that it seemed to follow.

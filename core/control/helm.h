@@ -89,6 +89,8 @@ public:
     void keepErrand(std::uint64_t errand) { m_of.current.setErrand(errand); }
     // Control was given away: the motion of its source ends, although no other motion begins.
     void nextErrand() { m_of.current.setErrand(current().errand() + 1); }
+    // What is tracked now stays on its wrap: at the end of the cable the mount waits there.
+    void keepWrap(const Source& by);
     // What is added to the points of streams.
     void setTrim(const AxisPosition& trim, const Source& by);
     // If the stream of this source is followed, it stops at its last point.
@@ -121,6 +123,8 @@ private:
     [[nodiscard]] std::optional<SkyPointing> nearestTo(const SkyPointing& direction) const;
     [[nodiscard]] std::optional<CableGuard::TurnBack> turnBackTo(const AxisPosition& place, const Source& by) const;
     void beginTurnBack(const std::optional<CableGuard::TurnBack>& back);
+    [[nodiscard]] bool waitsAtEnd(const std::optional<CableGuard::TurnBack>& back, const Source& by) const;
+    [[nodiscard]] static pointing::Resolved endOf(const CableGuard::TurnBack& back, const AxisPosition& place);
     Result<> follow(pointing::Resolved resolved, const SkyPointing& asked, const Source& by, const QString& what);
 
     Parts m_of;

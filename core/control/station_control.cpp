@@ -209,6 +209,11 @@ Result<> StationControl::handle(const request::ClearTrim&, const Source& source)
     });
 }
 
+Result<> StationControl::handle(const request::HoldAtEnd&, const Source& source)
+{
+    return operatorOnly(source).and_then([&] { return gates().mayHoldAtEnd(); }).map([&] { m_helm.keepWrap(source); });
+}
+
 // The station sends judge() with its answer.
 Result<> StationControl::handle(const request::JudgeDirection&, const Source& source)
 {
@@ -429,7 +434,8 @@ void StationControl::watchCable()
     const auto path = m_current.is(Activity::Streaming) && turnsKnown() ? m_motion.path(m_now) : std::nullopt;
     const auto target = moves() && m_motion.noWay().isEmpty() ? m_motion.target(m_now) : std::nullopt;
     const auto left = target ? std::optional(target->azimuth - m_motion.place().azimuth) : std::nullopt;
-    m_cable.watch(path, left, m_motion.region().ranges().azimuth, m_motion.limits(Axis::Azimuth));
+    m_cable.watch(path, left, m_motion.region().ranges().azimuth, m_motion.limits(Axis::Azimuth),
+                  m_current.keepsWrap());
 }
 
 // A drive that is not as it should be any more is not moved on.

@@ -149,6 +149,7 @@ private:
     Result<> handle(const request::JudgeDirection& wanted, const Source& source);
     Result<> handle(const request::AcknowledgeAlarms& wanted, const Source& source);
     Result<> handle(const request::ClearTrim& wanted, const Source& source);
+    Result<> handle(const request::HoldAtEnd& wanted, const Source& source);
     Result<> handle(const request::AcknowledgeAlarm& wanted, const Source& source);
     Result<> handle(const request::ApplyProfile& wanted, const Source& source);
     Result<> handle(const request::Reconnect& wanted, const Source& source);

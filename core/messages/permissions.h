@@ -34,6 +34,7 @@ enum class Action
     Park,
     Home,
     Unwind,
+    HoldAtEnd,
     JogUp,  // in the order of JogDirection, by at most Permissions::fastestJog; not at the end of the travel
     JogDown,
     JogLeft,

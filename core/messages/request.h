@@ -90,6 +90,8 @@ struct Home  // azimuth 0°, elevation at its lower limit or 0°
 {};
 struct Unwind  // the same direction, on the turn where the azimuth cable is wound least
 {};
+struct HoldAtEnd  // what is tracked keeps its wrap: at the end of the cable the mount waits until the target comes back
+{};
 struct Trial  // of a tuning run: dead-man like Jog, repeated in every tick; zero rates rest
 {
     AxisRates rates;
@@ -286,13 +288,13 @@ using AnyRequest =
     std::variant<request::PointSky, request::PointAxes, request::PointAxis, request::JudgeDirection, request::Jog,
                  request::Move, request::Step, request::Follow, request::Track, request::Nudge, request::ClearTrim,
                  request::Horizon, request::Hold, request::Stop, request::ResetStop, request::Park, request::Home,
-                 request::Unwind, request::Rearm, request::TakeAuthority, request::GiveAuthority, request::GiveLead,
-                 request::SetReadOnly, request::Disconnect, request::AcknowledgeAlarms, request::AcknowledgeAlarm,
-                 request::ApplyProfile, request::Reconnect, request::ReadDrives, request::FixDrives,
-                 request::AssignBoard, request::SetGear, request::SwitchOff, request::ReleaseBus, request::TakeBus,
-                 request::ChooseTurn, request::ProveCrashStop, request::EndProof, request::ReadGains, request::SetGain,
-                 request::PutGainsBack, request::StoreGains, request::Trial, request::FollowAzel, request::Rehearse,
-                 TuningRequest, CalibrationRequest, ScheduleRequest>;
+                 request::Unwind, request::HoldAtEnd, request::Rearm, request::TakeAuthority, request::GiveAuthority,
+                 request::GiveLead, request::SetReadOnly, request::Disconnect, request::AcknowledgeAlarms,
+                 request::AcknowledgeAlarm, request::ApplyProfile, request::Reconnect, request::ReadDrives,
+                 request::FixDrives, request::AssignBoard, request::SetGear, request::SwitchOff, request::ReleaseBus,
+                 request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof, request::ReadGains,
+                 request::SetGain, request::PutGainsBack, request::StoreGains, request::Trial, request::FollowAzel,
+                 request::Rehearse, TuningRequest, CalibrationRequest, ScheduleRequest>;
 
 // Every source that includes this header would compile the copying of so many alternatives again. It is compiled once.
 struct Request : AnyRequest

@@ -166,6 +166,7 @@ enum class AlarmHelp
     Rearm,
     ResetStop,
     Unwind,
+    HoldAtEnd,
     Reconnect,
     MovePark,
     OpenProtection,

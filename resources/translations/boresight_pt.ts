@@ -4292,10 +4292,6 @@ até %1</translation>
         <translation>O Boresight desenrola aí o cabo 360°. O alvo perde-se durante %3</translation>
     </message>
     <message>
-        <source>Press Unwrap now to choose the moment. Then hand control back to the clients</source>
-        <translation>Prima Desenrolar já para escolher o momento. Depois devolva o controlo aos clientes</translation>
-    </message>
-    <message>
         <source>reaches its cable end (%1) at %2</source>
         <translation>chega ao fim do cabo (%1) às %2</translation>
     </message>
@@ -8315,6 +8311,26 @@ até %1</translation>
         <source>With a small value the wind can push the axis away.</source>
         <translation>Com um valor pequeno, o vento pode empurrar o eixo.</translation>
     </message>
+    <message>
+        <source>Hold at end</source>
+        <translation>Parar no fim</translation>
+    </message>
+    <message>
+        <source>Press Unwrap now to choose the moment, then hand control back to the clients. Or press Hold at end to wait there</source>
+        <translation>Prima Desenrolar já para escolher o momento e depois devolva o controlo aos clientes. Ou prima Parar no fim para esperar aí</translation>
+    </message>
+    <message>
+        <source>No unwrapping is ahead. There is nothing to choose.</source>
+        <translation>Não há desenrolamento à vista. Não há nada a escolher.</translation>
+    </message>
+    <message>
+        <source>the cable ends at axis %1, and the operator chose to hold there</source>
+        <translation>o cabo termina no eixo %1, e o operador escolheu parar aí</translation>
+    </message>
+    <message>
+        <source>chooses to hold at the cable end instead of unwrapping</source>
+        <translation>escolhe parar no fim do cabo em vez de desenrolar</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -8556,6 +8572,10 @@ SDL 2, toml++</translation>
     <message>
         <source>Open the list of alarms. Not acknowledged: %1</source>
         <translation>Abrir a lista de alarmes. Por reconhecer: %1</translation>
+    </message>
+    <message>
+        <source>Do not unwrap. The mount waits at the cable end until it can reach the target again. Clients keep control</source>
+        <translation>Não desenrolar. A montagem espera no fim do cabo até poder alcançar o alvo de novo. Os clientes mantêm o controlo</translation>
     </message>
 </context>
 <context>

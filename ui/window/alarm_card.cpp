@@ -59,6 +59,8 @@ QString whyNot(AlarmHelp help, const Permissions& may)
             return may.reason(Action::ResetStop);
         case AlarmHelp::Unwind:
             return may.reason(Action::Unwind);
+        case AlarmHelp::HoldAtEnd:
+            return may.reason(Action::HoldAtEnd);
         case AlarmHelp::Reconnect:
             return may.reason(Action::Reconnect);
         default:
@@ -112,12 +114,17 @@ AlarmCard::AlarmCard(const ProfileDraft& draft, RequestDesk& desk, QWidget* pare
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_since(new ValueLabel(tr("When the alarm came"), fonts::small(), QStringLiteral("00:00:00Z"), this)),
       m_help(new CommandButton({}, {}, desk, *m_notice, this)),
+      m_holdAtEnd(new CommandButton(buttonText(AlarmHelp::HoldAtEnd),
+                                    tr("Do not unwrap. The mount waits at the cable end until it can reach the target "
+                                       "again. Clients keep control"),
+                                    desk, *m_notice, this)),
       m_recover(new CommandButton(buttonText(AlarmHelp::ResetStop), {}, desk, *m_notice, this)),
       m_acknowledge(new CommandButton(tr("Acknowledge"), tr("Acknowledge all alarms (F8)"), desk, *m_notice, this)),
       m_count(makePushButton({.text = {}, .name = tr("All alarms"), .help = tr("Open the list of alarms")}, this))
 {
     build();
     connect(m_help, &QPushButton::clicked, this, [this] { help(m_shown ? m_shown->help : AlarmHelp::None, *m_help); });
+    connect(m_holdAtEnd, &QPushButton::clicked, this, [this] { help(AlarmHelp::HoldAtEnd, *m_holdAtEnd); });
     connect(m_recover, &QPushButton::clicked, this, [this] { help(m_recovery, *m_recover); });
     connect(m_acknowledge, &QPushButton::clicked, this, [this] { m_acknowledge->ask(request::AcknowledgeAlarms{}); });
     connect(m_count, &QPushButton::clicked, this, &AlarmCard::listWanted);
@@ -140,8 +147,8 @@ void AlarmCard::build()
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     auto* const buttons = new FlowRow;
     for (QWidget* const part :
-         {static_cast<QWidget*>(m_help), static_cast<QWidget*>(m_recover), static_cast<QWidget*>(m_acknowledge),
-          static_cast<QWidget*>(m_count), static_cast<QWidget*>(m_since)}) {
+         {static_cast<QWidget*>(m_help), static_cast<QWidget*>(m_holdAtEnd), static_cast<QWidget*>(m_recover),
+          static_cast<QWidget*>(m_acknowledge), static_cast<QWidget*>(m_count), static_cast<QWidget*>(m_since)}) {
         buttons->addWidget(part);
     }
     auto* const column = new QVBoxLayout(this);
@@ -195,6 +202,8 @@ void AlarmCard::showButtons(const StationStatus& status)
     m_help->setVisible(shown != AlarmHelp::None && !recovers);
     m_help->setCommand(buttonText(shown), m_shown ? m_shown->remedy : QString());
     m_help->setBlocked(whyNot(shown, status.permissions));
+    m_holdAtEnd->setVisible(shown == AlarmHelp::Unwind);
+    m_holdAtEnd->setBlocked(whyNot(AlarmHelp::HoldAtEnd, status.permissions));
     m_recover->setVisible(m_recovery != AlarmHelp::None);
     m_recover->setBlocked(whyNot(m_recovery, status.permissions));
     m_recover->setCommand(buttonText(m_recovery == AlarmHelp::None ? AlarmHelp::ResetStop : m_recovery),
@@ -243,6 +252,9 @@ void AlarmCard::help(AlarmHelp help, CommandButton& button)
             return;
         case AlarmHelp::Unwind:
             button.ask(request::Unwind{});
+            return;
+        case AlarmHelp::HoldAtEnd:
+            button.ask(request::HoldAtEnd{});
             return;
         case AlarmHelp::Reconnect:
             button.ask(request::Reconnect{m_draft.applied()});
@@ -293,19 +305,18 @@ void AlarmCard::beat(SteadyTime now, bool flashing)
     if (symbolShown != std::exchange(m_symbolShown, symbolShown)) {
         update();
     }
-    if (!m_said.isEmpty() && now - m_saidAt >= kSaidFor) {
-        if (m_notice->text() == m_said) {
+    if (m_said && now - m_said->at >= kSaidFor) {
+        if (m_notice->text() == m_said->what) {
             m_notice->setValue({});
         }
-        m_said.clear();
+        m_said.reset();
     }
 }
 
 void AlarmCard::sayForAWhile(const QString& what, SteadyTime now)
 {
     m_notice->setValue(what);
-    m_said = what;
-    m_saidAt = now;
+    m_said = Said{.what = what, .at = now};
 }
 
 void AlarmCard::acknowledge()

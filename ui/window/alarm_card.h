@@ -48,6 +48,12 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
 
 private:
+    struct Said
+    {
+        QString what;
+        SteadyTime at;
+    };
+
     void build();
     void showAlarm(const StationStatus& status);
     void showButtons(const StationStatus& status);
@@ -61,6 +67,7 @@ private:
     ValueLabel* m_notice;
     ValueLabel* m_since;
     CommandButton* m_help;
+    CommandButton* m_holdAtEnd;  // the other choice beside Unwrap now
     CommandButton* m_recover;
     CommandButton* m_acknowledge;
     QPushButton* m_count;
@@ -68,8 +75,7 @@ private:
     AlarmHelp m_recovery = AlarmHelp::None;
     bool m_flashing = false;
     bool m_symbolShown = true;
-    QString m_said;
-    SteadyTime m_saidAt{};
+    std::optional<Said> m_said;
 };
 
 }  // namespace boresight::ui

@@ -211,6 +211,7 @@ void PanelTabs::open(AlarmHelp help)
         case AlarmHelp::Rearm:
         case AlarmHelp::ResetStop:
         case AlarmHelp::Unwind:
+        case AlarmHelp::HoldAtEnd:
         case AlarmHelp::Reconnect:
             break;
     }

@@ -4,6 +4,7 @@
 
 #include <QDateTime>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -162,6 +163,50 @@ TEST_F(StationCable, AGoToTheOtherWayRoundSaysWhy)
     rig.settle();
     EXPECT_NEAR(rig.azimuthDegrees(), 120.0, 0.1);
     EXPECT_EQ(reason(), "go to 120.00° 30.00°");
+}
+
+// REQ-CONTROL-31b: The operator may choose to wait at the cable end instead of unwrapping. The mount goes on as soon as
+// the target is back. The choice ends with the motion, and clients keep control.
+TEST_F(StationCable, TheOperatorMayHoldAtTheEnd)
+{
+    standAt(430_deg);
+    stream(430.0, 1.0, 5);
+    ASSERT_TRUE(rig.ask(request::HoldAtEnd{}));
+    EXPECT_EQ(lines(LogKind::Event, QStringLiteral("chooses to hold at the cable end")).size(), 1U);
+    stream(435.0, 1.0, 10);
+    EXPECT_THAT(rig.control.status().alarms.front().action.toStdString(), ::testing::HasSubstr("will hold there"));
+    stream(445.0, 1.0, 30);
+    EXPECT_TRUE(turnBacks().empty());
+    EXPECT_NEAR(rig.azimuthDegrees(), 450.0, 0.05);
+    EXPECT_THAT(rig.control.status().limitedReason.toStdString(),
+                ::testing::HasSubstr("the operator chose to hold there"));
+
+    stream(474.0, -1.0, 40);
+    EXPECT_TRUE(turnBacks().empty());
+    EXPECT_NEAR(rig.azimuthDegrees(), 435.0, 1.5);
+}
+
+// REQ-CONTROL-31b
+TEST_F(StationCable, TheChoiceToHoldEndsWithTheMotion)
+{
+    standAt(430_deg);
+    stream(430.0, 1.0, 5);
+    ASSERT_TRUE(rig.ask(request::HoldAtEnd{}));
+    ASSERT_TRUE(rig.ask(request::Hold{}, kClient));
+    rig.run(Seconds(3.0));
+    stream(435.0, 1.0, 20);
+    EXPECT_EQ(turnBacks().size(), 1U);
+}
+
+// REQ-CONTROL-31b
+TEST_F(StationCable, WithoutAnEndAheadThereIsNothingToChoose)
+{
+    standAt(100_deg);
+    stream(100.0, 1.0, 5);
+    EXPECT_FALSE(rig.ask(request::HoldAtEnd{}));
+    standAt(430_deg);
+    stream(430.0, 1.0, 5);
+    EXPECT_FALSE(rig.ask(request::HoldAtEnd{}, kClient)) << "a client does not choose";
 }
 
 TEST_F(StationCable, UnwindingIsNoTurnBackByTheCable)
