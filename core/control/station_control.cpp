@@ -7,12 +7,20 @@
 #include "core/profile/setting.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace boresight {
 namespace {
 
 // A late tick (a stalled machine) makes the mount slower, never jump.
 constexpr Seconds kLongestStep{0.1};
+
+// By the station or one of its desks, which ask for the motions that they need like everybody else.
+template <class Wanted>
+constexpr bool kIsCarriedOutAbove =
+    std::is_same_v<Wanted, CalibrationRequest> || std::is_same_v<Wanted, TuningRequest> ||
+    std::is_same_v<Wanted, ScheduleRequest> || std::is_same_v<Wanted, request::Rehearse> ||
+    std::is_same_v<Wanted, request::JudgeDirection>;
 
 Result<> makesSense(const profile::Profile& profile)
 {
@@ -101,6 +109,8 @@ Result<> StationControl::request(const Request& request, const Source& source)
             return m_clientDesk.ask(wanted, source);
         } else if constexpr (requires { m_mountDesk.ask(wanted, source); }) {
             return m_mountDesk.ask(wanted, source);
+        } else if constexpr (kIsCarriedOutAbove<Wanted>) {
+            return operatorOnly(source);
         } else {
             return handle(wanted, source);  // does not compile for a request that nobody takes
         }
@@ -214,12 +224,6 @@ Result<> StationControl::handle(const request::HoldAtEnd&, const Source& source)
     return operatorOnly(source).and_then([&] { return gates().mayHoldAtEnd(); }).map([&] { m_helm.keepWrap(source); });
 }
 
-// The station sends judge() with its answer.
-Result<> StationControl::handle(const request::JudgeDirection&, const Source& source)
-{
-    return operatorOnly(source);
-}
-
 Result<> StationControl::handle(const request::AcknowledgeAlarms&, const Source&)
 {
     m_alarms.acknowledgeAll();
@@ -245,30 +249,6 @@ Result<> StationControl::handle(const request::Reconnect& wanted, const Source& 
     return operatorOnly(source).and_then([this] { return gates().drivesRest(); }).and_then([&] {
         return makesSense(wanted.profile);
     });
-}
-
-// The calibration desk carries it out, and asks for the motions that it needs like everybody else.
-Result<> StationControl::handle(const CalibrationRequest&, const Source& source)
-{
-    return operatorOnly(source);
-}
-
-// So does the tuning desk.
-Result<> StationControl::handle(const TuningRequest&, const Source& source)
-{
-    return operatorOnly(source);
-}
-
-// And the desk of the night.
-Result<> StationControl::handle(const ScheduleRequest&, const Source& source)
-{
-    return operatorOnly(source);
-}
-
-// The station runs it beside its thread.
-Result<> StationControl::handle(const request::Rehearse&, const Source& source)
-{
-    return operatorOnly(source);
 }
 
 void StationControl::profileChanged(const profile::Profile& before, const profile::Profile& after)

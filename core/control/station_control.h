@@ -146,17 +146,12 @@ private:
     Result<> handle(const request::Stop& wanted, const Source& source);
     Result<> handle(const request::ResetStop& wanted, const Source& source);
     Result<> handle(const request::Rearm& wanted, const Source& source);
-    Result<> handle(const request::JudgeDirection& wanted, const Source& source);
     Result<> handle(const request::AcknowledgeAlarms& wanted, const Source& source);
     Result<> handle(const request::ClearTrim& wanted, const Source& source);
     Result<> handle(const request::HoldAtEnd& wanted, const Source& source);
     Result<> handle(const request::AcknowledgeAlarm& wanted, const Source& source);
     Result<> handle(const request::ApplyProfile& wanted, const Source& source);
     Result<> handle(const request::Reconnect& wanted, const Source& source);
-    Result<> handle(const CalibrationRequest& wanted, const Source& source);
-    Result<> handle(const TuningRequest& wanted, const Source& source);
-    Result<> handle(const ScheduleRequest& wanted, const Source& source);
-    Result<> handle(const request::Rehearse& wanted, const Source& source);
 
     Result<> askSources(const Request& request, const Source& source);
 
