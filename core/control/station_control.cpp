@@ -45,6 +45,7 @@ StationControl::StationControl(const profile::InForce& profile, const Clock& clo
       m_arming(profile, mount, log),
       m_cable(m_alarms, clock),
       m_sourceLog(log, clock),
+      m_heldLog(m_sourceLog),
       m_helm({.motion = m_motion,
               .mount = m_mount,
               .current = m_current,
@@ -428,23 +429,14 @@ void StationControl::watchFitness()
     }
 }
 
-// Logs what holds a motion, and ends one that has no way left because the region was drawn again. A stream of a client
-// waits. Why there is no way is logged once: it names where the target is, and that moves on.
+// Ends a motion that has no way left because the region was drawn again. A stream of a client waits.
 void StationControl::watchRegion()
 {
     if (m_current.goesToAPlace() && !m_motion.noWay().isEmpty()) {
         m_log.add(Severity::Warning, QStringLiteral("station"), Text::tr("ends the motion: %1").arg(m_motion.noWay()));
         holdHere(Activity::Holding);
     }
-    const bool held = m_motion.held(Axis::Azimuth) || m_motion.held(Axis::Elevation);
-    const QString at = held                         ? Text::tr("held at %1").arg(m_motion.obstacle())
-                       : m_motion.noWay().isEmpty() ? QString()
-                                                    : Text::tr("held: %1").arg(m_motion.noWay());
-    const bool pressed = m_current.runsFreely() || (m_current.is(Activity::Streaming) && !m_motion.noWay().isEmpty());
-    if (pressed && !at.isEmpty() && (m_heldAt.isEmpty() || (held && at != m_heldAt))) {
-        tell(Severity::Warning, m_current.commander(), at);
-    }
-    m_heldAt = pressed ? at : QString();
+    m_heldLog.look(m_current, m_motion);
 }
 
 void StationControl::finishRearm()

@@ -14,6 +14,7 @@
 #include "core/control/current_motion.h"
 #include "core/control/first_moves_guard.h"
 #include "core/control/gates.h"
+#include "core/control/held_log.h"
 #include "core/control/helm.h"
 #include "core/control/motion_source.h"
 #include "core/control/mount_desk.h"
@@ -191,9 +192,9 @@ private:
     EnergyMeter m_energy;
     azel::AzelFeed m_azelFeed;
     SourceLog m_sourceLog;
+    HeldLog m_heldLog;
 
     CurrentMotion m_current;
-    QString m_heldAt;  // where the last line of the log holds the motion
     FirstMovesGuard m_firstMoves;
     Helm m_helm;
     RegionKeeper m_region;

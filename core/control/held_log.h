@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/control/current_motion.h"
+#include "core/control/source_log.h"
+#include "core/motion/motion.h"
+
+#include <QString>
+
+// Logs what holds a motion: a limit that a jog or run reaches, or the way that a stream does not have. Each once: the
+// reason for a missing way names where the target is, and that moves on. Station thread only.
+namespace boresight {
+
+class HeldLog
+{
+public:
+    explicit HeldLog(SourceLog& log) : m_log(log) {}
+
+    // Once in a tick, after the set-points.
+    void look(const CurrentMotion& current, const Motion& motion);
+
+private:
+    SourceLog& m_log;
+    QString m_at;  // of the last line
+};
+
+}  // namespace boresight
