@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random walks through the station's rules: whatever is asked, by whomever, and whatever happens to drives, survey, bus
 // and computer, the promises hold after each event.
-#include "tests/core/control/station_promises.h"
+#include "tests/core/control/walk/station_promises.h"
 
 #include <QLoggingCategory>
 

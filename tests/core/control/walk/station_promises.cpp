@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/core/control/station_promises.h"
+#include "tests/core/control/walk/station_promises.h"
 
 #include "core/base/overloaded.h"
 #include "core/tracking/emergency_braking.h"
