@@ -8188,26 +8188,6 @@ até %1</translation>
         <translation>Faltam lá %1 satélites. Mantêm os elementos lidos antes.</translation>
     </message>
     <message>
-        <source>a text of one line, of at most %1 characters, is expected</source>
-        <translation>espera-se um texto de uma linha, com no máximo %1 caracteres</translation>
-    </message>
-    <message>
-        <source>Favourite</source>
-        <translation>Favorito</translation>
-    </message>
-    <message>
-        <source>Whether it has a star and a place in the timeline.</source>
-        <translation>Se tem uma estrela e um lugar na linha do tempo.</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>Nota</translation>
-    </message>
-    <message>
-        <source>A line of the operator&apos;s own, such as frequency and polarisation.</source>
-        <translation>Uma linha do próprio operador, como frequência e polarização.</translation>
-    </message>
-    <message>
         <source>the profile keeps the beam away from the Sun. If feed and receiver withstand the Sun, switch sun.keep_away off first.</source>
         <translation>o perfil mantém o feixe longe do Sol. Se o alimentador e o recetor suportam o Sol, desligue primeiro sun.keep_away.</translation>
     </message>
@@ -8330,6 +8310,26 @@ até %1</translation>
     <message>
         <source>chooses to hold at the cable end instead of unwrapping</source>
         <translation>escolhe parar no fim do cabo em vez de desenrolar</translation>
+    </message>
+    <message>
+        <source>a text of one line, of at most %1 characters, is expected</source>
+        <translation>espera-se um texto de uma linha, com no máximo %1 caracteres</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>Favorito</translation>
+    </message>
+    <message>
+        <source>Whether it has a star and a place in the timeline.</source>
+        <translation>Se tem uma estrela e um lugar na linha do tempo.</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message>
+        <source>A line of the operator&apos;s own, such as frequency and polarisation.</source>
+        <translation>Uma linha do próprio operador, como frequência e polarização.</translation>
     </message>
 </context>
 <context>
@@ -10107,12 +10107,12 @@ O acionamento mantém estes ganhos depois de desligado e ligado. Guarda também 
         <translation>Percurso do satélite sobre a Terra</translation>
     </message>
     <message>
-        <source>Over latitude %1, longitude %2, %3 km high</source>
-        <translation>Sobre a latitude %1, longitude %2, a %3 km de altura</translation>
-    </message>
-    <message>
         <source>Thick line: the pass. Thin line: the orbit after it. The dashed circle sees the satellite now.</source>
         <translation>Linha grossa: a passagem. Linha fina: a órbita seguinte. O círculo tracejado vê o satélite agora.</translation>
+    </message>
+    <message>
+        <source>Over latitude %1, longitude %2, %3 km high</source>
+        <translation>Sobre a latitude %1, longitude %2, a %3 km de altura</translation>
     </message>
 </context>
 <context>
@@ -12641,24 +12641,24 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Linha do tempo das próximas passagens</translation>
     </message>
     <message>
-        <source>%1 satellites</source>
-        <translation>%1 satélites</translation>
-    </message>
-    <message>
-        <source>%1, favourites first. %2 more are only in the list.</source>
-        <translation>%1, primeiro os favoritos. Mais %2 só estão na lista.</translation>
-    </message>
-    <message>
         <source>UTC</source>
         <translation>UTC</translation>
+    </message>
+    <message>
+        <source>A high pass has a high bar. Underlined: the schedule tracks it. Hollow: the schedule leaves it out.</source>
+        <translation>Uma passagem alta tem uma barra alta. Sublinhada: a agenda segue-a. Oca: a agenda deixa-a de fora.</translation>
     </message>
     <message>
         <source>%1: %2Z to %3Z, %4 high</source>
         <translation>%1: das %2Z às %3Z, %4 de altura</translation>
     </message>
     <message>
-        <source>A high pass has a high bar. Underlined: the schedule tracks it. Hollow: the schedule leaves it out.</source>
-        <translation>Uma passagem alta tem uma barra alta. Sublinhada: a agenda segue-a. Oca: a agenda deixa-a de fora.</translation>
+        <source>%1 satellites. %2</source>
+        <translation>%1 satélites. %2</translation>
+    </message>
+    <message>
+        <source>%1 more satellites are only in the list.</source>
+        <translation>Mais %1 satélites estão apenas na lista.</translation>
     </message>
 </context>
 <context>
@@ -12743,16 +12743,16 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>O registo tem mais problemas.</translation>
     </message>
     <message>
-        <source>No favourite passes within a day. Click the star of a row to add one.</source>
-        <translation>Nenhum favorito passa dentro de um dia. Clique na estrela de uma linha para juntar um.</translation>
-    </message>
-    <message>
         <source>Favourite, or not</source>
-        <translation>Favorito, ou não</translation>
+        <translation>Favorito ou não</translation>
     </message>
     <message>
         <source>Edit the note</source>
         <translation>Editar a nota</translation>
+    </message>
+    <message>
+        <source>No favourite passes within a day. Click the star of a row to add one.</source>
+        <translation>Nenhum favorito passa dentro de um dia. Clique na estrela de uma linha para juntar um.</translation>
     </message>
 </context>
 <context>

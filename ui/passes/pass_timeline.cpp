@@ -66,10 +66,18 @@ void PassTimeline::setSelected(std::int64_t number, UtcTime highest)
 
 QString PassTimeline::summary() const
 {
-    const QString shown = tr("%1 satellites").arg(m_timeline.rows.size());
-    return m_timeline.leftOut == 0
-               ? shown
-               : tr("%1, favourites first. %2 more are only in the list.").arg(shown).arg(m_timeline.leftOut);
+    return tr("%1 satellites. %2").arg(QString::number(m_timeline.rows.size()), leftOutText()).trimmed();
+}
+
+QString PassTimeline::leftOutText() const
+{
+    return m_timeline.leftOut == 0 ? QString() : tr("%1 more satellites are only in the list.").arg(m_timeline.leftOut);
+}
+
+// The last one says what has none.
+std::size_t PassTimeline::rowCount() const
+{
+    return m_timeline.rows.size() + (m_timeline.leftOut == 0 ? 0 : 1);
 }
 
 double PassTimeline::headHeight() const
@@ -80,7 +88,7 @@ double PassTimeline::headHeight() const
 double PassTimeline::rowHeight() const
 {
     const double room = viewport()->height() - headHeight();
-    const double rows = std::max<double>(1.0, static_cast<double>(m_timeline.rows.size()));
+    const double rows = std::max<double>(1.0, static_cast<double>(rowCount()));
     return std::clamp(std::floor(room / rows), kLeastRow, static_cast<double>(kRowHeight));
 }
 
@@ -119,7 +127,7 @@ bool PassTimeline::isSelected(const TimelineRow& row, const TimelineBar& bar) co
 
 void PassTimeline::fitScrollBar()
 {
-    const double all = rowHeight() * static_cast<double>(m_timeline.rows.size());
+    const double all = rowHeight() * static_cast<double>(rowCount());
     const double room = viewport()->height() - headHeight();
     verticalScrollBar()->setRange(0, std::max(0, static_cast<int>(std::ceil(all - room))));
     verticalScrollBar()->setPageStep(std::max(1, static_cast<int>(room)));
@@ -144,6 +152,9 @@ void PassTimeline::paintEvent(QPaintEvent*)
             paintRow(painter, row);
         }
     }
+    painter.setPen(currentTheme().secondary);
+    painter.drawText(rowBox(m_timeline.rows.size()).adjusted(4.0, 0.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignVCenter,
+                     leftOutText());
     painter.setClipping(false);
     paintHours(painter);
 }

@@ -24,7 +24,9 @@ public:
 
     [[nodiscard]] const Timeline& timeline() const { return m_timeline; }
     [[nodiscard]] QRectF barBox(std::size_t row, const TimelineBar& bar) const;  // in the viewport
-    [[nodiscard]] QString summary() const;                                       // what is shown, and what is not
+    [[nodiscard]] QString leftOutText() const;                                   // empty: each satellite has a row
+    [[nodiscard]] std::size_t rowCount() const;
+    [[nodiscard]] QString summary() const;  // what is shown, and what is not
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {200, 80}; }
 

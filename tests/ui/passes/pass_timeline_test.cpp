@@ -78,8 +78,7 @@ TEST(PassTimeline, SaysWhatHasNoRow)
     PassTimeline widget;
     widget.show(timelineOf(table, {}, {}));
     EXPECT_EQ(widget.timeline().rows.size(), kMostTimelineRows);
-    EXPECT_THAT(widget.summary().toStdString(),
-                HasSubstr("40 satellites, favourites first. 60 more are only in the list."));
+    EXPECT_THAT(widget.summary().toStdString(), HasSubstr("40 satellites. 60 more satellites are only in the list."));
 }
 
 TEST(PassTimeline, ABarIsWhereItsPassIsAndAsHigh)
