@@ -3,10 +3,11 @@
 
 #include "core/base/text.h"
 #include "core/calibration/fit_words.h"
+#include "core/calibration/normal_matrix.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace boresight::calibration {
 namespace {
@@ -50,7 +51,7 @@ public:
                 m_unknowns.push_back(term);
             }
         }
-        m_size = static_cast<Eigen::Index>(m_unknowns.size());
+        m_normal = NormalMatrix(m_unknowns.size());
     }
 
     Result<TermSolution> run()
@@ -60,11 +61,11 @@ public:
             if (round < kFreshDerivatives && !isDetermined()) {
                 return failure(ErrorCode::Refused, Text::tr("The points do not determine the azimuth offset."));
             }
-            const Eigen::VectorXd step = m_normal.ldlt().solve(m_gradient);
-            for (Eigen::Index i = 0; i < m_size; ++i) {
-                valueOf(m_terms, m_unknowns[static_cast<std::size_t>(i)]) += Angle::fromRadians(step[i]);
+            const std::vector<double> step = m_normal.solve(m_gradient);
+            for (std::size_t i = 0; i < step.size(); ++i) {
+                valueOf(m_terms, m_unknowns[i]) += Angle::fromRadians(step[i]);
             }
-            if (step.lpNorm<Eigen::Infinity>() < kConverged) {
+            if (std::all_of(step.begin(), step.end(), [](double part) { return std::abs(part) < kConverged; })) {
                 return solution();
             }
         }
@@ -72,30 +73,35 @@ public:
     }
 
 private:
+    using Row = std::vector<double>;  // a derivative for each unknown
+
     // In units of each point's sigma: across and elevation, one after the other.
-    [[nodiscard]] Eigen::VectorXd residuals(const PointingTerms& terms) const
+    [[nodiscard]] std::vector<double> residuals(const PointingTerms& terms) const
     {
         const PointingModel model(terms);
-        Eigen::VectorXd result(2 * static_cast<Eigen::Index>(m_points.size()));
-        Eigen::Index row = 0;
+        std::vector<double> result;
         for (const CalibrationPoint& point : m_points) {
             const SkyOffset off = offsetOf(point, model);
-            result[row++] = off.across / point.sigma;
-            result[row++] = off.elevation / point.sigma;
+            result.push_back(off.across / point.sigma);
+            result.push_back(off.elevation / point.sigma);
         }
         return result;
     }
 
-    [[nodiscard]] Eigen::MatrixXd derivatives() const
+    // A row for each residual.
+    [[nodiscard]] std::vector<Row> derivatives() const
     {
-        Eigen::MatrixXd result(2 * static_cast<Eigen::Index>(m_points.size()), m_size);
-        for (Eigen::Index i = 0; i < m_size; ++i) {
-            const Term term = m_unknowns[static_cast<std::size_t>(i)];
+        std::vector<Row> result(2 * m_points.size());
+        for (const Term term : m_unknowns) {
             PointingTerms below = m_terms;
             PointingTerms above = m_terms;
             valueOf(below, term) -= Angle::fromRadians(kStep);
             valueOf(above, term) += Angle::fromRadians(kStep);
-            result.col(i) = (residuals(above) - residuals(below)) / (2.0 * kStep);
+            const std::vector<double> before = residuals(below);
+            const std::vector<double> after = residuals(above);
+            for (std::size_t i = 0; i < result.size(); ++i) {
+                result[i].push_back((after[i] - before[i]) / (2.0 * kStep));
+            }
         }
         return result;
     }
@@ -105,81 +111,99 @@ private:
         if (afresh) {
             m_design = derivatives();
         }
-        m_normal = m_design.transpose() * m_design;
-        m_gradient = -m_design.transpose() * residuals(m_terms);
-        for (Eigen::Index i = 0; i < m_size; ++i) {
-            const Term term = m_unknowns[static_cast<std::size_t>(i)];
-            if (const auto& before = m_known.of(term)) {
+        m_normal = NormalMatrix(m_unknowns.size());
+        m_gradient.assign(m_unknowns.size(), 0.0);
+        const std::vector<double> off = residuals(m_terms);
+        for (std::size_t i = 0; i < m_design.size(); ++i) {
+            m_normal.add(m_design[i]);
+            for (std::size_t j = 0; j < m_unknowns.size(); ++j) {
+                m_gradient[j] -= m_design[i][j] * off[i];
+            }
+        }
+        for (std::size_t j = 0; j < m_unknowns.size(); ++j) {
+            if (const auto& before = m_known.of(m_unknowns[j])) {
                 const double weight = 1.0 / (before->sigma.radians() * before->sigma.radians());
-                m_normal(i, i) += weight;
-                m_gradient[i] += weight * (before->value - valueOf(m_terms, term)).radians();
+                m_normal.addKnown(j, weight);
+                m_gradient[j] += weight * (before->value - valueOf(m_terms, m_unknowns[j])).radians();
             }
         }
     }
 
-    // Of the normal matrix scaled to ones on its diagonal: units and weights do not count, only what resembles what.
-    [[nodiscard]] double condition() const
-    {
-        const Eigen::VectorXd scale = m_normal.diagonal().cwiseSqrt().cwiseInverse();
-        const Eigen::MatrixXd scaled = scale.asDiagonal() * m_normal * scale.asDiagonal();
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled, Eigen::EigenvaluesOnly);
-        return eigen.eigenvalues().maxCoeff() / std::max(eigen.eigenvalues().minCoeff(), 1e-300);
-    }
-
     [[nodiscard]] bool isDetermined() const
     {
-        return m_normal.allFinite() && m_normal.diagonal().minCoeff() > 0.0 && condition() < kWorstCondition;
+        for (std::size_t j = 0; j < m_unknowns.size(); ++j) {
+            if (!(m_normal.diagonal(j) > 0.0)) {
+                return false;
+            }
+        }
+        return m_normal.scaled().isDetermined(kWorstCondition);
     }
 
     [[nodiscard]] TermSolution solution() const
     {
         TermSolution result;
         result.terms = m_terms;
-        const Eigen::MatrixXd covariance = m_normal.inverse();
-        for (Eigen::Index i = 0; i < m_size; ++i) {
-            const Term term = m_unknowns[static_cast<std::size_t>(i)];
-            result.sigmas[indexOf(term)] = Angle::fromRadians(std::sqrt(covariance(i, i)));
+        const std::vector<double> covariance = m_normal.inverse();
+        for (std::size_t j = 0; j < m_unknowns.size(); ++j) {
+            const Term term = m_unknowns[j];
+            result.sigmas[indexOf(term)] = Angle::fromRadians(std::sqrt(covariance[j * m_unknowns.size() + j]));
             if (const auto& before = m_known.of(term)) {
                 const double moved = (valueOf(m_terms, term) - before->value) / before->sigma;
                 result.knowledge += moved * moved;
             }
         }
-        const Eigen::VectorXd off = residuals(m_terms);
-        result.chiSquare = off.squaredNorm();
-        takeLeftOut(result, off, covariance);
-        result.logVolume = -0.5 * m_normal.ldlt().vectorD().array().log().sum();
-        result.condition = condition();
+        const std::vector<double> off = residuals(m_terms);
+        result.chiSquare = std::inner_product(off.begin(), off.end(), off.begin(), 0.0);
+        for (std::size_t point = 0; point < m_points.size(); ++point) {
+            takeLeftOut(result, point, off, covariance);
+        }
+        result.logVolume = -0.5 * m_normal.logDeterminant();
         return result;
     }
 
     // A fit follows each point by its leverage H = J C Jᵀ, so without it the point is off by (1 - H)⁻¹ times as much.
     // Of the same size is its covariance.
-    void takeLeftOut(TermSolution& result, const Eigen::VectorXd& off, const Eigen::MatrixXd& covariance) const
+    void takeLeftOut(TermSolution& result, std::size_t point, const std::vector<double>& off,
+                     const std::vector<double>& covariance) const
     {
-        Eigen::Index row = 0;
-        for (const CalibrationPoint& point : m_points) {
-            const Eigen::MatrixXd design = m_design.middleRows(row, 2);
-            const Eigen::Matrix2d rest = Eigen::Matrix2d::Identity() - design * covariance * design.transpose();
-            if (rest.determinant() < kAllLeverage) {
-                result.leftOut.emplace_back();
-                result.strangeness.push_back(0.0);
-            } else {
-                const Eigen::Vector2d without = rest.inverse() * off.segment<2>(row);
-                result.leftOut.push_back(SkyOffset{point.sigma * without[0], point.sigma * without[1]});
-                result.strangeness.push_back(without.dot(off.segment<2>(row)));
-            }
-            row += 2;
+        const Row& across = m_design[2 * point];
+        const Row& up = m_design[2 * point + 1];
+        const double restAcross = 1.0 - leverage(across, covariance, across);
+        const double restUp = 1.0 - leverage(up, covariance, up);
+        const double shared = -leverage(across, covariance, up);
+        const double determinant = restAcross * restUp - shared * shared;
+        if (determinant < kAllLeverage) {
+            result.leftOut.emplace_back();
+            result.strangeness.push_back(0.0);
+            return;
         }
+        const double offAcross = off[2 * point];
+        const double offUp = off[2 * point + 1];
+        const double withoutAcross = (restUp * offAcross - shared * offUp) / determinant;
+        const double withoutUp = (restAcross * offUp - shared * offAcross) / determinant;
+        const Angle sigma = m_points[point].sigma;
+        result.leftOut.push_back(SkyOffset{sigma * withoutAcross, sigma * withoutUp});
+        result.strangeness.push_back(withoutAcross * offAcross + withoutUp * offUp);
+    }
+
+    static double leverage(const Row& left, const std::vector<double>& covariance, const Row& right)
+    {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < left.size(); ++i) {
+            for (std::size_t j = 0; j < right.size(); ++j) {
+                sum += left[i] * covariance[i * right.size() + j] * right[j];
+            }
+        }
+        return sum;
     }
 
     std::span<const CalibrationPoint> m_points;
     PointingTerms m_terms;
     const TermKnowledge& m_known;
     std::vector<Term> m_unknowns;
-    Eigen::Index m_size = 0;
-    Eigen::MatrixXd m_design;
-    Eigen::MatrixXd m_normal;
-    Eigen::VectorXd m_gradient;  // downhill
+    std::vector<Row> m_design;
+    NormalMatrix m_normal{0};
+    std::vector<double> m_gradient;  // downhill
 };
 
 }  // namespace

@@ -48,7 +48,6 @@ struct TermSolution
     double chiSquare = 0.0;            // of the points
     double knowledge = 0.0;            // the same of what was known before
     double logVolume = 0.0;            // of what is left uncertain: ½ log det of the covariance
-    double condition = 1.0;            // of the correlations between the terms, 1: independent
     // Where a fit without this point would see it, to first order; nothing if the others do not determine the terms.
     std::vector<std::optional<SkyOffset>> leftOut;
     // The square of that in sigmas, of the point and of what the others foresee together; 0 where there is nothing.

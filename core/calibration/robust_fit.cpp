@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/robust_fit.h"
 
-#include <Eigen/Dense>
+#include "core/calibration/normal_matrix.h"
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace boresight::calibration {
 namespace {
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // Huber's and Tukey's usual constants: 95 % of the efficiency of least squares when the noise is Gaussian.
 constexpr double kHuber = 1.345;
@@ -33,17 +33,12 @@ class RobustSolver
 {
 public:
     RobustSolver(const RobustProblem& problem, double noiseFloor)
-        : m_rows(static_cast<Eigen::Index>(problem.rows())),
-          m_unknowns(static_cast<Eigen::Index>(problem.unknowns())),
-          m_design(Eigen::Map<const RowMajor>(problem.coefficients().data(), m_rows, m_unknowns)),
-          m_values(Eigen::Map<const Eigen::VectorXd>(problem.values().data(), m_rows)),
-          m_given(Eigen::Map<const Eigen::VectorXd>(problem.weights().data(), m_rows)),
-          m_floor(noiseFloor)
+        : m_problem(problem), m_floor(noiseFloor), m_normal(problem.unknowns())
     {}
 
     std::optional<RobustFit> run()
     {
-        solve(m_given);
+        solve(m_problem.weights());
         reweigh(kHuberRounds, [](double away) { return away <= kHuber ? 1.0 : kHuber / away; });
         reweigh(kTukeyRounds, [](double away) {
             const double rest = 1.0 - (away / kTukey) * (away / kTukey);
@@ -54,21 +49,34 @@ public:
     }
 
 private:
-    void solve(const Eigen::VectorXd& weights)
+    void solve(const std::vector<double>& weights)
     {
-        m_normal = m_design.transpose() * weights.asDiagonal() * m_design;
-        const Eigen::LDLT<Eigen::MatrixXd> factors(m_normal);
-        m_solution = factors.solve(m_design.transpose() * weights.cwiseProduct(m_values));
-        m_residuals = m_values - m_design * m_solution;
-        m_away = m_residuals.cwiseAbs().cwiseProduct(m_given.cwiseSqrt());
+        const std::vector<double>& values = m_problem.values();
+        m_normal = NormalMatrix(m_problem.unknowns());
+        std::vector<double> right(m_problem.unknowns());
+        for (std::size_t i = 0; i < m_problem.rows(); ++i) {
+            const std::span<const double> row = m_problem.row(i);
+            m_normal.add(row, weights[i]);
+            for (std::size_t j = 0; j < row.size(); ++j) {
+                right[j] += weights[i] * values[i] * row[j];
+            }
+        }
+        m_solution = m_normal.solve(right);
+        m_residuals.clear();
+        m_away.clear();
+        for (std::size_t i = 0; i < m_problem.rows(); ++i) {
+            const std::span<const double> row = m_problem.row(i);
+            m_residuals.push_back(values[i] - std::inner_product(row.begin(), row.end(), m_solution.begin(), 0.0));
+            m_away.push_back(std::abs(m_residuals.back()) * std::sqrt(m_problem.weights()[i]));
+        }
     }
 
     // From the middle of the residuals: half of them may be anything.
     [[nodiscard]] double scale() const
     {
-        const std::vector<double> away(m_away.begin(), m_away.end());
-        const auto free = static_cast<double>(std::max<Eigen::Index>(m_rows - m_unknowns, 1));
-        const double spread = kMedianToSigma * median(away) * std::sqrt(static_cast<double>(m_rows) / free);
+        const auto rows = static_cast<double>(m_problem.rows());
+        const auto free = static_cast<double>(m_problem.rows() - m_problem.unknowns());
+        const double spread = kMedianToSigma * median(m_away) * std::sqrt(rows / free);
         return std::max(spread, m_floor);
     }
 
@@ -77,8 +85,8 @@ private:
     {
         for (int round = 0; round < rounds; ++round) {
             const double sigma = scale();
-            Eigen::VectorXd weights = m_given;
-            for (Eigen::Index i = 0; i < m_rows; ++i) {
+            std::vector<double> weights = m_problem.weights();
+            for (std::size_t i = 0; i < weights.size(); ++i) {
                 weights[i] *= weight(m_away[i] / sigma);
             }
             solve(weights);
@@ -89,11 +97,11 @@ private:
     {
         for (int round = 0; round < kCutRounds; ++round) {
             const double sigma = scale();
-            std::vector<bool> used(static_cast<std::size_t>(m_rows));
-            Eigen::VectorXd weights = m_given;
-            for (Eigen::Index i = 0; i < m_rows; ++i) {
-                used[static_cast<std::size_t>(i)] = m_away[i] <= kCut * sigma;
-                weights[i] *= m_away[i] <= kCut * sigma ? 1.0 : 0.0;
+            std::vector<double> weights = m_problem.weights();
+            std::vector<bool> used(weights.size());
+            for (std::size_t i = 0; i < weights.size(); ++i) {
+                used[i] = m_away[i] <= kCut * sigma;
+                weights[i] *= used[i] ? 1.0 : 0.0;
             }
             if (used == m_used) {
                 return;
@@ -109,8 +117,8 @@ private:
     {
         double product = 0.0;
         double square = 0.0;
-        for (Eigen::Index i = 0; i + 1 < m_rows; ++i) {
-            if (m_used[static_cast<std::size_t>(i)] && m_used[static_cast<std::size_t>(i + 1)]) {
+        for (std::size_t i = 0; i + 1 < m_residuals.size(); ++i) {
+            if (m_used[i] && m_used[i + 1]) {
                 product += m_residuals[i] * m_residuals[i + 1];
                 square += (m_residuals[i] * m_residuals[i] + m_residuals[i + 1] * m_residuals[i + 1]) / 2.0;
             }
@@ -119,49 +127,40 @@ private:
         return std::clamp(seen + (p * (1.0 + seen) + 2.0 * seen) / n, 0.0, kWorstCorrelation);
     }
 
-    [[nodiscard]] bool isDetermined() const
-    {
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(m_normal, Eigen::EigenvaluesOnly);
-        const double smallest = eigen.eigenvalues().minCoeff();
-        return std::isfinite(smallest) && smallest * kRobustFitWorstCondition > eigen.eigenvalues().maxCoeff();
-    }
-
     std::optional<RobustFit> result()
     {
         RobustFit fit;
         fit.used = m_used;
         const auto n = static_cast<double>(fit.usedRows());
-        const auto p = static_cast<double>(m_unknowns);
+        const auto p = static_cast<double>(m_problem.unknowns());
         fit.correlation = correlation(n, p);
         fit.free = n * (1.0 - fit.correlation) / (1.0 + fit.correlation) - p;
-        if (n - p < kFewestFree || !isDetermined()) {
+        if (n - p < kFewestFree || !m_normal.isDetermined(kRobustFitWorstCondition)) {
             return std::nullopt;
         }
         const double free = std::max(fit.free, kFewestFree);
         double square = 0.0;
-        for (Eigen::Index i = 0; i < m_rows; ++i) {
-            square += m_used[static_cast<std::size_t>(i)] ? m_away[i] * m_away[i] : 0.0;
+        for (std::size_t i = 0; i < m_away.size(); ++i) {
+            square += m_used[i] ? m_away[i] * m_away[i] : 0.0;
         }
         fit.rms = std::sqrt(square / n);
         const double worth = (free + p) / n;  // of a row
         const double noise = std::max(square / std::max(n - p / worth, kFewestFree), m_floor * m_floor / 12.0);
-        const RowMajor covariance = m_normal.inverse() * (noise / worth * free / (free - 2.0));
-        fit.solution.assign(m_solution.begin(), m_solution.end());
-        fit.covariance.assign(covariance.data(), covariance.data() + covariance.size());
-        fit.residuals.assign(m_residuals.begin(), m_residuals.end());
+        fit.solution = m_solution;
+        fit.covariance = m_normal.inverse();
+        for (double& cell : fit.covariance) {
+            cell *= noise / worth * free / (free - 2.0);
+        }
+        fit.residuals = m_residuals;
         return fit;
     }
 
-    Eigen::Index m_rows;
-    Eigen::Index m_unknowns;
-    RowMajor m_design;
-    Eigen::VectorXd m_values;
-    Eigen::VectorXd m_given;  // weights
+    const RobustProblem& m_problem;
     double m_floor;
-    Eigen::MatrixXd m_normal;
-    Eigen::VectorXd m_solution;
-    Eigen::VectorXd m_residuals;
-    Eigen::VectorXd m_away;  // |residual| at weight 1
+    NormalMatrix m_normal;
+    std::vector<double> m_solution;
+    std::vector<double> m_residuals;
+    std::vector<double> m_away;  // |residual| at weight 1
     std::vector<bool> m_used;
 };
 

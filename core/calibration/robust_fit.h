@@ -20,13 +20,16 @@ public:
 
     [[nodiscard]] std::size_t unknowns() const { return m_unknowns; }
     [[nodiscard]] std::size_t rows() const { return m_values.size(); }
-    [[nodiscard]] const std::vector<double>& coefficients() const { return m_coefficients; }  // row after row
+    [[nodiscard]] std::span<const double> row(std::size_t i) const  // its coefficients
+    {
+        return std::span(m_coefficients).subspan(i * m_unknowns, m_unknowns);
+    }
     [[nodiscard]] const std::vector<double>& values() const { return m_values; }
     [[nodiscard]] const std::vector<double>& weights() const { return m_weights; }
 
 private:
     std::size_t m_unknowns;
-    std::vector<double> m_coefficients;
+    std::vector<double> m_coefficients;  // row after row
     std::vector<double> m_values;
     std::vector<double> m_weights;
 };
