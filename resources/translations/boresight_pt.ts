@@ -8519,6 +8519,10 @@ até %1</translation>
         <source>The file is a CCSDS message, but not an OEM. Boresight tracks tables and OEM.</source>
         <translation>O ficheiro é uma mensagem CCSDS, mas não um OEM. O Boresight segue tabelas e OEM.</translation>
     </message>
+    <message>
+        <source>This is not a file.</source>
+        <translation>Isto não é um ficheiro.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
