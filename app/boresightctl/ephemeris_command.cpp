@@ -8,6 +8,8 @@
 #include "core/elements/text_lines.h"
 #include "core/orbit/sgp4.h"
 #include "core/orbit/topocentric.h"
+#include "core/table_file/table_file.h"
+#include "core/tables/table_path.h"
 
 #include <QFile>
 
@@ -149,11 +151,37 @@ RecordTable objectTable(const ephemeris::SkyObject& object, const Site& site, co
     return table;
 }
 
+RecordTable wayTable(const tables::SharedTable& way, const Site& site, const std::vector<UtcTime>& utcs,
+                     QString& problem)
+{
+    RecordTable table{.columns = {{"t_utc"}, {"az_deg", true}, {"el_deg", true}, {"range_km", true}}};
+    tables::TablePath path(way, orbit::Observer(site));
+    for (const UtcTime utc : utcs) {
+        const auto place = path.at(utc);
+        if (!place) {
+            table.rows.push_back(emptyRow(utc, table.columns.size()));
+            problem = QStringLiteral("%1: %2").arg(toQString(skyTimeText(utc, 0)), place.error().text);
+            continue;
+        }
+        Row row = directionRow(utc, place->direction);
+        row.push_back(place->kilometres ? formatFixed(*place->kilometres, kRangeDecimals) : std::string());
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
 ExitStatus printTable(const SkyOptions& options, const Site& site, const SkyTimes& times)
 {
     QString problem;
     if (options.object) {
         print(objectTable(*options.object, site, times.utcs, problem).text(options.format));
+    } else if (!options.table.isEmpty()) {
+        const auto way = tables::readTableFile(options.table);
+        if (!way) {
+            app::printError(way.error().text);
+            return kFoundWrong;
+        }
+        print(wayTable(*way, site, times.utcs, problem).text(options.format));
     } else {
         const auto satellites = chosenSatellites(kEphemerisCommand, options);
         if (satellites.empty()) {
@@ -191,10 +219,11 @@ ExitStatus runEphemeris(Arguments arguments)
 const Subcommand kEphemerisCommand{
     .name = "ephemeris",
     .arguments =
-        "--elements FILE --norad N | --body NAME | --radec HOURS,DEGREES  --site LAT,LON,ALT --times FILE|- [--format "
+        "--elements FILE --norad N | --body NAME | --radec HOURS,DEGREES | --table FILE  --site LAT,LON,ALT --times "
+        "FILE|- [--format "
         "FORMAT]",
     .summary =
-        "Print where a satellite, the Sun, the Moon, a planet or a radio source stands over a site at given times",
+        "Print where a satellite, a body, a radio source or the table of a file stands over a site at given times",
     .details =
         R"(  --elements FILE      element sets: TLE, OMM as JSON, CSV, XML or KVN, or NUMBER.sat of Gpredict. A folder: its files,
                        that of Gpredict its satdata. NAME.mod: the satellites of that module of Gpredict. An https
@@ -205,15 +234,17 @@ const Subcommand kEphemerisCommand{
                        cas-a, cyg-a, tau-a, vir-a, sgr-a
   --radec HOURS,DEGREES   a place among the stars in place of it: right ascension and declination of J2000, each as a number
                        or like 12:30:49.4
+  --table FILE         the table of a file in place of it: each line a time, an azimuth and an elevation, or a CCSDS OEM as
+                       KVN. What is wrong with it is reported as FILE:LINE: reason
   --site LAT,LON,ALT   degrees north, degrees east, metres above the ellipsoid of WGS-84. Or a NAME.qth of Gpredict
   --times FILE         a time in each line, - is standard input. UTC like 2024-05-10T04:50:02.5Z, or Unix seconds. What
                        follows a comma, blank lines, lines that begin with # and a first line of names are left out
   --format csv|table|json   csv without it
 
-Columns of a satellite: t_utc,az_deg,el_deg,range_km,range_rate_km_s. Of all else: t_utc,az_deg,el_deg,dist_km. Radio
-sources and --radec have no distance.
+Columns of a satellite: t_utc,az_deg,el_deg,range_km,range_rate_km_s. Of a table: t_utc,az_deg,el_deg,range_km. Of all
+else: t_utc,az_deg,el_deg,dist_km. Radio sources, --radec and tables of directions have no distance.
 Azimuth from true north through east. Elevation from the horizon, without air. The rate is above 0 while it recedes. A
-time for which the elements have no answer has a row without numbers.
+time for which the elements or the table have no answer has a row without numbers.
 Each bad element set and each bad time is reported as FILE:LINE: reason. The others are used.
 Exit status: 0 done, 1 a time without an answer, a line that is no time, or no usable element set.
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/boresightctl/local_client.h"
 
-#include "app/boresightctl/rotctld_client.h"
 #include "core/base/text.h"
 
 #include <QHostAddress>
@@ -34,7 +33,8 @@ bool connectBy(const QDeadlineTimer& deadline, const std::function<QString()>& p
     }
 }
 
-local::LocalAnswer askLocally(const profile::ListenAddress& station, const local::LocalRequest& request)
+local::LocalAnswer askLocally(const profile::ListenAddress& station, const local::LocalRequest& request,
+                              std::chrono::seconds patience)
 {
     if (!isThisComputer(station.host)) {
         return failure(ErrorCode::InvalidInput,
@@ -57,7 +57,7 @@ local::LocalAnswer askLocally(const profile::ListenAddress& station, const local
                            : QStringLiteral("No station listens on %1: %2.").arg(path(), socket.errorString()));
     }
     socket.write(local::requestLine(request));
-    const QDeadlineTimer deadline(kPatience);  // not what is left of the first: the station may have obeyed
+    const QDeadlineTimer deadline(patience);  // not what is left of the first: the station may have obeyed
     while (socket.state() == QLocalSocket::ConnectedState) {  // until the station has sent all
         if (!socket.waitForReadyRead(static_cast<int>(deadline.remainingTime())) && deadline.hasExpired()) {
             return failure(ErrorCode::NoAnswer,

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/boresightctl/rotctld_client.h"
 #include "core/local_socket/local_command.h"
 #include "core/profile/profile.h"
 
 #include <QDeadlineTimer>
 #include <QLocalSocket>
 
+#include <chrono>
 #include <functional>
 
-// A station of this user on this computer, or for root its service, asked by its local socket. Waits for the socket and
-// then for the answer, each at most kPatience of rotctld_client.h. Error codes: InvalidInput for the station of another
+// A station of this user on this computer, or for root its service, asked by its local socket. Waits for the socket at
+// most kPatience of rotctld_client.h, and then for the answer. Error codes: InvalidInput for the station of another
 // computer, Refused with the reason of the station, or NoAnswer when nobody answers.
 namespace boresight::ctl {
 
-[[nodiscard]] local::LocalAnswer askLocally(const profile::ListenAddress& station, const local::LocalRequest& request);
+[[nodiscard]] local::LocalAnswer askLocally(const profile::ListenAddress& station, const local::LocalRequest& request,
+                                            std::chrono::seconds patience = kPatience);
 
 // Connects to the path of this moment, by the deadline. `pause` comes between two attempts: a station that reconnects
 // has no socket for a moment.

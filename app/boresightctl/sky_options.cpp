@@ -145,11 +145,15 @@ constexpr SkyOption kTimes{"times", [](const std::string& text, SkyOptions& opti
                                options.times = toQString(text);
                                return Result<>();
                            }};
+constexpr SkyOption kTable{"table", [](const std::string& text, SkyOptions& options) {
+                               options.table = toQString(text);
+                               return Result<>();
+                           }};
 constexpr SkyOption kNorad{"norad", takeNumber};
 constexpr SkyOption kSite{"site", takeSite};
 constexpr SkyOption kFormat{"format", takeFormat};
 constexpr std::array kEphemerisOptions{
-    kElements, kNorad, kSite, kTimes, SkyOption{"body", takeBody}, SkyOption{"radec", takeRaDec}, kFormat};
+    kElements, kNorad, kSite, kTimes, SkyOption{"body", takeBody}, SkyOption{"radec", takeRaDec}, kTable, kFormat};
 constexpr std::array kPassesOptions{kElements,
                                     kNorad,
                                     kSite,
@@ -205,11 +209,17 @@ Result<SkyOptions> parseEphemerisOptions(Arguments arguments)
                 QStringLiteral(
                     "--body and --radec need no elements: give either one of them, or --elements and --norad"));
         }
-        const QString missing = !options.object && options.elements.empty() ? QStringLiteral("--elements FILE")
-                                : !options.object && !options.number        ? QStringLiteral("--norad N")
-                                : !hasSite(options)                         ? QStringLiteral("--site LAT,LON,ALT")
-                                : options.times.isEmpty()                   ? QStringLiteral("--times FILE")
-                                                                            : QString();
+        if (!options.table.isEmpty() && (options.object || options.number || !options.elements.empty())) {
+            return failure(ErrorCode::InvalidInput,
+                           QStringLiteral("--table stands for all else: leave out --elements, --norad, --body and "
+                                          "--radec"));
+        }
+        const bool isSatellite = !options.object && options.table.isEmpty();
+        const QString missing = isSatellite && options.elements.empty() ? QStringLiteral("--elements FILE")
+                                : isSatellite && !options.number        ? QStringLiteral("--norad N")
+                                : !hasSite(options)                     ? QStringLiteral("--site LAT,LON,ALT")
+                                : options.times.isEmpty()               ? QStringLiteral("--times FILE")
+                                                                        : QString();
         return complete(std::move(options), missing);
     };
     return read(arguments, kEphemerisOptions).and_then(check);

@@ -23,6 +23,7 @@ struct SkyOptions
     std::vector<std::string> elements;  // files, folders and addresses
     std::optional<std::int64_t> number;
     std::optional<ephemeris::SkyObject> object;
+    QString table;  // a file
     std::optional<Site> site;
     QString siteFile;  // a .qth of Gpredict, in place of it
     QString times;     // a file, "-" is standard input

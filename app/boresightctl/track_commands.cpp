@@ -7,7 +7,9 @@
 #include "app/boresightctl/subcommand.h"
 #include "core/base/clock.h"
 #include "core/base/numbers.h"
+#include "core/targets/target_text.h"
 
+#include <QFileInfo>
 #include <QStringList>
 
 #include <vector>
@@ -19,6 +21,21 @@ using Days = std::chrono::duration<double, std::chrono::days::period>;
 
 constexpr int kAgeDecimals = 2;
 
+// The station reads a file of 100 MB in some seconds.
+constexpr std::chrono::seconds kFilePatience{60};
+
+// A file is named by its whole path, because the station has another folder.
+Result<QByteArray> sent(const std::string& target)
+{
+    const auto file = targets::tableFile(target);
+    const QByteArray text =
+        file ? "table " + QFileInfo(*file).absoluteFilePath().toUtf8() : QByteArray::fromStdString(target);
+    if (text.contains('\n')) {
+        return failure(ErrorCode::InvalidInput, QStringLiteral("a target is one line"));
+    }
+    return text;
+}
+
 ExitStatus runTrack(Arguments arguments)
 {
     const auto options = parseTrackOptions(arguments);
@@ -29,9 +46,13 @@ ExitStatus runTrack(Arguments arguments)
     for (const std::string& word : options->places) {
         target += (target.empty() ? "" : " ") + word;
     }
-    const auto answer =
-        askLocally(options->station.value_or(profile::ListenAddress{}),
-                   {.command = local::LocalCommand::Track, .target = QByteArray::fromStdString(target)});
+    const auto text = sent(target);
+    if (!text) {
+        return usageError(kTrackCommand, text.error().text);
+    }
+    const auto answer = askLocally(options->station.value_or(profile::ListenAddress{}),
+                                   {.command = local::LocalCommand::Track, .target = *text},
+                                   targets::tableFile(target) ? kFilePatience : kPatience);
     if (!answer) {
         return failedBy(kTrackCommand, answer.error());
     }
@@ -85,10 +106,13 @@ TARGET is one of these. Capital and small letters are the same.
   azel AZIMUTH,ELEVATION      a direction that stays, in degrees
   IM58kr                      a Maidenhead locator: the bearing to it. "IM58kr long": the long path
   place NORTH,EAST,HEIGHT     a position in degrees and metres above the ellipsoid of WGS-84
+  table FILE, oem FILE        the way that a file describes: a tracking table with a time, an azimuth and an elevation in each
+                              line, or a CCSDS OEM as KVN. The station reads the file, as the user that it runs as.
+                              "ephemeris --table FILE" shows where it leads
 )" + kLocalSocket +
                                           R"(
 The command ends when the station has accepted the target. The motion goes on. What rises and sets is followed until it
-sets, and then the mount holds. A target that rises within 30 minutes is waited for. Of all others that are below the
+sets, and then the mount holds. A table rises and sets with its ends, too. A target that rises within 30 minutes is waited for. Of all others that are below the
 horizon the station says when they rise. To a direction and to a place the mount goes and stays.
 
 The station refuses it while STOP is latched, and while a client has the control: take comes first then. The operator has

@@ -20,7 +20,7 @@ template <class Wanted>
 constexpr bool kIsCarriedOutAbove =
     std::is_same_v<Wanted, CalibrationRequest> || std::is_same_v<Wanted, TuningRequest> ||
     std::is_same_v<Wanted, ScheduleRequest> || std::is_same_v<Wanted, request::Rehearse> ||
-    std::is_same_v<Wanted, request::JudgeDirection>;
+    std::is_same_v<Wanted, request::JudgeDirection> || std::is_same_v<Wanted, request::TrackFile>;
 
 Result<> makesSense(const profile::Profile& profile)
 {

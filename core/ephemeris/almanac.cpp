@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/ephemeris/almanac.h"
 
+#include "core/ephemeris/time_scales.h"
+
 #include <erfa.h>
 #include <erfam.h>
 
@@ -13,35 +15,11 @@ namespace {
 using Vector = std::array<double, 3>;
 
 constexpr double kKilometresPerUnit = ERFA_DAU / 1000.0;
-constexpr double kUnixEpoch = 2440587.5;  // Julian date of 1970-01-01 0h
 constexpr double kMoonLightTime = 1.28 / ERFA_DAYSEC;
 // Nominal radii of the IAU: resolution B3 of 2015; working group on cartographic coordinates, 2015.
 constexpr double kSunRadius = 695700.0;
 constexpr double kMoonRadius = 1737.4;
 constexpr std::array kPlanetRadii{2440.5, 6051.8, 3396.2, 71492.0, 60268.0, 25559.0, 24764.0};  // at the equator
-
-// In two parts: one double alone would resolve only 40 µs.
-struct JulianDate
-{
-    double day = 0.0;
-    double fraction = 0.0;
-};
-
-JulianDate julianDate(UtcTime utc)
-{
-    const auto day = std::chrono::floor<std::chrono::days>(utc);
-    return {kUnixEpoch + static_cast<double>(day.time_since_epoch().count()), Seconds(utc - day).count() / ERFA_DAYSEC};
-}
-
-// ERFA knows the leap seconds, the last one of 2016-12-31; its doubt about dates far ahead is ours as well.
-JulianDate terrestrialTime(const JulianDate& utc)
-{
-    JulianDate atomic;
-    JulianDate terrestrial;
-    (void)eraUtctai(utc.day, utc.fraction, &atomic.day, &atomic.fraction);
-    (void)eraTaitt(atomic.day, atomic.fraction, &terrestrial.day, &terrestrial.fraction);
-    return terrestrial;
-}
 
 double product(const Vector& a, const Vector& b)
 {
@@ -61,7 +39,7 @@ struct Earth
     double fromBarycentre[2][3];  // of the planets and the Sun
 };
 
-Earth earthAt(const JulianDate& terrestrial)
+Earth earthAt(const TwoPartDate& terrestrial)
 {
     Earth earth;
     (void)eraEpv00(terrestrial.day, terrestrial.fraction, earth.fromSun, earth.fromBarycentre);
@@ -80,7 +58,7 @@ Vector aberrated(const double (&towards)[3], const Vector& velocity, double from
 }
 
 // The Sun hardly moves while its light travels, so aberration by the Earth's own motion is all there is.
-BodyMotion sun(const JulianDate& terrestrial)
+BodyMotion sun(const TwoPartDate& terrestrial)
 {
     Earth earth = earthAt(terrestrial);
     double distance = 0.0;
@@ -102,7 +80,7 @@ int numberOf(Planet planet)
 }
 
 // Where it was when its light left, then the aberration by the Earth's own motion.
-BodyMotion planetMotion(Planet planet, const JulianDate& terrestrial)
+BodyMotion planetMotion(Planet planet, const TwoPartDate& terrestrial)
 {
     Earth earth = earthAt(terrestrial);
     double fromEarth[2][3];
@@ -123,7 +101,7 @@ BodyMotion planetMotion(Planet planet, const JulianDate& terrestrial)
 }
 
 // Its aberration is its light time: both move around the Sun together.
-BodyMotion moon(const JulianDate& terrestrial)
+BodyMotion moon(const TwoPartDate& terrestrial)
 {
     double state[2][3];
     eraMoon98(terrestrial.day, terrestrial.fraction - kMoonLightTime, state);
@@ -153,33 +131,14 @@ Almanac::Almanac(const Site& site)
                  {cosLatitude * cosLongitude, cosLatitude * sinLongitude, sinLatitude}}};
 }
 
-// The Earth's axis turns by less than 0.0002″ in half a minute. What bends the way of a body in that time is less.
+// What bends the way of a body in half a minute is less than 0.001″.
 Almanac::Minute& Almanac::minuteOf(UtcTime utc)
 {
     const std::int64_t number = std::chrono::floor<std::chrono::minutes>(utc).time_since_epoch().count();
     if (!m_minute || m_minute->number != number) {
-        const JulianDate middle = terrestrialTime(julianDate(middleOf(number)));
         m_minute = Minute{.number = number};
-        eraPnm06a(middle.day, middle.fraction, m_minute->toDate);
-        double x = 0.0;
-        double y = 0.0;
-        eraBpn2xy(m_minute->toDate, &x, &y);
-        m_minute->origins = eraEors(m_minute->toDate, eraS06(middle.day, middle.fraction, x, y));
     }
     return *m_minute;
-}
-
-// UT1 is taken as UTC, which is never wrong by more than 0.9 s; the pole as standing still.
-Almanac::Vector Almanac::fixedToTheEarth(const Vector& celestial, UtcTime utc)
-{
-    Minute& minute = minuteOf(utc);
-    const JulianDate universal = julianDate(utc);
-    const double turned = eraEra00(universal.day, universal.fraction) - minute.origins;
-    Vector given = celestial;
-    double ofDate[3];
-    eraRxp(minute.toDate, given.data(), ofDate);
-    return {std::cos(turned) * ofDate[0] + std::sin(turned) * ofDate[1],
-            std::cos(turned) * ofDate[1] - std::sin(turned) * ofDate[0], ofDate[2]};
 }
 
 SkyPointing Almanac::directionOf(const Vector& fromSite) const
@@ -194,9 +153,9 @@ SkyPointing Almanac::directionOf(const Vector& fromSite) const
 BodyPlace Almanac::placeOf(const BodyMotion& motion, double radius, UtcTime utc)
 {
     const double since = Seconds(utc - middleOf(minuteOf(utc).number)).count();
-    Vector seen = fixedToTheEarth({motion.place[0] + since * motion.rate[0], motion.place[1] + since * motion.rate[1],
-                                   motion.place[2] + since * motion.rate[2]},
-                                  utc);
+    Vector seen = m_axis.ofTheEarth({motion.place[0] + since * motion.rate[0], motion.place[1] + since * motion.rate[1],
+                                     motion.place[2] + since * motion.rate[2]},
+                                    utc);
     for (std::size_t i = 0; i < seen.size(); ++i) {
         seen[i] -= m_site[i];
     }
@@ -211,7 +170,7 @@ BodyPlace Almanac::place(Body body, UtcTime utc)
     Minute& minute = minuteOf(utc);
     std::optional<BodyMotion>& motion = minute.bodies[static_cast<std::size_t>(body)];
     if (!motion) {
-        const JulianDate middle = terrestrialTime(julianDate(middleOf(minute.number)));
+        const TwoPartDate middle = terrestrialTime(middleOf(minute.number));
         motion = body == Body::Sun ? sun(middle) : moon(middle);
     }
     return placeOf(*motion, body == Body::Sun ? kSunRadius : kMoonRadius, utc);
@@ -223,7 +182,7 @@ BodyPlace Almanac::place(Planet planet, UtcTime utc)
     const auto index = static_cast<std::size_t>(planet);
     std::optional<BodyMotion>& motion = minute.planets[index];
     if (!motion) {
-        motion = planetMotion(planet, terrestrialTime(julianDate(middleOf(minute.number))));
+        motion = planetMotion(planet, terrestrialTime(middleOf(minute.number)));
     }
     return placeOf(*motion, kPlanetRadii[index], utc);
 }
@@ -232,12 +191,12 @@ SkyPointing Almanac::direction(const StarPlace& star, UtcTime utc)
 {
     Minute& minute = minuteOf(utc);
     if (!minute.earthVelocity) {
-        const Earth earth = earthAt(terrestrialTime(julianDate(middleOf(minute.number))));
+        const Earth earth = earthAt(terrestrialTime(middleOf(minute.number)));
         minute.earthVelocity = scaled(earth.fromBarycentre[1], 1.0 / ERFA_DC);
     }
     double towards[3];
     eraS2c(star.rightAscension.radians(), star.declination.radians(), towards);
-    return directionOf(fixedToTheEarth(aberrated(towards, *minute.earthVelocity, 1.0), utc));
+    return directionOf(m_axis.ofTheEarth(aberrated(towards, *minute.earthVelocity, 1.0), utc));
 }
 
 }  // namespace boresight::ephemeris

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/ephemeris/earth_axis.h"
 #include "core/units/site.h"
 #include "core/units/sky.h"
 
@@ -72,20 +73,18 @@ private:
     struct Minute
     {
         std::int64_t number = 0;
-        double toDate[3][3] = {};  // from the celestial frame to the true equator and equinox of its middle
-        double origins = 0.0;      // radians from the equinox to where the Earth's turning is counted from
         std::array<std::optional<BodyMotion>, 2> bodies;
         std::array<std::optional<BodyMotion>, 7> planets;
         std::optional<BodyMotion::Vector> earthVelocity;  // around the centre of mass of all, of the speed of light
     };
     [[nodiscard]] Minute& minuteOf(UtcTime utc);
-    // From the celestial frame to the Earth's, and what the site sees there.
-    [[nodiscard]] Vector fixedToTheEarth(const Vector& celestial, UtcTime utc);
+    // What the site sees, of the frame of the Earth.
     [[nodiscard]] SkyPointing directionOf(const Vector& fromSite) const;
     [[nodiscard]] BodyPlace placeOf(const BodyMotion& motion, double radius, UtcTime utc);
 
     Vector m_site;                   // kilometres, fixed to the Earth
     std::array<Vector, 3> m_ground;  // east, north and up there
+    EarthAxis m_axis;
     std::optional<Minute> m_minute;
 };
 

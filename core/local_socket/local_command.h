@@ -43,8 +43,8 @@ struct LocalRequest
 // or what is told of the schedule. Else empty.
 using LocalAnswer = Result<QByteArray>;
 
-// Of a command, without its LF.
-inline constexpr qsizetype kLongestLine = 256;
+// Of a command, without its LF: a path has up to 4096 bytes.
+inline constexpr qsizetype kLongestLine = 4352;
 
 // "reset-stop"
 [[nodiscard]] QByteArray wordOf(LocalCommand command);

@@ -3,6 +3,8 @@
 
 #include "core/base/text.h"
 
+#include <QPointer>
+
 #include <sys/socket.h>
 
 namespace boresight::local {
@@ -22,17 +24,30 @@ LocalConversation::LocalConversation(QLocalSocket* socket, Obey obey, QObject* p
 
 void LocalConversation::read()
 {
-    if (m_over) {
+    if (m_over || m_asked) {
         m_socket.readAll();  // one command a connection
         return;
     }
     const QByteArray received = m_socket.peek(kLongestLine + 1);
     const qsizetype lineEnd = received.indexOf('\n');
     if (lineEnd >= 0) {
-        end(parseRequest(received.first(lineEnd)).and_then(m_obey));
+        const Result<LocalRequest> request = parseRequest(received.first(lineEnd));
+        request ? obey(*request) : end(tl::unexpected(request.error()));
     } else if (received.size() > kLongestLine) {
         end(failure(ErrorCode::InvalidInput, Text::tr("The line is longer than %1 bytes.").arg(kLongestLine)));
     }
+}
+
+// The station may read a file before it answers.
+void LocalConversation::obey(const LocalRequest& request)
+{
+    m_asked = true;
+    m_patience.stop();
+    m_obey(request, [self = QPointer(this)](const LocalAnswer& answer) {
+        if (self) {
+            self->end(answer);
+        }
+    });
 }
 
 void LocalConversation::end(const LocalAnswer& answer)

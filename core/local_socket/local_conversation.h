@@ -16,8 +16,10 @@
 // has ended. Lives in its owner's event loop.
 namespace boresight::local {
 
-// What the station answers.
-using Obey = std::function<LocalAnswer(const LocalRequest&)>;
+// May be called later, or never if the station ends first. Does nothing once the client is gone.
+using Reply = std::function<void(const LocalAnswer&)>;
+// What the station does with a command.
+using Obey = std::function<void(const LocalRequest&, const Reply&)>;
 
 class LocalConversation : public QObject
 {
@@ -35,12 +37,14 @@ public:
 
 private:
     void read();
+    void obey(const LocalRequest& request);
     void closeOurEnd();
     void losePatience();
 
     QLocalSocket& m_socket;
     Obey m_obey;
     QTimer m_patience;
+    bool m_asked = false;  // the answer is still to come
     bool m_over = false;
 };
 

@@ -65,6 +65,10 @@ struct Track  // go to where it rises, follow it until it sets, then hold; stay 
 {
     targets::Target target;
 };
+struct TrackFile  // the same with the table of a file, once the station has read it. Answered then
+{
+    QString path;  // absolute
+};
 struct FollowAzel  // keep the beam on the Moon of WSJT-X's azel.dat; below the horizon the mount is parked
 {};
 struct Nudge  // while a stream is followed: shifts it, see StationStatus::trim; else as Step
@@ -294,7 +298,7 @@ using AnyRequest =
                  request::FixDrives, request::AssignBoard, request::SetGear, request::SwitchOff, request::ReleaseBus,
                  request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof, request::ReadGains,
                  request::SetGain, request::PutGainsBack, request::StoreGains, request::Trial, request::FollowAzel,
-                 request::Rehearse, TuningRequest, CalibrationRequest, ScheduleRequest>;
+                 request::Rehearse, request::TrackFile, TuningRequest, CalibrationRequest, ScheduleRequest>;
 
 // Every source that includes this header would compile the copying of so many alternatives again. It is compiled once.
 struct Request : AnyRequest

@@ -26,7 +26,8 @@ const orbit::ElementSet* find(const std::vector<orbit::ElementSet>& satellites, 
     return found == satellites.end() ? nullptr : &*found;
 }
 
-// What only looks, or speaks for nobody who wants the mount.
+}  // namespace
+
 bool leavesTheMount(const Request& request)
 {
     return std::holds_alternative<request::JudgeDirection>(request) ||
@@ -39,8 +40,6 @@ bool leavesTheMount(const Request& request)
            std::holds_alternative<request::ReadGains>(request) || std::holds_alternative<request::Rehearse>(request) ||
            std::holds_alternative<ScheduleRequest>(request);
 }
-
-}  // namespace
 
 const Source& scheduleSource()
 {

@@ -29,6 +29,9 @@ namespace boresight {
 // Who asks for the motions of the schedule.
 [[nodiscard]] const Source& scheduleSource();
 
+// What only looks, or speaks for nobody who wants the mount.
+[[nodiscard]] bool leavesTheMount(const Request& request);
+
 class NightDesk
 {
 public:

@@ -19,7 +19,8 @@ using Days = std::chrono::duration<double, std::chrono::days::period>;
 
 // The rate of a set-point is taken from where the target is this much later.
 constexpr std::chrono::milliseconds kApart{20};
-// Of the way that is shown, and by which the wrap is chosen: of a satellite, and of all else, which goes slower.
+// Of the way that is shown, and by which the wrap is chosen: of a satellite or a table, and of all else, which goes
+// slower.
 constexpr std::chrono::seconds kPassStep{5};
 constexpr std::chrono::minutes kSlowStep{5};
 // A satellite that is up for half a day is slow, too.
@@ -34,6 +35,11 @@ const orbit::ElementSet* elementsOf(const targets::Target& target)
 bool isDirection(const targets::Target& target)
 {
     return std::holds_alternative<SkyPointing>(target.kind);
+}
+
+bool isTable(const targets::Target& target)
+{
+    return std::holds_alternative<tables::SharedTable>(target.kind);
 }
 
 bool stays(const targets::Target& target)
@@ -69,7 +75,9 @@ Result<targets::UpTime> isSoon(const targets::UpTime& up, const QString& name, U
 
 Result<SkyPointing> TargetTrack::Tracked::at(UtcTime utc)
 {
-    return path.at(utc).map([&](SkyPointing direction) {
+    // A table has nothing before it rises and after it sets.
+    const UtcTime asked = isTable(target) ? std::clamp(utc, up.rises, std::max(up.rises, up.sets.value_or(utc))) : utc;
+    return path.at(asked).map([&](SkyPointing direction) {
         if (!isDirection(target)) {
             direction.elevation = std::max(direction.elevation, Angle{});  // at its rise, by a hair
         }
@@ -86,7 +94,7 @@ UtcTime TargetTrack::aimed(UtcTime utc) const
 Result<> TargetTrack::permits(const targets::Target& target, UtcTime now) const
 {
     const ControlParts view = helm().view();
-    if (!view.profile.site.known && !isDirection(target)) {
+    if (!view.profile.site.known && targets::needsSite(target)) {
         return failure(ErrorCode::Refused, Text::tr("The site of the mount is not set. Enter it in the profile."));
     }
     const Result<> mayFace = targets::isSun(target) ? Gates(view).mayFaceSun() : Result<>{};
@@ -149,8 +157,9 @@ targets::SkyWay TargetTrack::wayOf(Tracked& tracked, UtcTime from) const
 {
     const auto isClear = profile::clearSky(helm().view().profile);
     const UtcTime end = tracked.up.sets.value_or(from + targets::TargetPath::kSearched);
+    const bool isFast = elementsOf(tracked.target) || isTable(tracked.target);
     const UtcTime::duration step =
-        elementsOf(tracked.target) ? std::max<UtcTime::duration>(kPassStep, (end - from) / kMostSteps) : kSlowStep;
+        isFast ? std::max<UtcTime::duration>(kPassStep, (end - from) / kMostSteps) : kSlowStep;
     auto way = std::make_shared<std::vector<targets::SkyMoment>>();
     for (UtcTime utc = from; way->empty() || way->back().utc < end; utc = std::min(utc + step, end)) {
         const Result<SkyPointing> direction = tracked.at(utc);
@@ -230,7 +239,10 @@ void TargetTrack::step(SteadyTime)
     watchClock();
     m_tracked->isUp = utc > m_tracked->up.rises;
     if (m_tracked->up.sets && utc > *m_tracked->up.sets) {
-        end(Severity::Advisory, Text::tr("%1 has set, and the mount holds").arg(m_tracked->target.name));
+        end(Severity::Advisory,
+            (isTable(m_tracked->target) ? Text::tr("the table of %1 leads no further, and the mount holds")
+                                        : Text::tr("%1 has set, and the mount holds"))
+                .arg(m_tracked->target.name));
         return;
     }
     followOn(std::max(utc, m_tracked->up.rises));

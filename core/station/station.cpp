@@ -42,12 +42,14 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_control(m_profile, clock, m_log, m_alarms, m_mount->driver(), motionSources),
       m_clockGuard(clock, m_log, m_alarms),
       m_server(m_control, m_profile, m_log, clock, this),
-      m_shell({.ask = [this](const Request& request, const Source& by) { return askNow(request, by); },
-               .mayShellCommand = [this] { return m_control.mayShellCommand(); },
-               .satellites = [this] { return m_elements.satellites(); },
-               .schedule = [this] { return m_night.status(); },
-               .rehearsal = [this] { return m_rehearsal.status(); }},
-              m_log, clock, this),
+      m_shell(
+          {.ask = [this](const Request& request, const Source& by) { return askNow(request, by); },
+           .mayShellCommand = [this] { return m_control.mayShellCommand(); },
+           .readTable = [this](const QString& path, StationTables::Then then) { m_tables.read(path, std::move(then)); },
+           .satellites = [this] { return m_elements.satellites(); },
+           .schedule = [this] { return m_night.status(); },
+           .rehearsal = [this] { return m_rehearsal.status(); }},
+          m_log, clock, this),
       m_broker(m_profile, m_log, clock, this),
       m_sensor(m_profile, clock, m_log, m_control.alarms(), m_broker, this),
       m_power(m_profile, clock, m_log, this),
@@ -255,20 +257,27 @@ void Station::finish()
 
 void Station::request(const NumberedRequest& numbered)
 {
-    const Result<> answer = obey(numbered.request, operatorSource());
-    if (!answer) {
-        m_log.add(Severity::Warning, operatorSource().name, Text::tr("refused: %1").arg(answer.error().text));
+    if (const auto* const file = std::get_if<request::TrackFile>(&numbered.request)) {
+        m_tables.read(file->path, [this, numbered](const Result<targets::Target>& table) {
+            const auto track = [this](const auto& target) { return obey(request::Track{target}, operatorSource()); };
+            answer(numbered, table.and_then(track));
+        });
+        return;
     }
-    m_answers.push_back({.requestId = numbered.id,
-                         .error = answer ? std::optional<Error>() : std::optional(answer.error()),
-                         .verdict = answer ? verdictOn(numbered.request) : std::nullopt});
+    answer(numbered, obey(numbered.request, operatorSource()));
     hurry(numbered.request);
 }
 
-std::optional<DirectionVerdict> Station::verdictOn(const Request& request) const
+void Station::answer(const NumberedRequest& asked, const Result<>& outcome)
 {
-    const auto* const asked = std::get_if<request::JudgeDirection>(&request);
-    return asked != nullptr ? std::optional(m_control.judge(asked->direction)) : std::nullopt;
+    if (!outcome) {
+        m_log.add(Severity::Warning, operatorSource().name, Text::tr("refused: %1").arg(outcome.error().text));
+    }
+    const auto* const judged = std::get_if<request::JudgeDirection>(&asked.request);
+    m_answers.push_back(
+        {.requestId = asked.id,
+         .error = outcome ? std::optional<Error>() : std::optional(outcome.error()),
+         .verdict = outcome && judged ? std::optional(m_control.judge(judged->direction)) : std::nullopt});
 }
 
 Result<> Station::askNow(const Request& request, const Source& by)
@@ -291,7 +300,10 @@ Result<> Station::obey(const Request& request, const Source& by)
     return m_mount->admits(request)
         .and_then([&] { return m_control.request(request, by); })
         .and_then([&] { return carryOut(request, by); })
-        .map([&] { m_night.noticed(request, by); });
+        .map([&] {
+            m_night.noticed(request, by);
+            m_tables.noticed(request);
+        });
 }
 
 void Station::reload(const Result<profile::Profile>& read)

@@ -25,6 +25,7 @@
 #include "core/station/station_sensor.h"
 #include "core/station/station_server.h"
 #include "core/station/station_shell.h"
+#include "core/station/station_tables.h"
 #include "core/station/tick_lateness.h"
 #include "core/tuning/tuning_desk.h"
 
@@ -109,10 +110,10 @@ private:
     void reconnect(const profile::Profile& next);
     void profileChanged(const profile::Profile& before);
     void applyCalibration();
+    void answer(const NumberedRequest& asked, const Result<>& outcome);
     [[nodiscard]] Result<> obey(const Request& request, const Source& by);
     [[nodiscard]] Result<> askNow(const Request& request, const Source& by);
     void hurry(const Request& request);
-    [[nodiscard]] std::optional<DirectionVerdict> verdictOn(const Request& request) const;
     [[nodiscard]] Result<> carryOut(const Request& request, const Source& by);
     [[nodiscard]] Result<> rehearse(const request::Rehearse& wanted);
     [[nodiscard]] std::optional<DrivesStatus> drives() const;
@@ -137,6 +138,7 @@ private:
     StationPower m_power;
     StationElements m_elements;
     StationAzel m_azel;
+    StationTables m_tables{this};
     CalibrationFile m_calibrationFile;
     CalibrationDesk m_calibration;
     TuningDesk m_tuning;

@@ -47,7 +47,7 @@ Request requestOf(local::LocalCommand command)
 StationShell::StationShell(Station station, EventLog& log, const Clock& clock, QObject* parent)
     : m_station(std::move(station)),
       m_lines(log, clock, kShellLinesPerSecond),
-      m_server([this](const local::LocalRequest& asked) { return obey(asked); }, parent)
+      m_server([this](const local::LocalRequest& asked, const local::Reply& reply) { obey(asked, reply); }, parent)
 {}
 
 void StationShell::open(std::uint16_t port)
@@ -68,7 +68,16 @@ void StationShell::open(std::uint16_t port)
                        .arg(listening.error().text));
 }
 
-local::LocalAnswer StationShell::obey(const local::LocalRequest& asked)
+void StationShell::obey(const local::LocalRequest& asked, const local::Reply& reply)
+{
+    if (asked.command == local::LocalCommand::Track) {
+        track(asked.target, [=, this](const local::LocalAnswer& answer) { reply(told(asked, answer)); });
+    } else {
+        reply(answerNow(asked));
+    }
+}
+
+local::LocalAnswer StationShell::answerNow(const local::LocalRequest& asked)
 {
     if (asked.command == local::LocalCommand::Satellites) {
         return satelliteLines();
@@ -82,10 +91,12 @@ local::LocalAnswer StationShell::obey(const local::LocalRequest& asked)
     if (asked.command == local::LocalCommand::ScheduleRehearsal) {
         return rehearsalJson(m_station.rehearsal()) + '\n';
     }
-    const auto request = [&]() -> local::LocalAnswer {
-        return m_station.ask(requestOf(asked.command), shellSource()).map([] { return QByteArray(); });
-    };
-    local::LocalAnswer answer = asked.command == local::LocalCommand::Track ? track(asked.target) : request();
+    return told(asked, m_station.ask(requestOf(asked.command), shellSource()).map([] { return QByteArray(); }));
+}
+
+// A refusal is in the log, too.
+local::LocalAnswer StationShell::told(const local::LocalRequest& asked, local::LocalAnswer answer)
+{
     if (!answer) {
         m_lines.add(
             Severity::Warning, shellSource().name,
@@ -94,19 +105,37 @@ local::LocalAnswer StationShell::obey(const local::LocalRequest& asked)
     return answer;
 }
 
-// The name of what it is.
-local::LocalAnswer StationShell::track(const QByteArray& text)
+Result<> StationShell::mayTrack() const
 {
-    const auto free = m_station.mayShellCommand();
-    if (!free) {
-        return failure(free.error().code, Text::tr("%1 Take the control first.").arg(free.error().text));
+    return m_station.mayShellCommand().map_error([](const Error& error) {
+        return Error{error.code, Text::tr("%1 Take the control first.").arg(error.text)};
+    });
+}
+
+// A file is read first, beside this thread. Who has the control is asked again then.
+void StationShell::track(const QByteArray& text, const local::Reply& reply)
+{
+    const Result<> may = mayTrack();
+    if (!may) {
+        reply(tl::unexpected(may.error()));
+        return;
     }
-    return targets::parseTarget(text.toStdString(), *m_station.satellites())
-        .and_then([&](const targets::Target& target) {
-            return m_station.ask(request::Track{target}, shellSource()).map([&] {
-                return QByteArray(target.name.simplified().toUtf8() + '\n');
-            });
+    if (const auto file = targets::tableFile(text.toStdString())) {
+        m_station.readTable(*file, [this, reply](const Result<targets::Target>& table) {
+            reply(table.and_then([this](const targets::Target& target) { return track(target); }));
         });
+        return;
+    }
+    reply(targets::parseTarget(text.toStdString(), *m_station.satellites())
+              .and_then([this](const targets::Target& target) { return track(target); }));
+}
+
+// The answer is the name of what it is.
+local::LocalAnswer StationShell::track(const targets::Target& target)
+{
+    return mayTrack().and_then([&] { return m_station.ask(request::Track{target}, shellSource()); }).map([&] {
+        return QByteArray(target.name.simplified().toUtf8() + '\n');
+    });
 }
 
 QByteArray StationShell::satelliteLines() const

@@ -6,6 +6,7 @@
 #include "core/local_socket/local_server.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
+#include "core/station/station_tables.h"
 
 #include <cstdint>
 #include <functional>
@@ -25,6 +26,7 @@ public:
     {
         std::function<Result<>(const Request&, const Source&)> ask;
         std::function<Result<>()> mayShellCommand;
+        std::function<void(const QString& path, StationTables::Then then)> readTable;
         std::function<std::shared_ptr<const std::vector<orbit::ElementSet>>()> satellites;
         std::function<std::shared_ptr<const ScheduleStatus>()> schedule;
         std::function<RehearsalStatus()> rehearsal;
@@ -42,8 +44,12 @@ public:
     void close() { m_server.close(); }
 
 private:
-    [[nodiscard]] local::LocalAnswer obey(const local::LocalRequest& asked);
-    [[nodiscard]] local::LocalAnswer track(const QByteArray& text);
+    void obey(const local::LocalRequest& asked, const local::Reply& reply);
+    [[nodiscard]] local::LocalAnswer answerNow(const local::LocalRequest& asked);
+    [[nodiscard]] Result<> mayTrack() const;
+    void track(const QByteArray& text, const local::Reply& reply);
+    [[nodiscard]] local::LocalAnswer track(const targets::Target& target);
+    [[nodiscard]] local::LocalAnswer told(const local::LocalRequest& asked, local::LocalAnswer answer);
     [[nodiscard]] QByteArray satelliteLines() const;
 
     Station m_station;

@@ -30,6 +30,17 @@ std::vector<Target> objectTargets()
     return all;
 }
 
+Target tableTarget(const tables::SharedTable& table)
+{
+    return {.name = table->name, .kind = table};
+}
+
+bool needsSite(const Target& target)
+{
+    const auto* const table = std::get_if<tables::SharedTable>(&target.kind);
+    return table != nullptr ? tables::needsSite(**table) : !std::holds_alternative<SkyPointing>(target.kind);
+}
+
 bool isSun(const Target& target)
 {
     const auto* const object = std::get_if<ephemeris::SkyObject>(&target.kind);

@@ -3,6 +3,7 @@
 
 #include "core/elements/element_set.h"
 #include "core/ephemeris/sky_object.h"
+#include "core/tables/table.h"
 #include "core/units/site.h"
 #include "core/units/sky.h"
 
@@ -12,7 +13,8 @@
 #include <vector>
 
 // What a mount can be sent to and kept on: a satellite by its elements, what stands in the sky by itself, a direction
-// that stays, or a position on or above the Earth. Pure value, any thread. Where it stands: target_path.h.
+// that stays, a position on or above the Earth, or the way that a table describes. Pure value, any thread. Where it
+// stands: target_path.h.
 namespace boresight::targets {
 
 // The way around the Earth to a position: the shorter one, or the one over its other side.
@@ -30,8 +32,9 @@ struct EarthPosition
     bool operator==(const EarthPosition&) const = default;
 };
 
-// A SkyPointing is a direction that stays.
-using TargetKind = std::variant<orbit::ElementSet, ephemeris::SkyObject, SkyPointing, EarthPosition>;
+// A SkyPointing is a direction that stays. A table is not null.
+using TargetKind =
+    std::variant<orbit::ElementSet, ephemeris::SkyObject, SkyPointing, EarthPosition, tables::SharedTable>;
 
 struct Target
 {
@@ -48,7 +51,10 @@ struct Target
 [[nodiscard]] Target objectTarget(const ephemeris::NamedObject& object);
 // All of these: Sun and Moon, the planets, the radio sources.
 [[nodiscard]] std::vector<Target> objectTargets();
+[[nodiscard]] Target tableTarget(const tables::SharedTable& table);
 
+// A direction and the directions of a table are those of one site already.
+[[nodiscard]] bool needsSite(const Target& target);
 // The Sun, which a profile may forbid.
 [[nodiscard]] bool isSun(const Target& target);
 

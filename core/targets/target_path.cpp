@@ -47,7 +47,8 @@ TargetPath::Way TargetPath::wayOf(const Target& target, const orbit::Observer& o
         Overloaded{[](const orbit::ElementSet& elements) { return Way(orbit::Sgp4(elements)); },
                    [](const ephemeris::SkyObject& object) { return Way(object); },
                    [](const SkyPointing& direction) { return Way(Fixed(direction)); },
-                   [&](const EarthPosition& position) { return Way(directionOf(position, target.name, observer)); }},
+                   [&](const EarthPosition& position) { return Way(directionOf(position, target.name, observer)); },
+                   [&](const tables::SharedTable& table) { return Way(tables::TablePath(table, observer)); }},
         target.kind);
 }
 
@@ -58,7 +59,10 @@ Result<SkyPointing> TargetPath::at(UtcTime utc)
                    [&](const ephemeris::SkyObject& object) {
                        return Fixed(ephemeris::apparent(see(m_almanac, object, utc).direction, refractionOf(object)));
                    },
-                   [](const Fixed& direction) { return direction; }},
+                   [](const Fixed& direction) { return direction; },
+                   [&](tables::TablePath& table) -> Result<SkyPointing> {
+                       return table.at(utc).map([](const tables::TablePlace& place) { return place.direction; });
+                   }},
         m_way);
 }
 
@@ -78,7 +82,8 @@ Result<UpTime> TargetPath::nextUp(UtcTime from)
                                  [&](const ephemeris::SkyObject& object) { return nextStay(object, from); },
                                  [&](const Fixed& direction) {
                                      return direction.map([&](const SkyPointing&) { return UpTime{.rises = from}; });
-                                 }},
+                                 },
+                                 [&](tables::TablePath& table) { return nextStay(table, from); }},
                       m_way);
 }
 
@@ -117,6 +122,13 @@ Result<UpTime> TargetPath::nextStay(const ephemeris::SkyObject& object, UtcTime 
         return neverUp();
     }
     return UpTime{.rises = *rises, .sets = ephemeris::nextSet(m_almanac, object, *rises, horizon)};
+}
+
+Result<UpTime> TargetPath::nextStay(tables::TablePath& table, UtcTime from)
+{
+    return table.nextStay(from, from + kSearched).map([](const tables::TableStay& stay) {
+        return UpTime{.rises = stay.from, .sets = stay.to};
+    });
 }
 
 }  // namespace boresight::targets

@@ -6,6 +6,7 @@
 #include "core/ephemeris/almanac.h"
 #include "core/orbit/sgp4.h"
 #include "core/orbit/topocentric.h"
+#include "core/tables/table_path.h"
 #include "core/targets/target.h"
 
 #include <chrono>
@@ -17,7 +18,8 @@
 //
 // Directions are those that the beam is pointed to. Satellites are airless, as in the list of passes. Sun, Moon and
 // planets appear where the air bends their light to, radio sources where it bends radio waves to. A position below the
-// horizon is pointed to along it: its bearing, elevation 0°. The long path is the opposite bearing, elevation 0°.
+// horizon is pointed to along it: its bearing, elevation 0°. The long path is the opposite bearing, elevation 0°. A
+// table is airless, and up while it leads above the horizon without a gap.
 namespace boresight::targets {
 
 // From a rise, or from the time that was asked about, to the set.
@@ -37,20 +39,21 @@ public:
 
     TargetPath(const Target& target, const Site& site);
 
-    // NotAvailable with the reason: the orbit has ended, or the position is that of the site.
+    // NotAvailable with the reason: the orbit or the table has ended, or the position is that of the site.
     [[nodiscard]] Result<SkyPointing> at(UtcTime utc);
     // The present stay above the horizon, or the next one. What stays in its place is always up. Refused with the
-    // reason: it does not rise within kSearched, or its orbit has ended.
+    // reason: it does not rise within kSearched, or its orbit or its table has ended.
     [[nodiscard]] Result<UpTime> nextUp(UtcTime from);
 
 private:
     using Fixed = Result<SkyPointing>;
-    using Way = std::variant<orbit::Sgp4, ephemeris::SkyObject, Fixed>;
+    using Way = std::variant<orbit::Sgp4, ephemeris::SkyObject, Fixed, tables::TablePath>;
 
     [[nodiscard]] static Way wayOf(const Target& target, const orbit::Observer& observer);
     [[nodiscard]] Result<SkyPointing> satelliteAt(const orbit::Sgp4& orbit, UtcTime utc) const;
     [[nodiscard]] Result<UpTime> nextPass(const orbit::Sgp4& orbit, UtcTime from) const;
     [[nodiscard]] Result<UpTime> nextStay(const ephemeris::SkyObject& object, UtcTime from);
+    [[nodiscard]] static Result<UpTime> nextStay(tables::TablePath& table, UtcTime from);
     [[nodiscard]] tl::unexpected<Error> neverUp() const;
 
     QString m_name;

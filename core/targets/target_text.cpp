@@ -215,6 +215,18 @@ std::optional<ephemeris::StarPlace> parseStarPlace(std::string_view text)
                                 .declination = Angle::fromDegrees(*degrees)};
 }
 
+std::optional<QString> tableFile(std::string_view text)
+{
+    const std::string_view typed = orbit::trimmed(text);
+    const std::string small = lowered(typed);
+    for (const std::string_view word : {std::string_view("table "), std::string_view("oem ")}) {
+        if (small.starts_with(word)) {
+            return toQString(orbit::trimmed(typed.substr(word.size())));
+        }
+    }
+    return std::nullopt;
+}
+
 Result<Target> parseTarget(std::string_view text, std::span<const orbit::ElementSet> satellites)
 {
     const std::string_view typed = orbit::trimmed(text);

@@ -8331,6 +8331,194 @@ até %1</translation>
         <source>A line of the operator&apos;s own, such as frequency and polarisation.</source>
         <translation>Uma linha do próprio operador, como frequência e polarização.</translation>
     </message>
+    <message>
+        <source>the table of %1 leads no further, and the mount holds</source>
+        <translation>a tabela de %1 não continua, e a montagem mantém a posição</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not the whole path of a file. It must begin with /.</source>
+        <translation>&quot;%1&quot; não é o caminho completo de um ficheiro. Tem de começar por /.</translation>
+    </message>
+    <message>
+        <source>Another command came before the file was read. Track it again.</source>
+        <translation>Chegou outro comando antes de o ficheiro ser lido. Siga-o outra vez.</translation>
+    </message>
+    <message>
+        <source>There is no such file.</source>
+        <translation>Este ficheiro não existe.</translation>
+    </message>
+    <message>
+        <source>The file is larger than %1 MB. Split it.</source>
+        <translation>O ficheiro tem mais de %1 MB. Divida-o.</translation>
+    </message>
+    <message>
+        <source>The %1 &quot;%2&quot; is not a number of degrees.</source>
+        <translation>%1: &quot;%2&quot; não é um número de graus.</translation>
+    </message>
+    <message>
+        <source>The %1 is %2°. It must be from -%3° to %3°.</source>
+        <translation>%1: o valor é %2°. Tem de estar entre -%3° e %3°.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a time. A row is a time in UTC like 2024-05-10T04:50:02Z or in Unix seconds, an azimuth and an elevation.</source>
+        <translation>&quot;%1&quot; não é uma hora. Uma linha tem uma hora em UTC como 2024-05-10T04:50:02Z ou em segundos Unix, um azimute e uma elevação.</translation>
+    </message>
+    <message>
+        <source>The row has no elevation. A row is a time, an azimuth and an elevation.</source>
+        <translation>A linha não tem elevação. Uma linha tem uma hora, um azimute e uma elevação.</translation>
+    </message>
+    <message>
+        <source>The time is not after that of the row before. Sort the rows by time.</source>
+        <translation>A hora não é posterior à da linha anterior. Ordene as linhas por hora.</translation>
+    </message>
+    <message>
+        <source>The direction is %1 away from that of the row before. It must be below 90°. Add rows between them.</source>
+        <translation>A direção está a %1 da direção da linha anterior. Tem de estar a menos de 90°. Acrescente linhas entre elas.</translation>
+    </message>
+    <message>
+        <source>The table has more than %1 rows. Split it.</source>
+        <translation>A tabela tem mais de %1 linhas. Divida-a.</translation>
+    </message>
+    <message>
+        <source>The row has no other row within an hour. Add rows.</source>
+        <translation>A linha não tem outra linha a menos de uma hora. Acrescente linhas.</translation>
+    </message>
+    <message>
+        <source>There is no row. A row is a time, an azimuth and an elevation.</source>
+        <translation>Não há nenhuma linha. Uma linha tem uma hora, um azimute e uma elevação.</translation>
+    </message>
+    <message>
+        <source>The key &quot;%1&quot; is not one of an OEM.</source>
+        <translation>A chave &quot;%1&quot; não pertence a um OEM.</translation>
+    </message>
+    <message>
+        <source>The key %1 is there twice.</source>
+        <translation>A chave %1 aparece duas vezes.</translation>
+    </message>
+    <message>
+        <source>The key %1 is missing above.</source>
+        <translation>Falta acima a chave %1.</translation>
+    </message>
+    <message>
+        <source>The centre is &quot;%1&quot;. Boresight reads only orbits with CENTER_NAME = EARTH.</source>
+        <translation>O centro é &quot;%1&quot;. O Boresight só lê órbitas com CENTER_NAME = EARTH.</translation>
+    </message>
+    <message>
+        <source>The time system is &quot;%1&quot;. Boresight reads UTC, TAI, GPS and TT.</source>
+        <translation>O sistema de tempo é &quot;%1&quot;. O Boresight lê UTC, TAI, GPS e TT.</translation>
+    </message>
+    <message>
+        <source>The frame is &quot;%1&quot;. Boresight reads ITRF, EME2000, GCRF, ICRF, TEME and TOD.</source>
+        <translation>O referencial é &quot;%1&quot;. O Boresight lê ITRF, EME2000, GCRF, ICRF, TEME e TOD.</translation>
+    </message>
+    <message>
+        <source>The frame %1 is that of the date REF_FRAME_EPOCH. Boresight reads it of the date of each row only. Use GCRF.</source>
+        <translation>O referencial %1 é o da data REF_FRAME_EPOCH. O Boresight só o lê da data de cada linha. Use GCRF.</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;. It must be a time like 2024-05-10T04:50:02.5.</source>
+        <translation>%1 é &quot;%2&quot;. Tem de ser uma hora como 2024-05-10T04:50:02.5.</translation>
+    </message>
+    <message>
+        <source>INTERPOLATION_DEGREE is &quot;%1&quot;. It must be a number from 1 to %2.</source>
+        <translation>INTERPOLATION_DEGREE é &quot;%1&quot;. Tem de ser um número de 1 a %2.</translation>
+    </message>
+    <message>
+        <source>INTERPOLATION is &quot;%1&quot;. Boresight does HERMITE, LAGRANGE and LINEAR.</source>
+        <translation>INTERPOLATION é &quot;%1&quot;. O Boresight faz HERMITE, LAGRANGE e LINEAR.</translation>
+    </message>
+    <message>
+        <source>After COVARIANCE_STOP only META_START may follow.</source>
+        <translation>Depois de COVARIANCE_STOP só pode vir META_START.</translation>
+    </message>
+    <message>
+        <source>An OEM begins with CCSDS_OEM_VERS.</source>
+        <translation>Um OEM começa por CCSDS_OEM_VERS.</translation>
+    </message>
+    <message>
+        <source>The version &quot;%1&quot; of OEM is not known. Boresight reads the versions 1 to 3.</source>
+        <translation>A versão &quot;%1&quot; de OEM não é conhecida. O Boresight lê as versões 1 a 3.</translation>
+    </message>
+    <message>
+        <source>The object is &quot;%1&quot;. Above it is &quot;%2&quot;. An OEM is of one object: make two files.</source>
+        <translation>O objeto é &quot;%1&quot;. Acima é &quot;%2&quot;. Um OEM é de um só objeto: faça dois ficheiros.</translation>
+    </message>
+    <message>
+        <source>The file has more than %1 rows. Split it.</source>
+        <translation>O ficheiro tem mais de %1 linhas. Divida-o.</translation>
+    </message>
+    <message>
+        <source>The segment that ends here has fewer than two rows.</source>
+        <translation>O segmento que acaba aqui tem menos de duas linhas.</translation>
+    </message>
+    <message>
+        <source>The segment that ends here has no rows in its usable time. Correct USEABLE_START_TIME and USEABLE_STOP_TIME.</source>
+        <translation>O segmento que acaba aqui não tem linhas no seu tempo utilizável. Corrija USEABLE_START_TIME e USEABLE_STOP_TIME.</translation>
+    </message>
+    <message>
+        <source>The segment that ends here begins before the end of the segment before it. Sort the segments, or set USEABLE_START_TIME.</source>
+        <translation>O segmento que acaba aqui começa antes do fim do segmento anterior. Ordene os segmentos, ou indique USEABLE_START_TIME.</translation>
+    </message>
+    <message>
+        <source>The file is cut: COVARIANCE_STOP is missing.</source>
+        <translation>O ficheiro está cortado: falta COVARIANCE_STOP.</translation>
+    </message>
+    <message>
+        <source>The file is cut: META_STOP is missing.</source>
+        <translation>O ficheiro está cortado: falta META_STOP.</translation>
+    </message>
+    <message>
+        <source>The file has no META_START and no rows.</source>
+        <translation>O ficheiro não tem META_START nem linhas.</translation>
+    </message>
+    <message>
+        <source>The place is %1 km from the centre of the Earth. It must be from %2 to %3 km. The unit is km.</source>
+        <translation>O lugar está a %1 km do centro da Terra. Tem de estar entre %2 e %3 km. A unidade é km.</translation>
+    </message>
+    <message>
+        <source>The speed is %1 km/s. It must be at most %2 km/s. The unit is km/s.</source>
+        <translation>A velocidade é %1 km/s. Pode ser no máximo %2 km/s. A unidade é km/s.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a time like 2024-05-10T04:50:02.5.</source>
+        <translation>&quot;%1&quot; não é uma hora como 2024-05-10T04:50:02.5.</translation>
+    </message>
+    <message>
+        <source>The row must have 6 numbers behind its time, or 9 with accelerations.</source>
+        <translation>A linha tem de ter 6 números depois da hora, ou 9 com acelerações.</translation>
+    </message>
+    <message>
+        <source>The place is %1° around the Earth from that of the row before. It must be below %2°. Add rows between them.</source>
+        <translation>O lugar está a %1° à volta da Terra do lugar da linha anterior. Tem de estar a menos de %2°. Acrescente linhas entre eles.</translation>
+    </message>
+    <message>
+        <source>The table of %1 ended at %2.</source>
+        <translation>A tabela de %1 acabou às %2.</translation>
+    </message>
+    <message>
+        <source>The table of %1 begins at %2.</source>
+        <translation>A tabela de %1 começa às %2.</translation>
+    </message>
+    <message>
+        <source>The table of %1 has a gap from %2 to %3.</source>
+        <translation>A tabela de %1 tem uma falha de %2 a %3.</translation>
+    </message>
+    <message>
+        <source>The rows of %1 at %2 are too uneven for a way between them.</source>
+        <translation>As linhas de %1 às %2 são demasiado irregulares para um caminho entre elas.</translation>
+    </message>
+    <message>
+        <source>The table of %1 has nothing above the horizon from %2 to %3.</source>
+        <translation>A tabela de %1 não tem nada acima do horizonte de %2 a %3.</translation>
+    </message>
+    <message>
+        <source>The file is XML. Boresight reads an OEM in its KVN form: convert the file.</source>
+        <translation>O ficheiro é XML. O Boresight lê um OEM na forma KVN: converta o ficheiro.</translation>
+    </message>
+    <message>
+        <source>The file is a CCSDS message, but not an OEM. Boresight tracks tables and OEM.</source>
+        <translation>O ficheiro é uma mensagem CCSDS, mas não um OEM. O Boresight segue tabelas e OEM.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -15361,24 +15549,46 @@ Em comparação com a montagem em uso:
         <translation>Locator, nome de um satélite, azel 120,30</translation>
     </message>
     <message>
-        <source>A satellite: 25544, iss
-A locator, by the short or the long path: IM58kr, IM58kr long
-A direction: azel 120.5,30
-A place among the stars, J2000: radec 12:30:49.4,12:23:28
-A position, degrees and metres: place 38.757,-9.117,1200</source>
-        <translation>Um satélite: 25544, iss
-Um locator, pelo caminho curto ou longo: IM58kr, IM58kr long
-Uma direção: azel 120.5,30
-Um lugar entre as estrelas, J2000: radec 12:30:49.4,12:23:28
-Uma posição, graus e metros: place 38.757,-9.117,1200</translation>
-    </message>
-    <message>
         <source>Type a target first.</source>
         <translation>Escreva primeiro um alvo.</translation>
     </message>
     <message>
         <source>The site is not set. Enter it on the page Profile.</source>
         <translation>O local não está definido. Introduza-o na página Perfil.</translation>
+    </message>
+    <message>
+        <source>Track file…</source>
+        <translation>Seguir ficheiro…</translation>
+    </message>
+    <message>
+        <source>Follow the way that a file describes: a table with a time, an azimuth and an elevation in each line, or a CCSDS OEM</source>
+        <translation>Seguir o caminho que um ficheiro descreve: uma tabela com uma hora, um azimute e uma elevação em cada linha, ou um OEM do CCSDS</translation>
+    </message>
+    <message>
+        <source>A satellite: 25544, iss
+A locator, by the short or the long path: IM58kr, IM58kr long
+A direction: azel 120.5,30
+A place among the stars, J2000: radec 12:30:49.4,12:23:28
+A position, degrees and metres: place 38.757,-9.117,1200
+A file with a table, or with an OEM: table /home/me/pass.csv</source>
+        <translation>Um satélite: 25544, iss
+Um locator, pelo caminho curto ou longo: IM58kr, IM58kr long
+Uma direção: azel 120.5,30
+Um lugar entre as estrelas, J2000: radec 12:30:49.4,12:23:28
+Uma posição, graus e metros: place 38.757,-9.117,1200
+Um ficheiro com uma tabela, ou com um OEM: table /home/me/pass.csv</translation>
+    </message>
+    <message>
+        <source>Track the way of a file</source>
+        <translation>Seguir o caminho de um ficheiro</translation>
+    </message>
+    <message>
+        <source>Tables and OEM (*.txt *.csv *.tsv *.dat *.oem *.kvn)</source>
+        <translation>Tabelas e OEM (*.txt *.csv *.tsv *.dat *.oem *.kvn)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos os ficheiros (*)</translation>
     </message>
 </context>
 <context>

@@ -92,6 +92,27 @@ TEST_F(CtlSkyTest, EphemerisReportsWhatHasNoAnswer)
     EXPECT_THAT(body.errors, StartsWith("/nowhere/times: "));
 }
 
+// REQ-CTL-941: `ephemeris --table` prints where the table of a file leads, also one that `ephemeris` itself has
+// printed. A mistake in the file is reported with its line, a time without a row as other times without an answer.
+TEST_F(CtlSkyTest, EphemerisOfATable)
+{
+    const Outcome printed = ephemeris("--format csv", "2024-05-10T04:50:02Z\n2024-05-10T04:51:02Z\n");
+    ASSERT_EQ(printed.status, 0) << printed.errors;
+    const auto led = [this](const std::string& text, const QByteArray& times) {
+        return ctl(words("ephemeris --site 38.757,-9.117,80 --times - --table") << write("way.csv", text), times);
+    };
+    const Outcome same = led(printed.output, "2024-05-10T04:50:02Z\n");
+    EXPECT_EQ(same.status, 0) << same.errors;
+    EXPECT_EQ(same.output, "t_utc,az_deg,el_deg,range_km\n2024-05-10T04:50:02Z,301.839621,0.040811,\n");
+    const Outcome late = led(printed.output, "2024-05-10T04:52:00Z\n");
+    EXPECT_EQ(late.status, 1);
+    EXPECT_THAT(late.output, HasSubstr("\n2024-05-10T04:52:00Z,,,\n"));
+    EXPECT_THAT(late.errors, HasSubstr("The table of way.csv ended at 2024-05-10 04:51Z."));
+    const Outcome bad = led("2024-05-10T04:50:02Z,301,95\n", "2024-05-10T04:50:02Z\n");
+    EXPECT_EQ(bad.status, 1);
+    EXPECT_THAT(bad.errors, HasSubstr("way.csv:1: The elevation is 95°."));
+}
+
 // REQ-CTL-06: `passes` lists when satellites are up, in the order of AOS, with the columns name, norad, aos_utc,
 // aos_az, tca_utc, tca_az, max_el, los_utc, los_az, flags.
 TEST_F(CtlSkyTest, PassesOfADay)

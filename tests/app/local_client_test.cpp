@@ -20,7 +20,8 @@ TEST(LocalClient, WaitsForAStationThatReconnects)
     constexpr int kAttempts = 3;
     const QTemporaryDir runtime;
     const auto path = [&runtime] { return local::socketPath(runtime.path(), kPort); };
-    local::LocalServer server([](const local::LocalRequest&) { return local::LocalAnswer(); });
+    local::LocalServer server(
+        [](const local::LocalRequest&, const local::Reply& reply) { reply(local::LocalAnswer()); });
     int attempts = 0;
     QLocalSocket socket;
     const QDeadlineTimer patience(std::chrono::minutes(1));

@@ -99,6 +99,15 @@ TEST(SkyOptions, ABodyIsNoSatellite)
     EXPECT_EQ(refusalOfEphemeris({"--body", "sun", "--site", "1,2,3"}), "--times FILE is missing");
 }
 
+// REQ-CTL-941
+TEST(SkyOptions, ATableStandsForAllElse)
+{
+    EXPECT_EQ(refusalOfEphemeris({"--table", "a.oem", "--site", "1,2,3", "--times", "-"}), "accepted");
+    EXPECT_THAT(refusalOfEphemeris({"--table", "a.oem", "--body", "sun", "--site", "1,2,3", "--times", "-"}),
+                HasSubstr("--table stands for all else"));
+    EXPECT_EQ(refusalOfEphemeris({"--table", "a.oem"}), "--site LAT,LON,ALT is missing");
+}
+
 // REQ-CTL-940: A place among the stars is given in hours and degrees, as numbers or in parts of sixty.
 TEST(SkyOptions, APlaceAmongTheStars)
 {

@@ -3,12 +3,14 @@
 
 #include "core/targets/target_text.h"
 #include "ui/kit/command_button.h"
+#include "ui/kit/file_dialog.h"
 #include "ui/kit/read_table.h"
 #include "ui/kit/value_label.h"
 #include "ui/look/paint.h"
 #include "ui/passes/azel_box.h"
 #include "ui/passes/target_table.h"
 
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
@@ -29,11 +31,16 @@ TargetsPage::TargetsPage(RequestDesk& desk, QWidget* parent)
                                       *m_refused, this)),
       m_trackTyped(new CommandButton(tr("Track"), tr("Follow the typed target, or go there if it stays"), desk,
                                      *m_refused, this)),
+      m_trackFile(new CommandButton(tr("Track file…"),
+                                    tr("Follow the way that a file describes: a table with a time, an azimuth and an "
+                                       "elevation in each line, or a CCSDS OEM"),
+                                    desk, *m_refused, this)),
       m_azel(new AzelBox(desk, this))
 {
     build();
     connect(m_trackChosen, &QPushButton::clicked, this, &TargetsPage::trackChosen);
     connect(m_trackTyped, &QPushButton::clicked, this, &TargetsPage::trackTyped);
+    connect(m_trackFile, &QPushButton::clicked, this, &TargetsPage::askForTable);
     connect(m_typed, &QLineEdit::returnPressed, this, &TargetsPage::trackTyped);
     connect(m_typed, &QLineEdit::textEdited, this, [this] { m_refused->setValue({}); });
 }
@@ -50,7 +57,8 @@ void TargetsPage::build()
            "A locator, by the short or the long path: IM58kr, IM58kr long\n"
            "A direction: azel 120.5,30\n"
            "A place among the stars, J2000: radec 12:30:49.4,12:23:28\n"
-           "A position, degrees and metres: place 38.757,-9.117,1200"));
+           "A position, degrees and metres: place 38.757,-9.117,1200\n"
+           "A file with a table, or with an OEM: table /home/me/pass.csv"));
     m_typed->setClearButtonEnabled(true);
     m_typed->setMinimumHeight(kRowHeight);
     m_refused->setLines(2);
@@ -61,6 +69,7 @@ void TargetsPage::build()
     actions->setSpacing(kGrid);
     actions->addWidget(m_typed, 1);
     actions->addWidget(m_trackTyped);
+    actions->addWidget(m_trackFile);
     actions->addWidget(m_trackChosen);
     column->addWidget(m_table, 1);
     column->addLayout(actions);
@@ -84,11 +93,22 @@ void TargetsPage::trackTyped()
     if (!m_trackTyped->isEnabled()) {
         return;  // Enter in the field
     }
-    if (const auto target = targets::parseTarget(m_typed->text().toStdString(), *m_satellites)) {
+    if (const auto file = targets::tableFile(m_typed->text().toStdString())) {
+        m_trackTyped->ask(request::TrackFile{QFileInfo(*file).absoluteFilePath()});
+    } else if (const auto target = targets::parseTarget(m_typed->text().toStdString(), *m_satellites)) {
         m_trackTyped->ask(request::Track{*target});
     } else {
         m_refused->setValue(target.error().text, Tone::Warning, Symbol::Warning);
     }
+}
+
+void TargetsPage::askForTable()
+{
+    const QFileDialog* const dialog =
+        askForFile(*this, tr("Track the way of a file"), QFileDialog::AcceptOpen,
+                   {tr("Tables and OEM (*.txt *.csv *.tsv *.dat *.oem *.kvn)"), tr("All files (*)")});
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this](const QString& path) { m_trackFile->ask(request::TrackFile{path}); });
 }
 
 void TargetsPage::showStatus(const StationStatus& status)
@@ -107,6 +127,7 @@ void TargetsPage::showStatus(const StationStatus& status)
     m_trackChosen->setBlocked(site.known ? why : tr("The site is not set. Enter it on the page Profile."));
     const bool isTyped = !m_typed->text().trimmed().isEmpty();
     m_trackTyped->setBlocked(isTyped ? why : tr("Type a target first."));
+    m_trackFile->setBlocked(why);
     m_azel->showStatus(status);
 }
 

@@ -9,7 +9,7 @@ class QLineEdit;
 class QTableView;
 
 // What is tracked besides satellites: Sun, Moon, planets and radio sources in a table, anything else as it is typed,
-// and the Moon of WSJT-X. Gui thread.
+// the way that a file describes, and the Moon of WSJT-X. Gui thread.
 namespace boresight::ui {
 
 class AzelBox;
@@ -33,6 +33,7 @@ private:
     void build();
     void trackChosen();
     void trackTyped();
+    void askForTable();
 
     TargetTable* m_targets;
     QTableView* m_table;
@@ -40,6 +41,7 @@ private:
     ValueLabel* m_refused;
     CommandButton* m_trackChosen;
     CommandButton* m_trackTyped;
+    CommandButton* m_trackFile;
     AzelBox* m_azel;
     Satellites m_satellites;
     UtcTime m_now{};

@@ -2,6 +2,7 @@
 // What else than satellites the station follows by itself: Sun, Moon, planets and radio sources, and what stays in its
 // place.
 #include "core/sources/target_track.h"
+#include "core/tables/table_reader.h"
 #include "core/targets/target_path.h"
 #include "core/targets/target_text.h"
 #include "core/units/angle_between.h"
@@ -199,6 +200,76 @@ TEST_F(StationTarget, BelongsToTheOperatorAndEndsWithStop)
     rig.run(Seconds(1.0));
     EXPECT_FALSE(tracked());
     EXPECT_NE(ask("azel 100,30"), "") << "STOP is latched";
+}
+
+// The way of a table of rows, 12° in three minutes from two minutes on.
+targets::Target tableFrom(UtcTime start)
+{
+    std::string text;
+    for (int i = 0; i <= 3; ++i) {
+        const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(start.time_since_epoch()).count();
+        text +=
+            std::to_string(seconds + 120 + 60 * i) + ' ' + std::to_string(358 + 4 * i - (i > 0 ? 360 : 0)) + " 20\n";
+    }
+    return targets::tableTarget(tables::readTable(text, QStringLiteral("/tmp/way.txt")).value());
+}
+
+// REQ-TRACK-926: The table of a file is tracked like a satellite: the mount waits where it begins, follows it on the
+// great circle between its rows to 0.01°, and holds where it ends. Directions need no site.
+TEST_F(StationTarget, FollowsATable)
+{
+    profile::Profile nowhere = rig.profile;
+    nowhere.site.known = false;
+    rig.setProfile(nowhere);
+    const UtcTime start = std::chrono::floor<std::chrono::seconds>(now());
+    const targets::Target target = tableFrom(start);
+    targets::TargetPath path(target, kSite);
+    ASSERT_TRUE(rig.ask(request::Track{target}));
+    runUntil(start + std::chrono::seconds(110));
+    ASSERT_TRUE(tracked());
+    EXPECT_EQ(tracked()->name, QStringLiteral("way.txt"));
+    EXPECT_FALSE(tracked()->isUp);
+    EXPECT_FALSE(rig.moving());
+    EXPECT_LT(angleBetween(*rig.control.status().commanded, {358_deg, 20_deg}), 0.001_deg);
+    for (const int seconds : {150, 195, 299}) {
+        runUntil(start + std::chrono::seconds(seconds));
+        ASSERT_TRUE(tracked()) << seconds;
+        EXPECT_TRUE(tracked()->isUp);
+        EXPECT_LT(distance(path), 0.01_deg) << seconds;
+    }
+    runUntil(start + std::chrono::seconds(302));
+    EXPECT_FALSE(tracked());
+    EXPECT_TRUE(logged(QStringLiteral("the table of way.txt leads no further, and the mount holds")));
+    rig.settle();
+    EXPECT_EQ(rig.state(), StationState::Hold);
+    EXPECT_LT(angleBetween(*rig.control.status().commanded, {10_deg, 20_deg}), 0.1_deg);
+    const Result<> over = rig.ask(request::Track{target});
+    ASSERT_FALSE(over);
+    EXPECT_THAT(textOf(over.error()), HasSubstr("The table of way.txt ended at"));
+}
+
+// REQ-TRACK-927: An OEM needs the site. A table that begins in more than half an hour is refused with its time.
+TEST_F(StationTarget, ATableMustLeadSomewhereSoon)
+{
+    const UtcTime start = std::chrono::floor<std::chrono::seconds>(now());
+    const Result<> later = rig.ask(request::Track{tableFrom(start + std::chrono::hours(1))});
+    ASSERT_FALSE(later);
+    EXPECT_THAT(textOf(later.error()), HasSubstr("way.txt rises at"));
+    EXPECT_THAT(textOf(later.error()), HasSubstr("Track it in the last 30 minutes before that."));
+
+    tables::OrbitSegment segment{
+        .rows = {{.time = tables::atomicTime(start), .position = {7000.0, 0.0, 0.0}},
+                 {.time = tables::atomicTime(start) + std::chrono::minutes(1), .position = {7000.0, 10.0, 0.0}}}};
+    segment.from = segment.rows.front().time;
+    segment.to = segment.rows.back().time;
+    const tables::TableSpan span{.from = segment.from, .to = segment.to};
+    profile::Profile nowhere = rig.profile;
+    nowhere.site.known = false;
+    rig.setProfile(nowhere);
+    const Result<> oem = rig.ask(request::Track{targets::tableTarget(std::make_shared<const tables::Table>(
+        tables::Table{.name = QStringLiteral("ONE"), .rows = tables::OrbitSegments{segment}, .spans = {span}}))});
+    ASSERT_FALSE(oem);
+    EXPECT_EQ(textOf(oem.error()), "The site of the mount is not set. Enter it in the profile.");
 }
 
 }  // namespace

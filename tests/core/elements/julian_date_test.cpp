@@ -2,6 +2,7 @@
 #include "core/elements/julian_date.h"
 
 #include "core/elements/iso_epoch.h"
+#include "core/elements/written_time.h"
 
 #include <gtest/gtest.h>
 
@@ -51,5 +52,23 @@ TEST(IsoEpoch, RefusesWhatIsNoTime)
           "2024-05-09T00:00:", "2024-05-09T00:00", "2024-05-09T00:00:1e1", "1956-05-09T00:00:00", "9999-05-09T00:00:00",
           "2024/05/09T00:00:00", "-024-05-09T00:00:00", "2024-05-09T00:00:nan"}) {
         EXPECT_FALSE(parseIsoEpoch(wrong)) << wrong;
+    }
+}
+
+// REQ-ORBIT-40: Times in lists are those of CCSDS, and also without seconds, a day alone, +00:00, or Unix seconds. A
+// leap second is later than the second before it.
+TEST(WrittenTime, IsReadAsPeopleWriteIt)
+{
+    const auto utcOf = [](const char* text) { return utcTime(parseWrittenTime(text).value_or(JulianDate())); };
+    const UtcTime moment = kDay + std::chrono::hours(8) + std::chrono::minutes(48);
+    for (const char* const text : {"2024-05-09T08:48:00Z", "2024-05-09T08:48", "2024-05-09 08:48:00+00:00",
+                                   "2024-130T08:48Z", "1715244480", "1715244480.0"}) {
+        EXPECT_EQ(utcOf(text), moment) << text;
+    }
+    EXPECT_EQ(utcOf("2024-05-09"), UtcTime(kDay));
+    const auto leap = parseWrittenTime("2016-12-31T23:59:60.5").value_or(JulianDate());
+    EXPECT_NEAR(leap.fraction * 86400.0, 86400.5, 1e-6);
+    for (const char* const wrong : {"", "Z", "now", "2024", "20240510", "2024-05-09T08:48:00+01:00", "nan", "1e30"}) {
+        EXPECT_FALSE(parseWrittenTime(wrong)) << wrong;
     }
 }

@@ -89,14 +89,19 @@ protected:
     const QString path = socketPath(runtime.path(), kPort);
     LocalAnswer agreement;
     std::vector<LocalCommand> asked;
-    LocalServer server{[this](const LocalRequest& request) {
+    bool answersLater = false;
+    Reply later;
+    LocalServer server{[this](const LocalRequest& request, const Reply& reply) {
         asked.push_back(request.command);
-        return agreement;
+        later = answersLater ? reply : Reply();
+        if (!answersLater) {
+            reply(agreement);
+        }
     }};
 };
 
 // REQ-LOCALSOCKET-02: A connection brings one command and gets one line: ok, or error with the reason of the station.
-// What is no command, or is longer than 256 bytes, never reaches the station.
+// What is no command, or is longer than 4352 bytes, never reaches the station.
 TEST_F(LocalServerTest, OneLineInOneLineOut)
 {
     ASSERT_TRUE(listen());
@@ -109,11 +114,11 @@ TEST_F(LocalServerTest, OneLineInOneLineOut)
     EXPECT_EQ(ask("P 10 20\n"),
               "error: This is not a command. The commands are take, release, stop, reset-stop, satellites, track "
               "TARGET and those of the schedule.\n");
-    EXPECT_EQ(ask(QByteArray(100000, 'x')), "error: The line is longer than 256 bytes.\n");
-    EXPECT_EQ(ask("stop" + QByteArray(253, ' ') + "\n"), "error: The line is longer than 256 bytes.\n");
+    EXPECT_EQ(ask(QByteArray(100000, 'x')), "error: The line is longer than 4352 bytes.\n");
+    EXPECT_EQ(ask("stop" + QByteArray(kLongestLine - 3, ' ') + "\n"), "error: The line is longer than 4352 bytes.\n");
     EXPECT_THAT(asked, IsEmpty());
     agreement = QByteArray();
-    EXPECT_EQ(ask("stop" + QByteArray(252, ' ') + "\n"), "ok\n");
+    EXPECT_EQ(ask("stop" + QByteArray(kLongestLine - 4, ' ') + "\n"), "ok\n");
 }
 
 // REQ-LOCALSOCKET-02
@@ -138,6 +143,33 @@ TEST_F(LocalServerTest, ALongAnswerArrivesWhole)
     EXPECT_EQ(answer.size(), static_cast<std::size_t>(kMany) + 4);
     EXPECT_TRUE(answer.starts_with("ok\nxxx"));
     EXPECT_TRUE(answer.ends_with("x\n"));
+}
+
+// REQ-LOCALSOCKET-942: The station may answer later, however long it takes: the client waits, and other clients are
+// answered meanwhile. A client that has gone gets nothing.
+TEST_F(LocalServerTest, TheStationMayAnswerLater)
+{
+    fakes::ManualClock clock;
+    fakes::HandTurnedTimers timers(server, clock);
+    ASSERT_TRUE(listen());
+    answersLater = true;
+    const auto patient = client(1);
+    patient->write("track table /tmp/a.txt\n");
+    ASSERT_TRUE(waitUntil([this] { return asked.size() == 1; }));
+    timers.elapse(Seconds(60.0));
+    const Reply reply = later;
+    answersLater = false;
+    EXPECT_EQ(ask("take\n"), "ok\n");
+    reply(QByteArray("a.txt\n"));
+    EXPECT_EQ(answerTo(*patient, {}), "ok\na.txt\n");
+
+    answersLater = true;
+    const auto gone = client(1);
+    gone->write("track moon\n");
+    ASSERT_TRUE(waitUntil([this] { return asked.size() == 3; }));
+    gone->abort();
+    ASSERT_TRUE(waitUntil([this] { return server.findChildren<LocalConversation*>().isEmpty(); }));
+    later(QByteArray("Moon\n"));
 }
 
 // REQ-LOCALSOCKET-03: At most eight clients at the same time. One that sends no command within 2 s is closed.
@@ -224,7 +256,7 @@ TEST_F(LocalServerTest, WhatAKilledProgramLeftIsRemoved)
     leaveASocket();
     ASSERT_TRUE(listen());
     EXPECT_EQ(ask("take\n"), "ok\n");
-    LocalServer second([](const LocalRequest&) { return LocalAnswer(); });
+    LocalServer second([](const LocalRequest&, const Reply& reply) { reply(LocalAnswer()); });
     const auto other = second.listen(runtime.path(), kPort);
     ASSERT_FALSE(other);
     EXPECT_EQ(other.error().code, ErrorCode::Busy);

@@ -96,11 +96,18 @@ struct ShellRig : StationRig
 
     static constexpr std::uint16_t kPort = 4533;
     QTemporaryDir runtime;
+    QString asked;  // of a table
+    StationTables::Then answer;
     std::shared_ptr<const std::vector<orbit::ElementSet>> known =
         std::make_shared<const std::vector<orbit::ElementSet>>(std::vector<orbit::ElementSet>{
             {.name = "ISS (ZARYA)", .number = 25544, .epoch = orbit::julianDate(UtcTime(std::chrono::days(20000)))}});
     StationShell shell{{.ask = [this](const Request& request, const Source& by) { return ask(request, by); },
                         .mayShellCommand = [this] { return control.mayShellCommand(); },
+                        .readTable =
+                            [this](const QString& path, StationTables::Then then) {
+                                asked = path;
+                                answer = std::move(then);
+                            },
                         .satellites = [this] { return known; }},
                        log,
                        clock,
@@ -152,6 +159,42 @@ TEST(StationShell, ListsTheSatellites)
     ShellRig rig;
     EXPECT_EQ(rig.answerTo("satellites\n"), "ok\n25544\t1728000000000\tISS (ZARYA)\n");
     EXPECT_EQ(rig.answerTo("track iss\n"), "error: The site of the mount is not set. Enter it in the profile.\n");
+}
+
+// REQ-STATION-942: The shell lets the station track the table of a file, and is answered when the file is read. Whether
+// it may is asked before and again then.
+TEST(StationShell, TracksTheTableOfAFile)
+{
+    ShellRig rig;
+    const QString path = local::socketPath(rig.runtime.path(), ShellRig::kPort);
+    QLocalSocket socket;
+    socket.connectToServer(path);
+    socket.write("track table /tmp/way.txt\n");
+    ASSERT_TRUE(fakes::waitUntil([&] { return bool(rig.answer); }));
+    EXPECT_EQ(rig.asked, QStringLiteral("/tmp/way.txt"));
+    rig.answer(targets::Target{.name = QStringLiteral("way.txt"), .kind = SkyPointing{20_deg, 30_deg}});
+    ASSERT_TRUE(fakes::waitUntil([&] { return socket.state() == QLocalSocket::UnconnectedState; }));
+    EXPECT_EQ(socket.readAll(), "ok\nway.txt\n");
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.control.status().tracked);
+
+    rig.answer = {};
+    QLocalSocket other;
+    other.connectToServer(path);
+    other.write("track oem /tmp/one.oem\n");
+    ASSERT_TRUE(fakes::waitUntil([&] { return bool(rig.answer); }));
+    ASSERT_EQ(rig.answerTo("stop\n"), "ok\n");
+    rig.answer(targets::Target{.name = QStringLiteral("ONE"), .kind = SkyPointing{20_deg, 30_deg}});
+    ASSERT_TRUE(fakes::waitUntil([&] { return other.state() == QLocalSocket::UnconnectedState; }));
+    EXPECT_THAT(other.readAll().toStdString(), HasSubstr("error: STOP is latched"));
+
+    ShellRig locked;
+    profile::Profile profile = locked.profile;
+    profile.rotctld.lead = profile::Lead::Locked;
+    profile.rotctld.lockedTo = "10.0.0.7";
+    locked.setProfile(profile);
+    EXPECT_THAT(locked.answerTo("track table /tmp/way.txt\n"), HasSubstr("error: The mount is locked to 10.0.0.7."));
+    EXPECT_FALSE(locked.answer) << "nothing is read in vain";
 }
 
 // REQ-STATION-201: A station without a local socket works, and its log says why it has none. Where the rotctld server

@@ -5,6 +5,7 @@
 #include "core/elements/iso_epoch.h"
 #include "core/ephemeris/refraction.h"
 #include "core/passes/pass_finder.h"
+#include "core/tables/table_reader.h"
 #include "core/units/angle_between.h"
 #include "tests/fakes/low_orbit.h"
 #include "tests/fakes/text_of.h"
@@ -158,6 +159,24 @@ TEST(TargetPath, ADirectionStays)
     EXPECT_EQ(path.at(kDay).value(), west);
     EXPECT_EQ(path.at(kDay + std::chrono::hours(9)).value(), west);
     EXPECT_EQ(path.nextUp(kDay).value(), UpTime{.rises = kDay});
+}
+
+// REQ-TARGETS-907: A table is up while it leads above the horizon, at most from its first row to its last.
+TEST(TargetPath, ATableRisesAndSets)
+{
+    const auto table =
+        tables::readTable("2026-12-24T01:00:00Z,100,-10\n2026-12-24T01:10:00Z,100,10\n2026-12-24T01:20:00Z,120,20\n",
+                          QStringLiteral("/tmp/pass.csv"));
+    const Target target = tableTarget(table.value());
+    EXPECT_EQ(target.name, QStringLiteral("pass.csv"));
+    EXPECT_FALSE(needsSite(target));
+    TargetPath path(target, kLisbon);
+    const UpTime up = path.nextUp(kDay).value();
+    EXPECT_LT(std::chrono::abs(up.rises - (kDay + std::chrono::minutes(65))), std::chrono::milliseconds(2));
+    EXPECT_EQ(up.sets, kDay + std::chrono::minutes(80));
+    EXPECT_LT(angleBetween(path.at(*up.sets).value(), {120_deg, 20_deg}).degrees(), 1e-9);
+    EXPECT_EQ(path.at(kDay).error().code, ErrorCode::NotAvailable);
+    EXPECT_EQ(path.nextUp(kDay + std::chrono::hours(2)).error().code, ErrorCode::Refused);
 }
 
 }  // namespace

@@ -105,5 +105,15 @@ TEST(TargetText, ReadsNumbers)
     }
 }
 
+// REQ-TARGETS-914: "table FILE" and "oem FILE" name a file. Anything else names none.
+TEST(TargetText, NamesTheFileOfATable)
+{
+    EXPECT_EQ(tableFile(" Table  /tmp/My pass.csv "), QStringLiteral("/tmp/My pass.csv"));
+    EXPECT_EQ(tableFile("OEM a.oem"), QStringLiteral("a.oem"));
+    for (const char* const text : {"table", "tables x", "iss", "", "azel 1,2"}) {
+        EXPECT_FALSE(tableFile(text)) << text;
+    }
+}
+
 }  // namespace
 }  // namespace boresight::targets

@@ -5,6 +5,7 @@
 #include "ui/kit/command_button.h"
 #include "ui/passes/target_table.h"
 
+#include <QFileDialog>
 #include <QLineEdit>
 #include <QTabWidget>
 #include <QTableView>
@@ -86,6 +87,31 @@ TEST_F(TargetsPageTest, TracksWhatIsTyped)
         isTold = isTold || label->text().startsWith(QStringLiteral("\"nonsense\" is not a known satellite"));
     }
     EXPECT_TRUE(isTold);
+}
+
+// REQ-TARGETS-952: The way of a file is tracked by a button that asks for the file, or by its path in the field.
+TEST_F(TargetsPageTest, TracksTheWayOfAFile)
+{
+    const QString path = QStringLiteral("/tmp/way.csv");
+    show(atSite());
+    QTest::mouseClick(named<CommandButton>("Track file…"), Qt::LeftButton);
+    auto* const dialog = window.findChild<QFileDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_FALSE(dialog->isModal()) << "STOP stays in reach";
+    Q_EMIT dialog->fileSelected(path);
+    ASSERT_EQ(asked<request::TrackFile>().size(), 1U);
+    EXPECT_EQ(asked<request::TrackFile>().back().path, path);
+
+    QTest::keyClicks(named<QLineEdit>("Another target"), QStringLiteral("table ") + path);
+    show(atSite());
+    QTest::keyClick(named<QLineEdit>("Another target"), Qt::Key_Return);
+    ASSERT_EQ(asked<request::TrackFile>().size(), 2U);
+    EXPECT_EQ(asked<request::TrackFile>().back().path, path);
+
+    StationStatus status = atSite();
+    status.permissions.refuse(Action::Track, QStringLiteral("STOP is latched."));
+    show(status);
+    EXPECT_FALSE(named<CommandButton>("Track file…")->isEnabled());
 }
 
 }  // namespace

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <tl/expected.hpp>
+
+// Why a text is no table. Of a table with a mistake nothing is used: a way that jumps moves a mount. Pure value.
+namespace boresight::tables {
+
+struct TableProblem
+{
+    int line = 1;
+    QString reason;  // sentences: what is wrong, what to do
+
+    bool operator==(const TableProblem&) const = default;
+};
+
+template <class T>
+using TableReading = tl::expected<T, TableProblem>;
+
+}  // namespace boresight::tables

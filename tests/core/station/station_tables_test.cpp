@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/station_tables.h"
+
+#include "core/sim_bus/simulated_link.h"
+#include "tests/core/station/linked_station.h"
+#include "tests/fakes/text_of.h"
+#include "tests/fakes/wait_until.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace boresight {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class TableFolder : public testing::Test
+{
+protected:
+    QString write(const char* name, const QByteArray& text) const
+    {
+        QFile file(folder.filePath(QLatin1String(name)));
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(text);
+        return file.fileName();
+    }
+    // Rows from a time on, 4° apart, for three minutes.
+    static QByteArray rowsFrom(UtcTime start)
+    {
+        QByteArray text;
+        for (int i = 0; i <= 3; ++i) {
+            const auto time = std::chrono::floor<std::chrono::seconds>(start.time_since_epoch()).count() + 60 * i;
+            text += QByteArray::number(qint64{time}) + ' ' + QByteArray::number(4 * i) + " 20\n";
+        }
+        return text;
+    }
+
+    QTemporaryDir folder;
+};
+
+// What a reading came to.
+struct Outcome
+{
+    std::optional<Result<targets::Target>> table;
+
+    StationTables::Then taker()
+    {
+        return [this](const Result<targets::Target>& read) { table = read; };
+    }
+    [[nodiscard]] std::string problem() const { return table && !*table ? textOf(table->error()) : std::string(); }
+};
+
+// REQ-STATION-950: The file of a table is read beside the station thread, and who waits is answered once: with the
+// table, or with the file, the line and the reason. A relative path is refused.
+TEST_F(TableFolder, IsReadBesideTheStation)
+{
+    StationTables tables(nullptr);
+    Outcome good;
+    tables.read(write("way.txt", rowsFrom(UtcTime(std::chrono::hours(480'000)))), good.taker());
+    EXPECT_FALSE(good.table) << "not at once";
+    ASSERT_TRUE(fakes::waitUntil([&] { return good.table.has_value(); }));
+    ASSERT_TRUE(*good.table) << good.problem();
+    EXPECT_EQ((*good.table)->name, QStringLiteral("way.txt"));
+    Outcome bad;
+    const QString path = write("bad.txt", "1700000000 1 2\n1700000060 1 200\n");
+    tables.read(path, bad.taker());
+    ASSERT_TRUE(fakes::waitUntil([&] { return bad.table.has_value(); }));
+    EXPECT_THAT(bad.problem(), StartsWith(path.toStdString() + ":2: The elevation is 200°."));
+    Outcome relative;
+    tables.read(QStringLiteral("way.txt"), relative.taker());
+    ASSERT_TRUE(fakes::waitUntil([&] { return relative.table.has_value(); }));
+    EXPECT_EQ(relative.problem(), "\"way.txt\" is not the whole path of a file. It must begin with /.");
+}
+
+// REQ-STATION-951: A command for the mount that comes while a file is read ends the waiting, so that nothing begins to
+// move behind it. So does another file. Who only looks ends nothing.
+TEST_F(TableFolder, AnotherCommandEndsTheWaiting)
+{
+    const QString path = write("way.txt", rowsFrom(UtcTime(std::chrono::hours(480'000))));
+    StationTables tables(nullptr);
+    Outcome held;
+    tables.read(path, held.taker());
+    tables.noticed(request::AcknowledgeAlarms{});
+    EXPECT_FALSE(held.table);
+    tables.noticed(request::Hold{});
+    EXPECT_EQ(held.problem(), "Another command came before the file was read. Track it again.");
+    held.table.reset();
+    Outcome first;
+    Outcome second;
+    tables.read(path, first.taker());
+    tables.read(path, second.taker());
+    EXPECT_THAT(first.problem(), StartsWith("Another command came"));
+    ASSERT_TRUE(fakes::waitUntil([&] { return second.table.has_value(); }));
+    EXPECT_TRUE(*second.table);
+    EXPECT_FALSE(held.table) << "answered once";
+}
+
+// A whole station with a simulated mount that may move.
+struct MovingStation
+{
+    explicit MovingStation(const QString& folder)
+    {
+        auto owned = std::make_unique<SimulatedLink>(clock);
+        link = owned.get();
+        station = std::make_unique<Station>(anyPort(), moteusRotator(std::move(owned), {folder, Simulation::Reference}),
+                                            folder, clock);
+        QObject::connect(station.get(), &Station::updated, [this](const StationUpdate& update) {
+            answers.insert(answers.end(), update.answers.begin(), update.answers.end());
+        });
+        station->openAll();
+        run(Seconds(4.0));  // the drives are checked
+    }
+
+    void run(Seconds time)
+    {
+        for (Seconds left = time; left > Seconds(0.0); left -= Seconds(0.02)) {
+            clock.advance(Seconds(0.02));
+            link->deliver();
+            station->tick();
+        }
+    }
+    // Of the request of this number, once the station has answered it.
+    std::optional<Answer> answerTo(std::uint64_t id)
+    {
+        const auto found = [&] { return std::ranges::find(answers, id, &Answer::requestId); };
+        const bool isAnswered = fakes::waitUntil([&] {
+            run(Seconds(0.02));
+            station->updateTaken();
+            station->publish();
+            return found() != answers.end();
+        });
+        return isAnswered ? std::optional(*found()) : std::nullopt;
+    }
+
+    fakes::ManualClock clock;
+    SimulatedLink* link = nullptr;
+    std::unique_ptr<Station> station;
+    std::vector<Answer> answers;
+};
+
+// REQ-STATION-952: From the file to the mount: the operator's request is answered when the file is read. Then the
+// station tracks the table, or says what is wrong with it and moves nothing.
+TEST_F(TableFolder, TheStationTracksAFile)
+{
+    MovingStation rig(folder.path());
+    const QString bad = write("bad.txt", "az el\n");
+    rig.station->request({.id = 1, .request = request::TrackFile{bad}});
+    const auto refused = rig.answerTo(1);
+    ASSERT_TRUE(refused && refused->error);
+    EXPECT_EQ(textOf(*refused->error),
+              bad.toStdString() + ":1: There is no row. A row is a time, an azimuth and an elevation.");
+    EXPECT_FALSE(rig.station->status().tracked);
+
+    rig.station->request({.id = 2, .request = request::TrackFile{write("way.txt", rowsFrom(rig.clock.utc()))}});
+    const auto accepted = rig.answerTo(2);
+    ASSERT_TRUE(accepted);
+    EXPECT_FALSE(accepted->error) << textOf(*accepted->error);
+    ASSERT_TRUE(rig.station->status().tracked);
+    EXPECT_EQ(rig.station->status().tracked->name, QStringLiteral("way.txt"));
+
+    rig.station->request({.id = 3, .request = request::TrackFile{folder.filePath(QStringLiteral("way.txt"))}});
+    rig.station->request({.id = 4, .request = request::Hold{}});
+    const auto overtaken = rig.answerTo(3);
+    ASSERT_TRUE(overtaken && overtaken->error);
+    EXPECT_THAT(textOf(*overtaken->error), HasSubstr("Another command came before the file was read."));
+    rig.run(Seconds(1.0));
+    EXPECT_FALSE(rig.station->status().tracked) << "Hold stands";
+}
+
+}  // namespace
+}  // namespace boresight
