@@ -336,7 +336,7 @@ void NightDesk::move()
     const Seconds before = m_profile->schedule.hooks.before;
     if (m_tracked) {
         m_moments.follow(m_tracked->pass(), before);
-        m_tracked->look(m_control.direction(), utc, m_clock.now(), m_profile->mount.beamWidth);
+        m_tracked->look(m_control.direction(), utc, m_clock.now(), *m_profile);
         if (utc >= m_tracked->ends() || !m_control.obeys(scheduleSource())) {
             finish(schedule::PassEnd::Set, {});
         }

@@ -5,6 +5,7 @@
 #include "core/elements/element_set.h"
 #include "core/orbit/sgp4.h"
 #include "core/orbit/topocentric.h"
+#include "core/profile/profile.h"
 #include "core/schedule/night_plan.h"
 #include "core/schedule/night_report.h"
 
@@ -21,7 +22,7 @@ public:
     [[nodiscard]] const schedule::WatchedPass& pass() const { return m_pass; }
     [[nodiscard]] UtcTime ends() const { return m_pass.ends(); }
     // Where the beam is in this tick, if that is known. What the antenna does not see of the pass does not count.
-    void look(const std::optional<SkyPointing>& beam, UtcTime utc, SteadyTime now, Angle beamWidth);
+    void look(const std::optional<SkyPointing>& beam, UtcTime utc, SteadyTime now, const profile::Profile& profile);
     [[nodiscard]] const schedule::PassTally& tally() const { return m_tally; }
 
 private:

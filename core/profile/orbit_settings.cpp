@@ -85,6 +85,15 @@ void addOrbit(std::vector<Setting>& list)
         {QT_TRANSLATE_NOOP("Text", "Lead of the set-points"),
          QT_TRANSLATE_NOOP("Text", "A tracked satellite is aimed at where it is this much later.")},
         [](auto& p) -> auto& { return p.orbit.lead; }));
+    list.push_back(choice(
+        "orbit.refraction", {"by_kind", "none", "light", "radio"}, kNow,
+        {QT_TRANSLATE_NOOP("Text", "Refraction"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "How the air bends what is tracked. By kind: Sun, Moon and planets like light, radio sources like radio "
+             "waves, satellites not at all. The other values hold for all of them. AOS and LOS of satellites stay "
+             "geometric.")},
+        [](auto& p) -> auto& { return p.orbit.refraction; }));
 }
 
 void addAzel(std::vector<Setting>& list)

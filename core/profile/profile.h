@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/elements/satellite_mark.h"
+#include "core/ephemeris/refraction.h"
 #include "core/pointing/mount_model.h"
 #include "core/pointing/pointing_model.h"
 #include "core/pointing/region.h"
@@ -162,6 +163,7 @@ struct OrbitSettings
     std::vector<std::string> elements;  // files and folders; empty: those of Gpredict on this computer
     double oldestDays = 30.0;           // of elements that may be tracked
     Seconds lead{0.0};                  // of the set-points, for the latency of the drives
+    ephemeris::RefractionRule refraction = ephemeris::RefractionRule::ByKind;  // of what is tracked
 
     bool operator==(const OrbitSettings&) const = default;
 };

@@ -109,7 +109,10 @@ Result<TargetTrack::Tracked> TargetTrack::plan(const targets::Target& target, co
         return tl::unexpected(may.error());
     }
     const Site site = view.profile.site.place();
-    Tracked tracked{.target = target, .path = targets::TargetPath(target, site), .site = site, .by = by};
+    Tracked tracked{.target = target,
+                    .path = targets::TargetPath(target, site, view.profile.orbit.refraction),
+                    .site = site,
+                    .by = by};
     return tracked.path.nextUp(now)
         .and_then([&](const targets::UpTime& up) { return isSoon(up, target.name, now); })
         .and_then([&](const targets::UpTime& up) {
@@ -228,6 +231,7 @@ void TargetTrack::step(SteadyTime)
     }
     const UtcTime utc = m_utc.now(helm().view().clock);
     watchClock();
+    takeRefraction(utc);
     m_tracked->isUp = utc > m_tracked->up.rises;
     if (m_tracked->up.sets && utc > *m_tracked->up.sets) {
         end(Severity::Advisory, Text::tr("%1 has set, and the mount holds").arg(m_tracked->target.name));
@@ -247,6 +251,16 @@ void TargetTrack::followOn(UtcTime utc)
         helm().raiseAlarm(alarmEntry("track.no-orbit"), {m_tracked->target.name, place.error().text});
     }
     end(Severity::Warning, Text::tr("ends the tracking: %1").arg(place.error().text));
+}
+
+// The profile may have changed. The way that is shown goes the same as the mount.
+void TargetTrack::takeRefraction(UtcTime utc)
+{
+    const ephemeris::RefractionRule rule = helm().view().profile.orbit.refraction;
+    if (m_tracked->path.rule() != rule) {
+        m_tracked->path.setRule(rule);
+        m_tracked->way = wayOf(*m_tracked, std::max(utc, m_tracked->up.rises));
+    }
 }
 
 // A direction is where it is at any time.

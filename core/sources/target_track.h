@@ -50,6 +50,7 @@ private:
     [[nodiscard]] Result<> mayGoOn() const;
     Result<AxisPosition> follow(Tracked& tracked, UtcTime utc);
     void followOn(UtcTime utc);
+    void takeRefraction(UtcTime utc);
     void watchClock();
     void forget();
     void end(Severity severity, const QString& why);

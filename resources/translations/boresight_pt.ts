@@ -8331,6 +8331,14 @@ até %1</translation>
         <source>A line of the operator&apos;s own, such as frequency and polarisation.</source>
         <translation>Uma linha do próprio operador, como frequência e polarização.</translation>
     </message>
+    <message>
+        <source>Refraction</source>
+        <translation>Refração</translation>
+    </message>
+    <message>
+        <source>How the air bends what is tracked. By kind: Sun, Moon and planets like light, radio sources like radio waves, satellites not at all. The other values hold for all of them. AOS and LOS of satellites stay geometric.</source>
+        <translation>Como o ar desvia o que é seguido. By kind: Sol, Lua e planetas como a luz, fontes de rádio como as ondas de rádio, satélites de modo nenhum. Os outros valores aplicam-se a todos. AOS e LOS dos satélites ficam geométricos.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

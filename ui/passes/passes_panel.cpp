@@ -258,6 +258,7 @@ void PassesPanel::showFavourites(const StationStatus& status)
     const profile::SiteSettings& site = status.profile->site;
     m_favourites.setBasis(status.satellites, status.profile->satellites,
                           site.known ? std::optional(site.place()) : std::nullopt);
+    m_favourites.setRefraction(status.profile->orbit.refraction);
     Q_EMIT favouritesMoved(
         m_favourites.at(status.utc, status.tracked ? status.tracked->number : std::optional<std::int64_t>()));
 }
