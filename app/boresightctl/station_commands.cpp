@@ -40,6 +40,8 @@ QString doneText(local::LocalCommand command)
         case local::LocalCommand::Stop:
         case local::LocalCommand::Track:
         case local::LocalCommand::Satellites:
+        case local::LocalCommand::Antennas:
+        case local::LocalCommand::UseAntenna:
         case local::LocalCommand::ScheduleList:
         case local::LocalCommand::ScheduleArm:
         case local::LocalCommand::ScheduleDisarm:

@@ -17,8 +17,7 @@ TrackedPass::TrackedPass(const schedule::WatchedPass& pass, const orbit::Element
       m_last(now)
 {}
 
-void TrackedPass::look(const std::optional<SkyPointing>& beam, UtcTime utc, SteadyTime now,
-                       const profile::Profile& profile)
+void TrackedPass::look(const std::optional<SkyPointing>& beam, UtcTime utc, SteadyTime now, const Scale& scale)
 {
     const Seconds during = now - m_last;
     m_last = now;
@@ -27,9 +26,9 @@ void TrackedPass::look(const std::optional<SkyPointing>& beam, UtcTime utc, Stea
     }
     const orbit::JulianDate date = orbit::julianDate(utc);
     if (const orbit::OrbitResult state = m_orbit.propagate(date)) {
-        const SkyPointing satellite = targets::satelliteSeen(
-            m_observer.look(orbit::groundState(*state, date)).direction, profile.orbit.refraction);
-        m_tally.add(angleBetween(*beam, satellite), during, profile.mount.beamWidth);
+        const SkyPointing satellite =
+            targets::satelliteSeen(m_observer.look(orbit::groundState(*state, date)).direction, scale.refraction);
+        m_tally.add(angleBetween(*beam, satellite), during, scale.beamWidth);
     }
 }
 

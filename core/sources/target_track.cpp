@@ -30,6 +30,13 @@ const orbit::ElementSet* elementsOf(const targets::Target& target)
     return std::get_if<orbit::ElementSet>(&target.kind);
 }
 
+// Of a satellite.
+std::optional<std::int64_t> numberOf(const targets::Target& target)
+{
+    const orbit::ElementSet* const elements = elementsOf(target);
+    return elements ? std::optional(elements->number) : std::nullopt;
+}
+
 // A direction of its own, which may be below the horizon.
 bool isDirection(const targets::Target& target)
 {
@@ -115,12 +122,11 @@ Result<TargetTrack::Tracked> TargetTrack::plan(const targets::Target& target, co
                     .by = by};
     return tracked.path.nextUp(now)
         .and_then([&](const targets::UpTime& up) { return isSoon(up, target.name, now); })
-        .and_then([&](const targets::UpTime& up) {
+        .map([&](const targets::UpTime& up) {
             tracked.up = up;
             tracked.isUp = up.rises <= now;
-            return reaches(tracked, now);
-        })
-        .map([&] { return std::move(tracked); });
+            return std::move(tracked);
+        });
 }
 
 Result<> TargetTrack::ask(const request::Track& wanted, const Source& by)
@@ -129,28 +135,43 @@ Result<> TargetTrack::ask(const request::Track& wanted, const Source& by)
         .and_then([&] { return helm().mayPoint(by); })
         .and_then([&] { return plan(wanted.target, by); })
         .and_then([&](Tracked tracked) {
-            m_utc = {};
-            const UtcTime now = m_utc.now(helm().view().clock);
-            const UtcTime from = std::max(now, tracked.up.rises);
-            tracked.way = wayOf(tracked, from);
-            tracked.place = roomyStart(tracked.way);
-            const bool goesOn = helm().current().continues(Activity::Streaming, by);
-            return follow(tracked, from).map([&](const AxisPosition& place) {
-                if (goesOn) {  // no motion begins that the log would name
-                    helm().note(Severity::Advisory, Text::tr("tracks %1 from now on").arg(wanted.target.name));
-                }
-                tracked.place = place;
-                tracked.errand = helm().current().errand();
-                m_tracked = std::move(tracked);
-                helm().clearAlarm(alarmEntry("track.no-orbit"));
-            });
+            // Its beam goes there. A refusal leaves the antenna that was in use.
+            const std::optional<AntennaChoice::Tracked> before = helm().view().antenna.tracked();
+            helm().useAntennaFor(AntennaChoice::Tracked{.satellite = numberOf(wanted.target)});
+            const Result<> begun = begin(std::move(tracked));
+            if (!begun) {
+                helm().useAntennaFor(before);
+            }
+            return begun;
         });
+}
+
+Result<> TargetTrack::begin(Tracked tracked)
+{
+    m_utc = {};
+    const UtcTime now = m_utc.now(helm().view().clock);
+    if (const Result<> may = reaches(tracked, now); !may) {
+        return may;
+    }
+    const UtcTime from = std::max(now, tracked.up.rises);
+    tracked.way = wayOf(tracked, from);
+    tracked.place = roomyStart(tracked.way);
+    const bool goesOn = helm().current().continues(Activity::Streaming, tracked.by);
+    return follow(tracked, from).map([&](const AxisPosition& place) {
+        if (goesOn) {  // no motion begins that the log would name
+            helm().note(Severity::Advisory, Text::tr("tracks %1 from now on").arg(tracked.target.name));
+        }
+        tracked.place = place;
+        tracked.errand = helm().current().errand();
+        m_tracked = std::move(tracked);
+        helm().clearAlarm(alarmEntry("track.no-orbit"));
+    });
 }
 
 // It ends with its set, or where its orbit ends.
 targets::SkyWay TargetTrack::wayOf(Tracked& tracked, UtcTime from) const
 {
-    const auto isClear = profile::clearSky(helm().view().profile);
+    const auto isClear = profile::clearSky(helm().view().profile, helm().view().antenna.inUse());
     const UtcTime end = tracked.up.sets.value_or(from + targets::TargetPath::kSearched);
     const UtcTime::duration step =
         elementsOf(tracked.target) ? std::max<UtcTime::duration>(kPassStep, (end - from) / kMostSteps) : kSlowStep;
@@ -277,6 +298,7 @@ void TargetTrack::watchClock()
 void TargetTrack::forget()
 {
     m_tracked.reset();
+    helm().endTracking();
     helm().clearAlarm(alarmEntry("track.clock"));
 }
 
@@ -295,9 +317,7 @@ void TargetTrack::describe(StationStatus& status) const
                                    .isUp = m_tracked->isUp,
                                    .next = m_tracked->isUp ? m_tracked->up.sets : std::optional(m_tracked->up.rises),
                                    .way = m_tracked->way};
-    if (const orbit::ElementSet* const elements = elementsOf(m_tracked->target)) {
-        status.tracked->number = elements->number;
-    }
+    status.tracked->number = numberOf(m_tracked->target);
 }
 
 }  // namespace boresight::sources

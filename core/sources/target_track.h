@@ -48,6 +48,7 @@ private:
     [[nodiscard]] std::optional<AxisPosition> roomyStart(const targets::SkyWay& way) const;
     [[nodiscard]] UtcTime aimed(UtcTime utc) const;
     [[nodiscard]] Result<> mayGoOn() const;
+    Result<> begin(Tracked tracked);
     Result<AxisPosition> follow(Tracked& tracked, UtcTime utc);
     void followOn(UtcTime utc);
     void takeRefraction(UtcTime utc);

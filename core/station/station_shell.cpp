@@ -16,9 +16,9 @@ Source shellSource()
     return {.kind = SourceKind::Operator, .name = QStringLiteral("shell")};
 }
 
-Request requestOf(local::LocalCommand command)
+Request requestOf(const local::LocalRequest& asked)
 {
-    switch (command) {
+    switch (asked.command) {
         case local::LocalCommand::Take:
             return request::TakeAuthority{};
         case local::LocalCommand::Release:
@@ -31,9 +31,12 @@ Request requestOf(local::LocalCommand command)
             return request::DisarmSchedule{};
         case local::LocalCommand::ScheduleRehearse:
             return request::Rehearse{};
+        case local::LocalCommand::UseAntenna:
+            return request::UseAntenna{asked.target.toStdString()};
         case local::LocalCommand::Stop:
         case local::LocalCommand::Track:
         case local::LocalCommand::Satellites:
+        case local::LocalCommand::Antennas:
         case local::LocalCommand::ScheduleList:
         case local::LocalCommand::ScheduleReport:
         case local::LocalCommand::ScheduleRehearsal:
@@ -73,6 +76,9 @@ local::LocalAnswer StationShell::obey(const local::LocalRequest& asked)
     if (asked.command == local::LocalCommand::Satellites) {
         return satelliteLines();
     }
+    if (asked.command == local::LocalCommand::Antennas) {
+        return antennaLines();
+    }
     if (asked.command == local::LocalCommand::ScheduleList) {
         return planJson(*m_station.schedule()) + '\n';
     }
@@ -83,7 +89,7 @@ local::LocalAnswer StationShell::obey(const local::LocalRequest& asked)
         return rehearsalJson(m_station.rehearsal()) + '\n';
     }
     const auto request = [&]() -> local::LocalAnswer {
-        return m_station.ask(requestOf(asked.command), shellSource()).map([] { return QByteArray(); });
+        return m_station.ask(requestOf(asked), shellSource()).map([] { return QByteArray(); });
     };
     local::LocalAnswer answer = asked.command == local::LocalCommand::Track ? track(asked.target) : request();
     if (!answer) {
@@ -115,6 +121,15 @@ QByteArray StationShell::satelliteLines() const
     for (const orbit::ElementSet& one : *m_station.satellites()) {
         lines += local::satelliteLine(
             {.number = one.number, .epoch = orbit::utcTime(one.epoch), .name = toQString(one.name)});
+    }
+    return lines;
+}
+
+QByteArray StationShell::antennaLines() const
+{
+    QByteArray lines;
+    for (const local::KnownAntenna& one : m_station.antennas()) {
+        lines += local::antennaLine(one);
     }
     return lines;
 }

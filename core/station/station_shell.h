@@ -26,6 +26,7 @@ public:
         std::function<Result<>(const Request&, const Source&)> ask;
         std::function<Result<>()> mayShellCommand;
         std::function<std::shared_ptr<const std::vector<orbit::ElementSet>>()> satellites;
+        std::function<std::vector<local::KnownAntenna>()> antennas;
         std::function<std::shared_ptr<const ScheduleStatus>()> schedule;
         std::function<RehearsalStatus()> rehearsal;
     };
@@ -45,6 +46,7 @@ private:
     [[nodiscard]] local::LocalAnswer obey(const local::LocalRequest& asked);
     [[nodiscard]] local::LocalAnswer track(const QByteArray& text);
     [[nodiscard]] QByteArray satelliteLines() const;
+    [[nodiscard]] QByteArray antennaLines() const;
 
     Station m_station;
     LogThrottle m_lines;

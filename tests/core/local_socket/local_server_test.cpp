@@ -108,7 +108,7 @@ TEST_F(LocalServerTest, OneLineInOneLineOut)
     asked.clear();
     EXPECT_EQ(ask("P 10 20\n"),
               "error: This is not a command. The commands are take, release, stop, reset-stop, satellites, track "
-              "TARGET and those of the schedule.\n");
+              "TARGET, antennas, antenna NAME and those of the schedule.\n");
     EXPECT_EQ(ask(QByteArray(100000, 'x')), "error: The line is longer than 256 bytes.\n");
     EXPECT_EQ(ask("stop" + QByteArray(253, ' ') + "\n"), "error: The line is longer than 256 bytes.\n");
     EXPECT_THAT(asked, IsEmpty());

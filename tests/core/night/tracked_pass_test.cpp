@@ -23,11 +23,10 @@ Angle peakError(ephemeris::RefractionRule beam, ephemeris::RefractionRule judged
     pass.pass.aos.utc = up.rises;
     pass.pass.los.utc = up.sets.value();
     pass.pass.clear = {{.from = up.rises, .to = up.sets.value()}};
-    profile::Profile profile;
-    profile.orbit.refraction = judged;
     TrackedPass tracked(pass, elements, kLisbon, {});
     for (std::chrono::seconds after{0}; after < std::chrono::minutes(1); ++after) {
-        tracked.look(path.at(up.rises + after).value(), up.rises + after, SteadyTime(after), profile);
+        tracked.look(path.at(up.rises + after).value(), up.rises + after, SteadyTime(after),
+                     {.beamWidth = 10_deg, .refraction = judged});
     }
     return tracked.tally().record().peakError;
 }
