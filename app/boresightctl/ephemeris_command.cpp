@@ -105,15 +105,22 @@ Row emptyRow(UtcTime utc, std::size_t columns)
     return row;
 }
 
-RecordTable satelliteTable(const orbit::ElementSet& set, const Site& site, const std::vector<UtcTime>& utcs,
-                           QString& problem)
+// What is printed of each time.
+struct SkyView
+{
+    const Site& site;
+    const std::vector<UtcTime>& utcs;
+    ephemeris::Refraction refraction;
+};
+
+RecordTable satelliteTable(const orbit::ElementSet& set, const SkyView& view, QString& problem)
 {
     RecordTable table{
         .columns = {{"t_utc"}, {"az_deg", true}, {"el_deg", true}, {"range_km", true}, {"range_rate_km_s", true}}};
     const orbit::Sgp4 orbit(set);
-    const orbit::Observer observer(site);
+    const orbit::Observer observer(view.site);
     orbit::ResonanceState resonance;
-    for (const UtcTime utc : utcs) {
+    for (const UtcTime utc : view.utcs) {
         const orbit::JulianDate date = orbit::julianDate(utc);
         const orbit::OrbitResult state = orbit.propagate(date, resonance);
         if (!state) {
@@ -123,7 +130,7 @@ RecordTable satelliteTable(const orbit::ElementSet& set, const Site& site, const
             continue;
         }
         const orbit::LookAngles seen = observer.look(groundState(*state, date));
-        Row row = directionRow(utc, seen.direction);
+        Row row = directionRow(utc, ephemeris::apparent(seen.direction, view.refraction));
         row.push_back(formatFixed(seen.kilometres, kRangeDecimals));
         row.push_back(formatFixed(seen.kilometresPerSecond, kRateDecimals));
         table.rows.push_back(std::move(row));
@@ -131,20 +138,19 @@ RecordTable satelliteTable(const orbit::ElementSet& set, const Site& site, const
     return table;
 }
 
-RecordTable objectTable(const ephemeris::SkyObject& object, const Site& site, const std::vector<UtcTime>& utcs,
-                        QString& problem)
+RecordTable objectTable(const ephemeris::SkyObject& object, const SkyView& view, QString& problem)
 {
     static const UtcTime kLast = std::chrono::sys_days(std::chrono::year(2101) / 1 / 1);
     RecordTable table{.columns = {{"t_utc"}, {"az_deg", true}, {"el_deg", true}, {"dist_km", true}}};
-    ephemeris::Almanac almanac(site);
-    for (const UtcTime utc : utcs) {
+    ephemeris::Almanac almanac(view.site);
+    for (const UtcTime utc : view.utcs) {
         if (utc >= kLast) {
             table.rows.push_back(emptyRow(utc, table.columns.size()));
             problem = QStringLiteral("%1: The sky is known up to the year 2100").arg(toQString(skyTimeText(utc, 0)));
             continue;
         }
         const ephemeris::SeenObject seen = see(almanac, object, utc);
-        Row row = directionRow(utc, seen.direction);
+        Row row = directionRow(utc, ephemeris::apparent(seen.direction, view.refraction));
         row.push_back(seen.kilometres ? formatFixed(*seen.kilometres, kBodyDecimals) : std::string());
         table.rows.push_back(std::move(row));
     }
@@ -172,9 +178,10 @@ RecordTable wayTable(const tables::SharedTable& way, const Site& site, const std
 
 ExitStatus printTable(const SkyOptions& options, const Site& site, const SkyTimes& times)
 {
+    const SkyView view{.site = site, .utcs = times.utcs, .refraction = options.refraction};
     QString problem;
     if (options.object) {
-        print(objectTable(*options.object, site, times.utcs, problem).text(options.format));
+        print(objectTable(*options.object, view, problem).text(options.format));
     } else if (!options.table.isEmpty()) {
         const auto way = tables::readTableFile(options.table);
         if (!way) {
@@ -187,7 +194,7 @@ ExitStatus printTable(const SkyOptions& options, const Site& site, const SkyTime
         if (satellites.empty()) {
             return kFoundWrong;
         }
-        print(satelliteTable(satellites.front(), site, times.utcs, problem).text(options.format));
+        print(satelliteTable(satellites.front(), view, problem).text(options.format));
     }
     if (!problem.isEmpty()) {
         complain(kEphemerisCommand, problem);
@@ -220,8 +227,7 @@ const Subcommand kEphemerisCommand{
     .name = "ephemeris",
     .arguments =
         "--elements FILE --norad N | --body NAME | --radec HOURS,DEGREES | --table FILE  --site LAT,LON,ALT --times "
-        "FILE|- [--format "
-        "FORMAT]",
+        "FILE|- [--refraction none|light|radio] [--format FORMAT]",
     .summary =
         "Print where a satellite, a body, a radio source or the table of a file stands over a site at given times",
     .details =
@@ -239,12 +245,14 @@ const Subcommand kEphemerisCommand{
   --site LAT,LON,ALT   degrees north, degrees east, metres above the ellipsoid of WGS-84. Or a NAME.qth of Gpredict
   --times FILE         a time in each line, - is standard input. UTC like 2024-05-10T04:50:02.5Z, or Unix seconds. What
                        follows a comma, blank lines, lines that begin with # and a first line of names are left out
+  --refraction none|light|radio   raise the elevation as the air bends light or radio waves, in an ordinary atmosphere
+                       (1010 hPa, 10 °C, half as moist as air can be). none without it
   --format csv|table|json   csv without it
 
 Columns of a satellite: t_utc,az_deg,el_deg,range_km,range_rate_km_s. Of a table: t_utc,az_deg,el_deg,range_km. Of all
 else: t_utc,az_deg,el_deg,dist_km. Radio sources, --radec and tables of directions have no distance.
-Azimuth from true north through east. Elevation from the horizon, without air. The rate is above 0 while it recedes. A
-time for which the elements or the table have no answer has a row without numbers.
+Azimuth from true north through east. Elevation from the horizon, without air unless --refraction says so. The rate is
+above 0 while it recedes. A time for which the elements or the table have no answer has a row without numbers.
 Each bad element set and each bad time is reported as FILE:LINE: reason. The others are used.
 Exit status: 0 done, 1 a time without an answer, a line that is no time, or no usable element set.
 

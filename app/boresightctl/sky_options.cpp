@@ -102,6 +102,17 @@ Result<> takeFormat(const std::string& text, SkyOptions& options)
     return {};
 }
 
+Result<> takeRefraction(const std::string& text, SkyOptions& options)
+{
+    constexpr std::array<std::string_view, 3> kNames{"none", "light", "radio"};  // in the order of the values
+    const auto name = std::ranges::find(kNames, text);
+    if (name == kNames.end()) {
+        return expected("refraction", text, QStringLiteral("none, light or radio"));
+    }
+    options.refraction = static_cast<ephemeris::Refraction>(name - kNames.begin());
+    return {};
+}
+
 Result<> takeFrom(const std::string& text, SkyOptions& options)
 {
     if (text == "now") {
@@ -152,8 +163,15 @@ constexpr SkyOption kTable{"table", [](const std::string& text, SkyOptions& opti
 constexpr SkyOption kNorad{"norad", takeNumber};
 constexpr SkyOption kSite{"site", takeSite};
 constexpr SkyOption kFormat{"format", takeFormat};
-constexpr std::array kEphemerisOptions{
-    kElements, kNorad, kSite, kTimes, SkyOption{"body", takeBody}, SkyOption{"radec", takeRaDec}, kTable, kFormat};
+constexpr std::array kEphemerisOptions{kElements,
+                                       kNorad,
+                                       kSite,
+                                       kTimes,
+                                       SkyOption{"body", takeBody},
+                                       SkyOption{"radec", takeRaDec},
+                                       kTable,
+                                       SkyOption{"refraction", takeRefraction},
+                                       kFormat};
 constexpr std::array kPassesOptions{kElements,
                                     kNorad,
                                     kSite,

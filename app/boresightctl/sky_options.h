@@ -5,6 +5,7 @@
 #include "app/boresightctl/subcommand.h"
 #include "core/base/clock.h"
 #include "core/base/result.h"
+#include "core/ephemeris/refraction.h"
 #include "core/ephemeris/sky_object.h"
 #include "core/units/site.h"
 
@@ -30,6 +31,7 @@ struct SkyOptions
     std::optional<UtcTime> from;
     std::optional<double> days;
     std::optional<Angle> minimumElevation;
+    ephemeris::Refraction refraction = ephemeris::Refraction::None;
     TableFormat format = TableFormat::Csv;
 };
 

@@ -117,6 +117,11 @@ Result<StationOptions> parseTrackOptions(Arguments arguments)
     });
 }
 
+Result<StationOptions> parseAntennaOptions(Arguments arguments)
+{
+    return readOptions(arguments);
+}
+
 Result<SatellitesOptions> parseSatellitesOptions(Arguments arguments)
 {
     SatellitesOptions options;

@@ -25,6 +25,9 @@ struct StationOptions
 // Those of `track`: its places are the words of the target.
 [[nodiscard]] Result<StationOptions> parseTrackOptions(Arguments arguments);
 
+// Those of `antenna`: its places are the words of the name, or none.
+[[nodiscard]] Result<StationOptions> parseAntennaOptions(Arguments arguments);
+
 struct SatellitesOptions
 {
     profile::ListenAddress station{};

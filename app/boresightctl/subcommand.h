@@ -46,6 +46,7 @@ extern const Subcommand kScheduleCommand;
 extern const Subcommand kParkCommand;
 extern const Subcommand kStatusCommand;
 extern const Subcommand kTrackCommand;
+extern const Subcommand kAntennaCommand;
 extern const Subcommand kSatellitesCommand;
 
 // Standard output, at once, also into a pipe: what programs may read, and tables and help of a fixed width.

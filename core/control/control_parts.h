@@ -4,6 +4,7 @@
 #include "core/alarms/alarm_board.h"
 #include "core/azel/azel_feed.h"
 #include "core/base/clock.h"
+#include "core/control/antenna_choice.h"
 #include "core/control/arming.h"
 #include "core/control/cable_guard.h"
 #include "core/control/client_lead.h"
@@ -28,6 +29,7 @@ struct ControlParts
     const profile::Profile& profile;
     const Clock& clock;
     const pointing::MountModel& model;
+    const AntennaChoice& antenna;
     const MountDriver& mount;
     const Motion& motion;
     const StandstillWatch& standstill;

@@ -442,4 +442,21 @@ Result<> Gates::mayChangePointing() const
     return {};
 }
 
+Result<> Gates::usesMainAntenna() const
+{
+    const pointing::Antenna& antenna = m_of.antenna.inUse();
+    return antenna.isMain() ? Result<>{}
+                            : failure(ErrorCode::Refused, Text::tr("Antenna \"%1\" is in use. North is found with "
+                                                                   "the antenna \"main\". Use that one first.")
+                                                              .arg(toQString(antenna.name)));
+}
+
+Result<> Gates::mayUseAntenna() const
+{
+    if (StatusReport(m_of).state() == StationState::Calibrate) {
+        return failure(ErrorCode::Refused, Text::tr("A calibration moves the mount. End it first."));
+    }
+    return m_of.antenna.tracks() ? Result<>{} : mayChangePointing();
+}
+
 }  // namespace boresight

@@ -72,6 +72,9 @@ public:
     [[nodiscard]] Result<> mayGiveLead(std::uint64_t clientId) const;
     // Whether other terms of the pointing model would leave the motion what it is.
     [[nodiscard]] Result<> mayChangePointing() const;
+    // What Boresight tracks itself goes on with the beam of the other antenna.
+    [[nodiscard]] Result<> mayUseAntenna() const;
+    [[nodiscard]] Result<> usesMainAntenna() const;
 
     // Outside its travel by more than the drives' own bounds allow: 1 above, -1 below; 0 inside, or nobody knows.
     [[nodiscard]] int farOutside(Axis axis) const;

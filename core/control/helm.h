@@ -34,6 +34,7 @@ public:
         FirstMovesGuard& firstMoves;
         SourceLog& log;
         AlarmBoard& alarms;
+        AntennaChoice& antenna;
     };
 
     // `view` is asked each time, because the time of the tick is a part of what it gives.
@@ -97,6 +98,10 @@ public:
     void settleStream(const Source& by);
     // This client has read the position. If its stream is followed, its last point still holds.
     void confirmStream(std::uint64_t clientId);
+
+    // The station tracks this by itself: a satellite may have an antenna of its own.
+    void useAntennaFor(const std::optional<AntennaChoice::Tracked>& tracked) { m_of.antenna.track(tracked); }
+    void endTracking() { m_of.antenna.endTracking(); }
 
     // A motion that makes its own set-points, as the crash-stop proof does: it starts.
     Result<> beginOwn(Activity activity, const Source& by, const QString& what);

@@ -54,6 +54,7 @@ void PermissionReport::judgePlaces(Permissions& may) const
     judge(may, Action::Park, point.and_then([&] { return gates.mayBeAt(gates.park()); }));
     judge(may, Action::Home, point.and_then([&] { return gates.mayBeAt(gates.home()); }));
     judge(may, Action::HoldAtEnd, gates.mayHoldAtEnd());
+    judge(may, Action::UseAntenna, gates.mayUseAntenna());
     judge(may, Action::Unwind, point.and_then([&] { return gates.unwound().map([](const AxisPosition&) {}); }));
 }
 

@@ -6,6 +6,7 @@
 #include "core/pointing/nearest_permitted.h"
 #include "core/pointing/sun_keep_out.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace boresight {
@@ -27,6 +28,7 @@ RegionKeeper::RegionKeeper(const Parts& parts) : m_of(parts), m_sun(parts.profil
 
 void RegionKeeper::begin()
 {
+    m_sun.setSpread(m_of.antenna.spread());
     (void)m_sun.update(m_of.clock);
     layOutLimits();
     enforce();
@@ -35,7 +37,18 @@ void RegionKeeper::begin()
 void RegionKeeper::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
     m_sun.profileChanged(before, after);
-    const bool redrawn = before.limits != after.limits || before.pointing != after.pointing;
+    m_sun.setSpread(m_of.antenna.spread());
+    const bool redrawn = before.limits != after.limits || m_of.antenna.terms() != m_terms;
+    if (redrawn) {
+        layOutLimits();
+    }
+    renew(redrawn);
+}
+
+void RegionKeeper::antennaChanged()
+{
+    m_sun.setSpread(m_of.antenna.spread());
+    const bool redrawn = m_of.antenna.terms() != m_terms;
     if (redrawn) {
         layOutLimits();
     }
@@ -48,15 +61,32 @@ void RegionKeeper::step()
     const ControlParts view = m_of.helm.view();
     const auto measured = view.mount.measured();
     const bool known = measured && view.mount.wrapsKnown();
-    m_sunAlarms.update(m_sun, known ? std::optional(m_of.model.toSky(*measured)) : std::nullopt, m_of.model.missing());
+    m_sunAlarms.update(m_sun, known ? distanceToSun(*measured) : std::nullopt, m_of.model.missing());
     watchPlace(known ? measured : std::nullopt);
+}
+
+// Of the beam that is nearest to it, in use or not: the Sun does not ask.
+std::optional<Angle> RegionKeeper::distanceToSun(const AxisPosition& measured) const
+{
+    if (m_sun.keepOuts().empty()) {
+        return std::nullopt;
+    }
+    std::optional<Angle> nearest;
+    pointing::MountModel model = m_of.model;
+    for (const pointing::Antenna& one : m_of.profile->allAntennas()) {
+        model.setPointing(pointing::PointingModel(m_of.profile->termsOf(one)));
+        const auto distance = m_sun.distance(model.toSky(measured), model.missing());
+        nearest = nearest && distance ? std::min(nearest, distance) : distance;
+    }
+    return nearest;
 }
 
 void RegionKeeper::layOutLimits()
 {
     const profile::Profile& profile = *m_of.profile;
+    m_terms = m_of.antenna.terms();
     m_limits.emplace(profile.limits, profile.azimuth.geometry.travel, profile.elevation.geometry.travel,
-                     pointing::PointingModel(profile.pointing));
+                     pointing::PointingModel(m_terms));
 }
 
 // Limits that were drawn over a mount that stands, or a mount that was found, or pushed, beyond them.
@@ -100,7 +130,7 @@ void RegionKeeper::enforce()
     const SteadyTime now = m_of.helm.now();
     // A client's target that nobody moves any more is a place as well, unless the nearest permitted one is held for it.
     const bool standing = current.is(Activity::Streaming) && !motion.streaming(now) && !motion.limited();
-    m_of.model.setPointing(pointing::PointingModel(m_of.profile->pointing));
+    m_of.model.setPointing(pointing::PointingModel(m_of.antenna.terms()));
     motion.setRegion(pointing::withSun(m_of.profile->limits, m_sun.keepOuts()), m_of.model.pointing());
     const pointing::AxisBox& ranges = motion.region().ranges();
     m_of.model.limitTo(ranges.azimuth, ranges.elevation);

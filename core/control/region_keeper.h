@@ -27,6 +27,7 @@ public:
     struct Parts
     {
         const profile::InForce& profile;
+        const AntennaChoice& antenna;
         const Clock& clock;
         pointing::MountModel& model;
         Motion& motion;
@@ -40,6 +41,8 @@ public:
     // The program begins with the region of the profile and the Sun of now.
     void begin();
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
+    // Another antenna is in use, or its beam is another one.
+    void antennaChanged();
     // Once in a tick.
     void step();
 
@@ -49,11 +52,13 @@ private:
     void renew(bool redrawn);
     void enforce();
     void layOutLimits();
+    [[nodiscard]] std::optional<Angle> distanceToSun(const AxisPosition& measured) const;
     void watchPlace(const std::optional<AxisPosition>& measured);
     void end(const QString& why);
 
     Parts m_of;
     std::optional<pointing::PermittedRegion> m_limits;  // of the profile alone, without the Sun
+    pointing::PointingTerms m_terms;                    // of which it is laid out
     SunWatch m_sun;
     SunAlarms m_sunAlarms;
 };

@@ -40,6 +40,7 @@ StationControl::StationControl(const profile::InForce& profile, const Clock& clo
       m_log(log),
       m_alarms(alarms),
       m_mount(mount),
+      m_antenna(profile, log, [this] { m_region.antennaChanged(); }),
       m_model(profile->azimuth.geometry, profile->elevation.geometry, pointing::PointingModel(profile->pointing)),
       m_motion(*profile, mount.capabilities()),
       m_arming(profile, mount, log),
@@ -54,9 +55,11 @@ StationControl::StationControl(const profile::InForce& profile, const Clock& clo
               .cable = m_cable,
               .firstMoves = m_firstMoves,
               .log = m_sourceLog,
-              .alarms = m_alarms},
+              .alarms = m_alarms,
+              .antenna = m_antenna},
              [this] { return parts(); }),
       m_region({.profile = m_profile,
+                .antenna = m_antenna,
                 .clock = clock,
                 .model = m_model,
                 .motion = m_motion,
@@ -85,6 +88,7 @@ ControlParts StationControl::parts() const
     return {.profile = *m_profile,
             .clock = m_clock,
             .model = m_model,
+            .antenna = m_antenna,
             .mount = m_mount,
             .motion = m_motion,
             .standstill = m_standstill,
@@ -237,11 +241,33 @@ Result<> StationControl::handle(const request::AcknowledgeAlarm& wanted, const S
     return {};
 }
 
+Result<> StationControl::handle(const request::UseAntenna& wanted, const Source& source)
+{
+    return operatorOnly(source)
+        .and_then([&] { return isKnown(wanted.name); })
+        .and_then([&] { return gates().mayUseAntenna(); })
+        .map([&] { m_antenna.choose(wanted.name); });
+}
+
+Result<> StationControl::isKnown(const std::string& antenna) const
+{
+    QStringList names;
+    for (const pointing::Antenna& one : m_profile->allAntennas()) {
+        if (one.name == antenna) {
+            return {};
+        }
+        names << QStringLiteral("\"%1\"").arg(toQString(one.name));
+    }
+    return failure(ErrorCode::InvalidInput, Text::tr("There is no antenna \"%1\". The profile has %2.")
+                                                .arg(toQString(antenna), names.join(QStringLiteral(", "))));
+}
+
 // The station puts it into force; see profileChanged().
 Result<> StationControl::handle(const request::ApplyProfile& wanted, const Source& source)
 {
     return operatorOnly(source).and_then([&] { return makesSense(wanted.profile); }).and_then([&] {
-        return wanted.profile.pointing == m_profile->pointing ? Result<>{} : mayChangePointing();
+        const pointing::Antenna after = wanted.profile.antenna(m_antenna.inUse().name);
+        return wanted.profile.termsOf(after) == m_antenna.terms() ? Result<>{} : mayChangePointing();
     });
 }
 
@@ -258,6 +284,7 @@ void StationControl::profileChanged(const profile::Profile& before, const profil
         m_firstMoves.beginAnew();  // the small way begins where the mount stands now
     }
     m_standstill.forget();
+    m_antenna.profileChanged();
     m_region.profileChanged(before, after);
     for (const Axis axis : kAxes) {
         m_motion.setLimits(axis, after.axis(axis).limits);
@@ -265,6 +292,14 @@ void StationControl::profileChanged(const profile::Profile& before, const profil
     m_motion.setArrival(after.control.arrival);
     m_slew.lookAgain();
     m_adviceAlarms.update(after);
+}
+
+// Places of the axes stay what they are with any antenna.
+void StationControl::releaseAntenna()
+{
+    if (!moves() || m_current.is(Activity::Parking)) {
+        m_antenna.release();
+    }
 }
 
 void StationControl::watchFirstMoves()
@@ -303,7 +338,9 @@ std::optional<SkyPointing> StationControl::directionBy(const pointing::PointingT
 void StationControl::setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation)
 {
     const SkyPointing beam{.azimuth = azimuth.value_or(Angle{}), .elevation = elevation.value_or(Angle{})};
-    const AxisPosition axes = m_model.pointing().toAxes(beam).axes;
+    pointing::MountModel model = m_model;
+    model.setPointing(pointing::PointingModel(m_profile->pointing));
+    const AxisPosition axes = model.pointing().toAxes(beam).axes;
     m_mount.setSensor(Axis::Azimuth, azimuth ? std::optional(axes.azimuth) : std::nullopt);
     m_mount.setSensor(Axis::Elevation, elevation ? std::optional(axes.elevation) : std::nullopt);
 }
@@ -340,6 +377,8 @@ void StationControl::tick()
     keepStopped();
     // Behind STOP and faults, which refuse a source its next motion.
     stepSources();
+    // After the sources: one of them may have ended its tracking.
+    releaseAntenna();
     // After the sources: what they have just begun ends here if it may not go on.
     watchFirstMoves();
     watchFitness();

@@ -7,6 +7,7 @@
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/control/advice_alarms.h"
+#include "core/control/antenna_choice.h"
 #include "core/control/arming.h"
 #include "core/control/cable_guard.h"
 #include "core/control/client_desk.h"
@@ -104,6 +105,8 @@ public:
     [[nodiscard]] const pointing::PermittedRegion& region() const { return m_motion.region(); }
     // Those of the profile, as far as the rotator can go along.
     [[nodiscard]] const tracking::MotionLimits& limits(Axis axis) const { return m_motion.limits(axis); }
+    // North and the terms of the pointing model are those of the main antenna.
+    [[nodiscard]] Result<> usesMainAntenna() const { return gates().usesMainAntenna(); }
     // Whether other terms of the pointing model would leave the motion what it is.
     [[nodiscard]] Result<> mayChangePointing() const { return gates().mayChangePointing(); }
     // What a client may do now, into its part of the status; `lastMotion` is when it last asked for a motion.
@@ -116,9 +119,9 @@ public:
     // How that differs from what the axes show, as far as it is known with the axes that there are.
     [[nodiscard]] const pointing::PointingModel& pointing() const { return m_model.pointing(); }
     [[nodiscard]] bool isSeenToMove(Axis axis) const { return m_standstill.moves(axis); }
-    // Where the beam points, while that is known and measured within the last second.
+    // Where the beam of the antenna in use points, while that is known and measured within the last second.
     [[nodiscard]] std::optional<SkyPointing> direction() const;
-    // The same by other terms of the pointing model.
+    // The same by other terms of the pointing model: those of the profile are of the main antenna.
     [[nodiscard]] std::optional<SkyPointing> directionBy(const pointing::PointingTerms& terms) const;
     // What is added to the targets of the client that is followed now: it receives positions without it.
     [[nodiscard]] std::optional<AxisPosition> trimInUse() const;
@@ -137,7 +140,10 @@ public:
     // What was worked out from the profile follows it: the region, the limits of a motion under way, the advice.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
     [[nodiscard]] const MountDriver& mount() const { return m_mount; }
-    // Where a sensor on the antenna measures the beam. It counts only when the wrap is asked for.
+    [[nodiscard]] const pointing::Antenna& antenna() const { return m_antenna.inUse(); }
+    // For what has no antenna of its own.
+    [[nodiscard]] pointing::Antenna chosenAntenna() const { return m_antenna.chosen(); }
+    // Where a sensor measures the main beam. It counts only when the wrap is asked for.
     void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation);
     // What a look at azel.dat has found.
     void take(const azel::AzelReading& reading) { m_azelFeed.take(reading, m_clock.now(), m_clock.utc()); }
@@ -151,9 +157,11 @@ private:
     Result<> handle(const request::ClearTrim& wanted, const Source& source);
     Result<> handle(const request::HoldAtEnd& wanted, const Source& source);
     Result<> handle(const request::AcknowledgeAlarm& wanted, const Source& source);
+    Result<> handle(const request::UseAntenna& wanted, const Source& source);
     Result<> handle(const request::ApplyProfile& wanted, const Source& source);
     Result<> handle(const request::Reconnect& wanted, const Source& source);
 
+    [[nodiscard]] Result<> isKnown(const std::string& antenna) const;
     Result<> askSources(const Request& request, const Source& source);
 
     [[nodiscard]] ControlParts parts() const;
@@ -169,6 +177,7 @@ private:
     void keepStopped();
     void stepProof();
     void stepSources();
+    void releaseAntenna();
     void watchFitness();
     void watchRegion();
     void watchSun() { m_region.step(); }
@@ -182,6 +191,7 @@ private:
     EventLog& m_log;
     AlarmBoard& m_alarms;
     MountDriver& m_mount;
+    AntennaChoice m_antenna;
     pointing::MountModel m_model;
     Motion m_motion;
     StandstillWatch m_standstill;

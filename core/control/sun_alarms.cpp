@@ -13,10 +13,9 @@ constexpr Angle kClear = Angle::fromDegrees(0.05);
 
 }  // namespace
 
-void SunAlarms::update(const SunWatch& sun, const std::optional<SkyPointing>& beam, std::optional<Axis> missing)
+void SunAlarms::update(const SunWatch& sun, const std::optional<Angle>& distance, std::optional<Axis> missing)
 {
     updateClock(sun);
-    const auto distance = beam ? sun.distance(*beam, missing) : std::nullopt;
     if (!distance || *distance > sun.radius() + kClear) {
         m_alarms.clear(alarmEntry("sun.near"));
     } else if (*distance < sun.radius() && !m_alarms.active(alarmEntry("sun.near"))) {

@@ -15,8 +15,9 @@ class SunAlarms
 public:
     explicit SunAlarms(AlarmBoard& alarms) : m_alarms(alarms) {}
 
-    // Once in a tick; `beam` is empty while nobody knows where it points, `missing` is the axis that the mount lacks.
-    void update(const SunWatch& sun, const std::optional<SkyPointing>& beam, std::optional<Axis> missing);
+    // Once in a tick; `distance` is that of the nearest beam, empty while nobody knows it; `missing` is the axis that
+    // the mount lacks.
+    void update(const SunWatch& sun, const std::optional<Angle>& distance, std::optional<Axis> missing);
 
 private:
     void updateClock(const SunWatch& sun);

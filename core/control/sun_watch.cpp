@@ -8,6 +8,7 @@
 #include "core/units/angle_between.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace boresight {
 
@@ -21,6 +22,18 @@ void SunWatch::profileChanged(const profile::Profile& before, const profile::Pro
     if (before.sun != after.sun || before.site != after.site) {
         begin();
     }
+}
+
+void SunWatch::setSpread(Angle spread)
+{
+    if (std::exchange(m_spread, spread) != spread) {
+        m_looked.reset();
+    }
+}
+
+Angle SunWatch::keptFree() const
+{
+    return std::min(m_profile->sun.radius + m_spread + kMargin, 90_deg);
 }
 
 void SunWatch::begin()
@@ -43,7 +56,7 @@ bool SunWatch::update(const Clock& clock)
     m_looked = utc;
     m_doubted = doubted;
     std::vector<pointing::KeepOut> keepOuts =
-        doubted ? pointing::sunBand(m_profile->site.latitude, m_profile->sun.radius + kMargin) : around(utc);
+        doubted ? pointing::sunBand(m_profile->site.latitude, keptFree()) : around(utc);
     const bool changed = keepOuts != m_keepOuts;
     m_keepOuts = std::move(keepOuts);
     return changed;
@@ -56,7 +69,7 @@ std::vector<pointing::KeepOut> SunWatch::around(UtcTime utc)
     }
     m_direction =
         ephemeris::apparent(m_almanac->place(ephemeris::Body::Sun, utc).direction, ephemeris::Refraction::Light);
-    const auto keepOut = pointing::sunKeepOut(m_direction, m_profile->sun.radius + kMargin);
+    const auto keepOut = pointing::sunKeepOut(m_direction, keptFree());
     return keepOut ? std::vector{*keepOut} : std::vector<pointing::KeepOut>{};
 }
 

@@ -28,6 +28,8 @@ public:
 
     // Of another Sun or site: looks for it with the next update().
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
+    // Beams that point this far from the one in use are kept away as well.
+    void setSpread(Angle spread);
     // Looks for the Sun when it is time, or when the clock was set; true when the keep-outs have changed.
     [[nodiscard]] bool update(const Clock& clock);
 
@@ -44,12 +46,14 @@ public:
 private:
     void begin();
     [[nodiscard]] std::vector<pointing::KeepOut> around(UtcTime utc);
+    [[nodiscard]] Angle keptFree() const;
 
     const profile::InForce& m_profile;
     ClockTrust m_trust;
     std::optional<ephemeris::Almanac> m_almanac;  // while the Sun is watched
     std::optional<UtcTime> m_looked;
     bool m_doubted = false;
+    Angle m_spread;
     SkyPointing m_direction;  // where it appeared then
     std::vector<pointing::KeepOut> m_keepOuts;
 };

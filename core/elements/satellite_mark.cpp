@@ -40,6 +40,12 @@ std::string noteOf(const SatelliteMarks& marks, std::int64_t number)
     return mark != nullptr ? mark->note : std::string();
 }
 
+std::string antennaOf(const SatelliteMarks& marks, std::int64_t number)
+{
+    const SatelliteMark* const mark = find(marks, number);
+    return mark != nullptr ? mark->antenna : std::string();
+}
+
 void setFavourite(SatelliteMarks& marks, int number, bool on)
 {
     changeMark(marks, number, [on](SatelliteMark& mark) { mark.favourite = on ? Favourite::On : Favourite::Off; });
@@ -48,6 +54,11 @@ void setFavourite(SatelliteMarks& marks, int number, bool on)
 void setNote(SatelliteMarks& marks, int number, const std::string& note)
 {
     changeMark(marks, number, [&](SatelliteMark& mark) { mark.note = note; });
+}
+
+void setAntenna(SatelliteMarks& marks, int number, const std::string& antenna)
+{
+    changeMark(marks, number, [&](SatelliteMark& mark) { mark.antenna = antenna; });
 }
 
 }  // namespace boresight::orbit

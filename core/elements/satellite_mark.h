@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-// What the operator keeps about a satellite: whether it is a favourite, and a note of one line. Pure values.
+// What the operator keeps about a satellite: whether it is a favourite, a note of one line, and the antenna it is
+// tracked with. Pure values.
 namespace boresight::orbit {
 
 enum class Favourite
@@ -20,6 +21,7 @@ struct SatelliteMark
     int number = 0;  // in the catalogue
     Favourite favourite = Favourite::Off;
     std::string note;
+    std::string antenna = {};  // by its name; empty: the one that is chosen by hand
 
     bool operator==(const SatelliteMark&) const = default;
 };
@@ -30,8 +32,10 @@ using SatelliteMarks = std::vector<SatelliteMark>;
 inline constexpr std::size_t kLongestNote = 120;  // characters
 
 [[nodiscard]] bool isFavourite(const SatelliteMarks& marks, std::int64_t number);
-[[nodiscard]] std::string noteOf(const SatelliteMarks& marks, std::int64_t number);  // empty: none
+[[nodiscard]] std::string noteOf(const SatelliteMarks& marks, std::int64_t number);     // empty: none
+[[nodiscard]] std::string antennaOf(const SatelliteMarks& marks, std::int64_t number);  // empty: none of its own
 void setFavourite(SatelliteMarks& marks, int number, bool on);
 void setNote(SatelliteMarks& marks, int number, const std::string& note);
+void setAntenna(SatelliteMarks& marks, int number, const std::string& antenna);
 
 }  // namespace boresight::orbit

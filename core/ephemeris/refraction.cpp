@@ -38,6 +38,21 @@ Angle saemundsson(Angle trueElevation)
 
 }  // namespace
 
+Refraction refractionBy(RefractionRule rule, Refraction ofKind)
+{
+    switch (rule) {
+        case RefractionRule::ByKind:
+            return ofKind;
+        case RefractionRule::None:
+            return Refraction::None;
+        case RefractionRule::Light:
+            return Refraction::Light;
+        case RefractionRule::Radio:
+            return Refraction::Radio;
+    }
+    return ofKind;
+}
+
 Angle refraction(Angle trueElevation, Refraction kind, const Air& air)
 {
     if (kind == Refraction::None || trueElevation <= kGone) {

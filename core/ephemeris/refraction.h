@@ -18,6 +18,18 @@ enum class Refraction
     Radio
 };
 
+// Of a station: by what its targets are bent.
+enum class RefractionRule
+{
+    ByKind,  // each by what is received of it
+    None,
+    Light,
+    Radio
+};
+
+// For a target of a kind that `ofKind` is meant for.
+[[nodiscard]] Refraction refractionBy(RefractionRule rule, Refraction ofKind);
+
 // At the site, not reduced to sea level.
 struct Air
 {

@@ -21,6 +21,8 @@ constexpr std::array kWords{std::pair{LocalCommand::Take, "take"},
                             std::pair{LocalCommand::Stop, "stop"},
                             std::pair{LocalCommand::ResetStop, "reset-stop"},
                             std::pair{LocalCommand::Satellites, "satellites"},
+                            std::pair{LocalCommand::Antennas, "antennas"},
+                            std::pair{LocalCommand::UseAntenna, "antenna"},
                             std::pair{LocalCommand::ScheduleList, "schedule-list"},
                             std::pair{LocalCommand::ScheduleArm, "schedule-arm"},
                             std::pair{LocalCommand::ScheduleDisarm, "schedule-disarm"},
@@ -28,8 +30,50 @@ constexpr std::array kWords{std::pair{LocalCommand::Take, "take"},
                             std::pair{LocalCommand::ScheduleRehearse, "schedule-rehearse"},
                             std::pair{LocalCommand::ScheduleRehearsal, "schedule-rehearsal"},
                             std::pair{LocalCommand::Track, "track"}};
+constexpr int kDecimals = 6;  // of a degree, as in the profile
 const QByteArray kAgreed = "ok\n";
 const QByteArray kRefused = "error: ";
+
+bool takesTarget(LocalCommand command)
+{
+    return command == LocalCommand::Track || command == LocalCommand::UseAntenna;
+}
+
+std::optional<KnownAntenna> antennaOf(const QByteArray& line)
+{
+    const QList<QByteArray> fields = line.split('\t');
+    if (fields.size() != 5) {
+        return std::nullopt;
+    }
+    const auto width = parseFinite(fields[1].toStdString());
+    const auto across = parseFinite(fields[2].toStdString());
+    const auto up = parseFinite(fields[3].toStdString());
+    if (!width || !across || !up || (fields[0] != "0" && fields[0] != "1")) {
+        return std::nullopt;
+    }
+    return KnownAntenna{.antenna = {.name = fields[4].toStdString(),
+                                    .beamWidth = Angle::fromDegrees(*width),
+                                    .across = Angle::fromDegrees(*across),
+                                    .up = Angle::fromDegrees(*up)},
+                        .isInUse = fields[0] == "1"};
+}
+
+// `read` gives the value of a line, or nothing.
+template <class Value, class Read>
+Result<std::vector<Value>> parseLines(const QByteArray& lines, Read read, const QString& problem)
+{
+    std::vector<Value> values;
+    for (qsizetype from = 0; from < lines.size();) {
+        const qsizetype end = lines.indexOf('\n', from);
+        const std::optional<Value> value = read(lines.mid(from, end - from));
+        if (end < 0 || !value) {
+            return failure(ErrorCode::Protocol, problem);
+        }
+        values.push_back(*value);
+        from = end + 1;
+    }
+    return values;
+}
 
 std::optional<KnownSatellite> satelliteOf(const QByteArray& line)
 {
@@ -64,13 +108,13 @@ Result<LocalRequest> parseRequest(const QByteArray& line)
     const QByteArray text = line.trimmed();
     const QByteArray word = text.split(' ').constFirst();
     const auto* const found = std::ranges::find_if(kWords, [&word](const auto& one) { return word == one.second; });
-    const bool isTrack = found != kWords.end() && found->first == LocalCommand::Track;
-    if (found == kWords.end() || isTrack == (word == text)) {
+    const bool hasTarget = found != kWords.end() && takesTarget(found->first);
+    if (found == kWords.end() || hasTarget == (word == text)) {
         return failure(ErrorCode::InvalidInput,
                        Text::tr("This is not a command. The commands are take, release, stop, reset-stop, satellites, "
-                                "track TARGET and those of the schedule."));
+                                "track TARGET, antennas, antenna NAME and those of the schedule."));
     }
-    return LocalRequest{.command = found->first, .target = isTrack ? text.mid(word.size()).trimmed() : QByteArray()};
+    return LocalRequest{.command = found->first, .target = hasTarget ? text.mid(word.size()).trimmed() : QByteArray()};
 }
 
 QByteArray answerText(const LocalAnswer& answer)
@@ -98,17 +142,20 @@ QByteArray satelliteLine(const KnownSatellite& satellite)
 
 Result<std::vector<KnownSatellite>> parseSatellites(const QByteArray& lines)
 {
-    std::vector<KnownSatellite> satellites;
-    for (qsizetype from = 0; from < lines.size();) {
-        const qsizetype end = lines.indexOf('\n', from);
-        const auto satellite = satelliteOf(lines.mid(from, end - from));
-        if (end < 0 || !satellite) {
-            return failure(ErrorCode::Protocol, Text::tr("The list of satellites is not complete."));
-        }
-        satellites.push_back(*satellite);
-        from = end + 1;
-    }
-    return satellites;
+    return parseLines<KnownSatellite>(lines, satelliteOf, Text::tr("The list of satellites is not complete."));
+}
+
+QByteArray antennaLine(const KnownAntenna& antenna)
+{
+    const auto number = [](Angle angle) { return QByteArray::fromStdString(formatFixed(angle.degrees(), kDecimals)); };
+    const pointing::Antenna& one = antenna.antenna;
+    return QByteArray(antenna.isInUse ? "1" : "0") + '\t' + number(one.beamWidth) + '\t' + number(one.across) + '\t' +
+           number(one.up) + '\t' + toQString(one.name).simplified().toUtf8() + '\n';
+}
+
+Result<std::vector<KnownAntenna>> parseAntennas(const QByteArray& lines)
+{
+    return parseLines<KnownAntenna>(lines, antennaOf, Text::tr("The list of antennas is not complete."));
 }
 
 QString runtimeFolder()

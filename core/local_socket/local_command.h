@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/result.h"
+#include "core/pointing/antenna.h"
 
 #include <QByteArray>
 #include <QString>
@@ -11,8 +12,8 @@
 #include <vector>
 
 // What a program of the same user may ask of a running station by its local socket: one line to the station, and back
-// "ok" with the lines of the answer, or "error: REASON". Both ends use this. Of the commands only `track` and
-// `schedule-arm` lead to motions. Pure, any thread.
+// "ok" with the lines of the answer, or "error: REASON". Both ends use this. Of the commands only `track`,
+// `schedule-arm`, and `antenna` while something is tracked, lead to motions. Pure, any thread.
 namespace boresight::local {
 
 enum class LocalCommand
@@ -23,6 +24,8 @@ enum class LocalCommand
     ResetStop,
     Track,
     Satellites,
+    Antennas,
+    UseAntenna,
     ScheduleList,  // the plan, as JSON
     ScheduleArm,
     ScheduleDisarm,
@@ -34,12 +37,12 @@ enum class LocalCommand
 struct LocalRequest
 {
     LocalCommand command = LocalCommand::Stop;
-    QByteArray target = {};  // of Track, as typed: UTF-8 without LF
+    QByteArray target = {};  // of Track and the name of UseAntenna, as typed: UTF-8 without LF
 
     bool operator==(const LocalRequest&) const = default;
 };
 
-// The lines that follow "ok", each with its LF: the name of the target that is tracked, the satellites,
+// The lines that follow "ok", each with its LF: the name of the target that is tracked, the satellites, the antennas,
 // or what is told of the schedule. Else empty.
 using LocalAnswer = Result<QByteArray>;
 
@@ -70,6 +73,19 @@ struct KnownSatellite
 [[nodiscard]] QByteArray satelliteLine(const KnownSatellite& satellite);
 // Protocol, if a line is no such line.
 [[nodiscard]] Result<std::vector<KnownSatellite>> parseSatellites(const QByteArray& lines);
+
+// An antenna of the mount, as a line of the answer: "1" if it is in use else "0", beam width, offsets across and up in
+// degrees, and the name, with a tab between.
+struct KnownAntenna
+{
+    pointing::Antenna antenna;
+    bool isInUse = false;
+
+    bool operator==(const KnownAntenna&) const = default;
+};
+[[nodiscard]] QByteArray antennaLine(const KnownAntenna& antenna);
+// Protocol, if a line is no such line.
+[[nodiscard]] Result<std::vector<KnownAntenna>> parseAntennas(const QByteArray& lines);
 
 // $XDG_RUNTIME_DIR; empty where the system has none for this user.
 [[nodiscard]] QString runtimeFolder();

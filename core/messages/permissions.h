@@ -35,6 +35,7 @@ enum class Action
     Home,
     Unwind,
     HoldAtEnd,
+    UseAntenna,
     JogUp,  // in the order of JogDirection, by at most Permissions::fastestJog; not at the end of the travel
     JogDown,
     JogLeft,

@@ -82,6 +82,11 @@ struct Horizon  // elevation 0°, or the lowest permitted, at the present azimut
 {
     std::optional<Angle> azimuth;
 };
+struct UseAntenna  // all directions are those of its beam from now on. Moves what Boresight tracks itself, and nothing
+                   // else
+{
+    std::string name;  // "main", or one of the profile
+};
 struct Hold  // decelerate and hold; not latched
 {};
 struct Stop  // decelerate and hold, latched until ResetStop
@@ -298,7 +303,8 @@ using AnyRequest =
                  request::FixDrives, request::AssignBoard, request::SetGear, request::SwitchOff, request::ReleaseBus,
                  request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof, request::ReadGains,
                  request::SetGain, request::PutGainsBack, request::StoreGains, request::Trial, request::FollowAzel,
-                 request::Rehearse, request::TrackFile, TuningRequest, CalibrationRequest, ScheduleRequest>;
+                 request::Rehearse, request::TrackFile, request::UseAntenna, TuningRequest, CalibrationRequest,
+                 ScheduleRequest>;
 
 // Every source that includes this header would compile the copying of so many alternatives again. It is compiled once.
 struct Request : AnyRequest

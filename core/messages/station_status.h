@@ -256,6 +256,7 @@ struct StationStatus
     // An act of the operator other than "Take control" took the control from clients, and they have not got it back.
     bool tookControl = false;
     std::optional<TrackedTarget> tracked;
+    std::string antenna = pointing::kMainAntenna;  // in use, by its name: see antennaOf()
     // Whose elements are known, in the order of their numbers. Never null.
     std::shared_ptr<const std::vector<orbit::ElementSet>> satellites =
         std::make_shared<const std::vector<orbit::ElementSet>>();
@@ -289,6 +290,17 @@ struct StationStatus
     RehearsalStatus rehearsal;
     ClockStatus clock;
 };
+
+// Directions are those of its beam, and what a pointing error costs goes by its beam width.
+[[nodiscard]] inline pointing::Antenna antennaOf(const StationStatus& status)
+{
+    return status.profile->antenna(status.antenna);
+}
+// How that beam differs from what the axes show.
+[[nodiscard]] inline pointing::PointingTerms termsOf(const StationStatus& status)
+{
+    return status.profile->termsOf(antennaOf(status));
+}
 
 // What an axis did in one tick, for the charts. Unknown is empty.
 struct AxisSample

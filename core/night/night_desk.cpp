@@ -175,6 +175,10 @@ void NightDesk::disarm(const Interruption& by)
 
 void NightDesk::noticed(const Request& request, const Source& by)
 {
+    if (std::holds_alternative<request::UseAntenna>(request)) {
+        m_searched.reset();  // its beam has other limits. The schedule goes on with it
+        return;
+    }
     if (leavesTheMount(request)) {
         return;
     }
@@ -196,7 +200,8 @@ void NightDesk::setSatellites(const Satellites& satellites)
 void NightDesk::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
     if (before.schedule != after.schedule || before.site != after.site || before.limits != after.limits ||
-        before.pointing != after.pointing || before.azimuth.geometry != after.azimuth.geometry ||
+        before.pointing != after.pointing || before.antennas != after.antennas ||
+        before.satellites != after.satellites || before.azimuth.geometry != after.azimuth.geometry ||
         before.elevation.geometry != after.elevation.geometry) {
         m_searched.reset();
     }
@@ -268,6 +273,12 @@ void NightDesk::noticeClock()
 }
 
 // A pass that is tracked stays as it was planned.
+std::function<bool(const SkyPointing&)> NightDesk::clearSkyOf(std::int64_t satellite) const
+{
+    const std::string own = orbit::antennaOf(m_profile->satellites, satellite);
+    return profile::clearSky(*m_profile, own.empty() ? m_control.chosenAntenna() : m_profile->antenna(own));
+}
+
 void NightDesk::lookForPasses()
 {
     const SteadyTime now = m_clock.now();
@@ -277,7 +288,6 @@ void NightDesk::lookForPasses()
     m_searched = now;
     std::vector<schedule::WatchedPass> known;
     std::vector<passes::SatelliteSearch> searches;
-    const auto isClear = profile::clearSky(*m_profile);
     QStringList missing;
     const UtcTime utc = m_clock.utc();
     for (const schedule::WatchEntry& entry : m_profile->schedule.watch) {
@@ -293,7 +303,7 @@ void NightDesk::lookForPasses()
                                        .from = utc,
                                        .to = utc + kPlanned,
                                        .minimumElevation = entry.leastElevation,
-                                       .isClear = isClear}});
+                                       .isClear = clearSkyOf(entry.number)}});
     }
     m_missing = missing.isEmpty() ? QString() : Text::tr("no elements of %1").arg(missing.join(QStringLiteral(", ")));
     if (!m_profile->site.known) {
@@ -335,7 +345,8 @@ void NightDesk::move()
     const Seconds before = m_profile->schedule.hooks.before;
     if (m_tracked) {
         m_moments.follow(m_tracked->pass(), before);
-        m_tracked->look(m_control.direction(), utc, m_clock.now(), m_profile->mount.beamWidth);
+        m_tracked->look(m_control.direction(), utc, m_clock.now(),
+                        {.beamWidth = m_control.antenna().beamWidth, .refraction = m_profile->orbit.refraction});
         if (utc >= m_tracked->ends() || !m_control.obeys(scheduleSource())) {
             finish(schedule::PassEnd::Set, {});
         }

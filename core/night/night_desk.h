@@ -82,6 +82,7 @@ private:
     [[nodiscard]] std::optional<Interruption> interruption() const;
     void noticeClock();
     void lookForPasses();
+    [[nodiscard]] std::function<bool(const SkyPointing&)> clearSkyOf(std::int64_t satellite) const;
     void plan(const std::vector<schedule::WatchedPass>& known, const std::vector<passes::PassList>& found);
     [[nodiscard]] const schedule::WatchedPass* next() const;
     void move();

@@ -2,6 +2,7 @@
 #include "core/night/tracked_pass.h"
 
 #include "core/elements/julian_date.h"
+#include "core/targets/target_path.h"
 #include "core/units/angle_between.h"
 
 namespace boresight {
@@ -16,7 +17,7 @@ TrackedPass::TrackedPass(const schedule::WatchedPass& pass, const orbit::Element
       m_last(now)
 {}
 
-void TrackedPass::look(const std::optional<SkyPointing>& beam, UtcTime utc, SteadyTime now, Angle beamWidth)
+void TrackedPass::look(const std::optional<SkyPointing>& beam, UtcTime utc, SteadyTime now, const Scale& scale)
 {
     const Seconds during = now - m_last;
     m_last = now;
@@ -25,8 +26,9 @@ void TrackedPass::look(const std::optional<SkyPointing>& beam, UtcTime utc, Stea
     }
     const orbit::JulianDate date = orbit::julianDate(utc);
     if (const orbit::OrbitResult state = m_orbit.propagate(date)) {
-        const SkyPointing satellite = m_observer.look(orbit::groundState(*state, date)).direction;
-        m_tally.add(angleBetween(*beam, satellite), during, beamWidth);
+        const SkyPointing satellite =
+            targets::satelliteSeen(m_observer.look(orbit::groundState(*state, date)).direction, scale.refraction);
+        m_tally.add(angleBetween(*beam, satellite), during, scale.beamWidth);
     }
 }
 

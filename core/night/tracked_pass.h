@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/elements/element_set.h"
+#include "core/ephemeris/refraction.h"
 #include "core/orbit/sgp4.h"
 #include "core/orbit/topocentric.h"
 #include "core/schedule/night_plan.h"
@@ -20,8 +21,14 @@ public:
 
     [[nodiscard]] const schedule::WatchedPass& pass() const { return m_pass; }
     [[nodiscard]] UtcTime ends() const { return m_pass.ends(); }
+    // By what its beam is judged.
+    struct Scale
+    {
+        Angle beamWidth;
+        ephemeris::RefractionRule refraction = ephemeris::RefractionRule::ByKind;
+    };
     // Where the beam is in this tick, if that is known. What the antenna does not see of the pass does not count.
-    void look(const std::optional<SkyPointing>& beam, UtcTime utc, SteadyTime now, Angle beamWidth);
+    void look(const std::optional<SkyPointing>& beam, UtcTime utc, SteadyTime now, const Scale& scale);
     [[nodiscard]] const schedule::PassTally& tally() const { return m_tally; }
 
 private:

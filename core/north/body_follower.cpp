@@ -70,7 +70,9 @@ Result<> BodyFollower::permits(Body body, bool overTheTop)
             return failure(ErrorCode::Refused, Text::tr("The %1 is below the horizon.").arg(bodyName(body)));
         }
         const Result<> mayFace = body == Body::Sun ? m_control.mayFaceSun() : Result<>{};
-        return mayFace.and_then([&] { return m_control.reaches(fromSide(direction, overTheTop)); });
+        return m_control.usesMainAntenna().and_then([&] { return mayFace; }).and_then([&] {
+            return m_control.reaches(fromSide(direction, overTheTop));
+        });
     });
 }
 

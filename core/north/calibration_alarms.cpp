@@ -64,7 +64,7 @@ bool CalibrationAlarms::beamAtSun()
         return told;  // and nothing else is known
     }
     const Angle distance = angleBetween(*beam, *sun);
-    const Angle near = std::max(m_profile->mount.beamWidth / 2.0, kNearSun);
+    const Angle near = std::max(m_control.antenna().beamWidth / 2.0, kNearSun);
     return told ? distance < near + kClearOfSun : distance < near && m_axes.standStill();
 }
 

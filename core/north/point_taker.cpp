@@ -28,9 +28,10 @@ PointTaker::PointTaker(const StationControl& control, const CalibrationRuns& run
 
 Result<> PointTaker::mayTake() const
 {
-    return m_runs.isIdle().and_then([this] { return m_axes.standStill(); }).and_then([this] {
-        return m_points.hasRoom();
-    });
+    return m_runs.isIdle()
+        .and_then([this] { return m_control.usesMainAntenna(); })
+        .and_then([this] { return m_axes.standStill(); })
+        .and_then([this] { return m_points.hasRoom(); });
 }
 
 Result<> PointTaker::mayTakeBody() const

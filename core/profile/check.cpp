@@ -143,6 +143,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
         problems.push_back({"mqtt.user", Text::tr("is needed with a password")});
     }
     checkRegion(problems, profile);
+    checkAntennas(problems, profile);
     checkSupervision(problems, profile);
     checkSatellites(problems, profile);
     checkSchedule(problems, profile);
@@ -159,6 +160,7 @@ std::vector<Problem> problemsOf(const Profile& profile)
     checkRows(problems, kKeepOutKey, keepOutSettings(), profile.limits.keepOuts);
     checkRows(problems, kPresetKey, presetSettings(), profile.presets);
     checkRows(problems, kSatelliteKey, satelliteSettings(), profile.satellites);
+    checkRows(problems, kAntennaKey, antennaSettings(), profile.antennas);
     checkRows(problems, kWatchKey, watchSettings(), profile.schedule.watch);
     for (Problem& problem : crossCheck(profile)) {
         problems.push_back(std::move(problem));

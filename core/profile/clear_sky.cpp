@@ -8,9 +8,9 @@
 
 namespace boresight::profile {
 
-std::function<bool(const SkyPointing&)> clearSky(const Profile& profile)
+std::function<bool(const SkyPointing&)> clearSky(const Profile& profile, const pointing::Antenna& antenna)
 {
-    const pointing::PointingModel model(profile.pointing);
+    const pointing::PointingModel model(profile.termsOf(antenna));
     const auto region = std::make_shared<const pointing::PermittedRegion>(
         profile.limits, profile.azimuth.geometry.travel, profile.elevation.geometry.travel, model);
     return [model, region](const SkyPointing& direction) {

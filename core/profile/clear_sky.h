@@ -8,8 +8,9 @@
 
 namespace boresight::profile {
 
-// Whether the antenna may look into a true direction: on any turn of its azimuth, between limits, over the horizon and
+// Whether this antenna may look into a true direction: on any turn of its azimuth, between limits, over the horizon and
 // outside the keep-outs of this profile. Pure value, any thread.
-[[nodiscard]] std::function<bool(const SkyPointing&)> clearSky(const Profile& profile);
+[[nodiscard]] std::function<bool(const SkyPointing&)> clearSky(const Profile& profile,
+                                                               const pointing::Antenna& antenna);
 
 }  // namespace boresight::profile

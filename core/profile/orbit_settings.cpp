@@ -38,6 +38,24 @@ Result<> checkNote(const std::string& note)
                : Result<>{};
 }
 
+SettingOf<orbit::SatelliteMark> antennaOfSatellite()
+{
+    using orbit::SatelliteMark;
+    auto antenna = textual<SatelliteMark>(
+        "antenna", kNow,
+        {QT_TRANSLATE_NOOP("Text", "Antenna"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "The name of the antenna it is tracked with. \"main\" is that of the table mount. Without this "
+             "key it is the one that is chosen by hand.")},
+        [](const SatelliteMark& row) { return row.antenna; },
+        [](SatelliteMark& row, const std::string& text) {
+            return (text.empty() ? Result<>{} : checkName(text)).map([&] { row.antenna = text; });
+        });
+    antenna.mayBeLeftOut = true;
+    return antenna;
+}
+
 std::vector<SettingOf<orbit::SatelliteMark>> makeSatelliteSettings()
 {
     using orbit::SatelliteMark;
@@ -57,7 +75,8 @@ std::vector<SettingOf<orbit::SatelliteMark>> makeSatelliteSettings()
             {QT_TRANSLATE_NOOP("Text", "Note"),
              QT_TRANSLATE_NOOP("Text", "A line of the operator's own, such as frequency and polarisation.")},
             [](const SatelliteMark& row) { return row.note; },
-            [](SatelliteMark& row, const std::string& note) { return checkNote(note).map([&] { row.note = note; }); })};
+            [](SatelliteMark& row, const std::string& note) { return checkNote(note).map([&] { row.note = note; }); }),
+        antennaOfSatellite()};
 }
 
 }  // namespace
@@ -85,6 +104,15 @@ void addOrbit(std::vector<Setting>& list)
         {QT_TRANSLATE_NOOP("Text", "Lead of the set-points"),
          QT_TRANSLATE_NOOP("Text", "A tracked satellite is aimed at where it is this much later.")},
         [](auto& p) -> auto& { return p.orbit.lead; }));
+    list.push_back(choice(
+        "orbit.refraction", {"by_kind", "none", "light", "radio"}, kNow,
+        {QT_TRANSLATE_NOOP("Text", "Refraction"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "How the air bends what is tracked. By kind: Sun, Moon and planets like light, radio sources like radio "
+             "waves, satellites not at all. The other values hold for all of them. AOS and LOS of satellites stay "
+             "geometric.")},
+        [](auto& p) -> auto& { return p.orbit.refraction; }));
 }
 
 void addAzel(std::vector<Setting>& list)
@@ -129,6 +157,20 @@ std::span<const SettingOf<orbit::SatelliteMark>> satelliteSettings()
 void checkSatellites(std::vector<Problem>& problems, const Profile& profile)
 {
     checkNumbers(problems, kSatelliteKey, profile.satellites);
+    QStringList names;
+    for (const pointing::Antenna& antenna : profile.allAntennas()) {
+        names << QStringLiteral("\"%1\"").arg(toQString(antenna.name));
+    }
+    names.removeDuplicates();
+    for (std::size_t i = 0; i < profile.satellites.size(); ++i) {
+        const std::string& antenna = profile.satellites[i].antenna;
+        if (!antenna.empty() && profile.antenna(antenna).name != antenna) {
+            problems.push_back(
+                {std::string(kSatelliteKey) + "[" + std::to_string(i + 1) + "].antenna",
+                 Text::tr("There is no antenna \"%1\". Name one of %2, or add [[antenna]] with this name.")
+                     .arg(toQString(antenna), names.join(QStringLiteral(", ")))});
+        }
+    }
 }
 
 }  // namespace boresight::profile

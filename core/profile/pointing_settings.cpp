@@ -4,6 +4,8 @@
 #include "core/profile/setting_groups.h"
 #include "core/profile/setting_makers.h"
 
+#include <set>
+
 namespace boresight::profile {
 
 using namespace makers;
@@ -12,6 +14,8 @@ namespace {
 
 // A mount that needs more is not to be corrected but to be put right.
 constexpr Range kSmall{-10.0, 10.0};
+// Of an antenna that is tilted on the boom.
+constexpr Range kAbove{-30.0, 30.0};
 
 template <class Access>
 Setting term(const std::string& name, Range range, const Words& words, Access access)
@@ -19,7 +23,59 @@ Setting term(const std::string& name, Range range, const Words& words, Access ac
     return number("pointing." + name + "_deg", "°", range, Applies::Now, words, access);
 }
 
+std::vector<SettingOf<pointing::Antenna>> makeAntennaSettings()
+{
+    using pointing::Antenna;
+    return {name<Antenna>(
+                "name", Applies::Now,
+                {QT_TRANSLATE_NOOP("Text", "Antenna"),
+                 QT_TRANSLATE_NOOP("Text", "Its name. \"main\" is the antenna that the table mount describes.")},
+                [](auto& row) -> auto& { return row.name; }),
+            number<Antenna>(
+                "beam_width_deg", "°", {0.01, 180.0}, Applies::Now,
+                {QT_TRANSLATE_NOOP("Text", "Beam width"), QT_TRANSLATE_NOOP("Text", "Its half-power beam width.")},
+                [](auto& row) -> auto& { return row.beamWidth; }),
+            number<Antenna>(
+                "offset_across_deg", "°", kSmall, Applies::Now,
+                {QT_TRANSLATE_NOOP("Text", "Offset across"),
+                 QT_TRANSLATE_NOOP("Text",
+                                   "How far its beam points clockwise of the main beam, measured on the sky at any "
+                                   "elevation. A negative value is counterclockwise.")},
+                [](auto& row) -> auto& { return row.across; }),
+            number<Antenna>(
+                "offset_up_deg", "°", kAbove, Applies::Now,
+                {QT_TRANSLATE_NOOP("Text", "Offset up"),
+                 QT_TRANSLATE_NOOP("Text", "How far its beam points above the main beam. A negative value is below.")},
+                [](auto& row) -> auto& { return row.up; })};
+}
+
 }  // namespace
+
+std::span<const SettingOf<pointing::Antenna>> antennaSettings()
+{
+    static const std::vector<SettingOf<pointing::Antenna>> list = makeAntennaSettings();
+    return list;
+}
+
+void checkAntennas(std::vector<Problem>& problems, const Profile& profile)
+{
+    if (profile.antennas.size() > kMaxAntennas) {
+        problems.push_back(
+            {std::string(kAntennaKey),
+             Text::tr("%1 antennas are too many. The most is %2.").arg(profile.antennas.size()).arg(kMaxAntennas)});
+    }
+    std::set<std::string> names{pointing::kMainAntenna};
+    for (std::size_t i = 0; i < profile.antennas.size(); ++i) {
+        const std::string& name = profile.antennas[i].name;
+        if (!names.insert(name).second) {
+            const std::string key = std::string(kAntennaKey) + "[" + std::to_string(i + 1) + "].name";
+            problems.push_back({key, profile.antennas[i].isMain()
+                                         ? Text::tr("\"main\" is the name of the antenna that the table mount "
+                                                    "describes. Choose another name.")
+                                         : Text::tr("The name \"%1\" is used twice.").arg(toQString(name))});
+        }
+    }
+}
 
 void addPointing(std::vector<Setting>& list)
 {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/profile/profile.h"
 
+#include <algorithm>
+
 namespace boresight::profile {
 
 namespace {
@@ -31,6 +33,20 @@ AxisSettings referenceElevation()
             .geometry = {.sign = -1, .offset = 90_deg, .gearRatio = 100.0, .travel = {.min = 0_deg, .max = 90_deg}},
             .limits = limitsOf(8.0, 8.0),
             .maxTorque = 50.0};
+}
+
+std::vector<pointing::Antenna> Profile::allAntennas() const
+{
+    std::vector<pointing::Antenna> all{{.beamWidth = mount.beamWidth}};
+    all.insert(all.end(), antennas.begin(), antennas.end());
+    return all;
+}
+
+pointing::Antenna Profile::antenna(const std::string& name) const
+{
+    const std::vector<pointing::Antenna> all = allAntennas();
+    const auto found = std::ranges::find(all, name, &pointing::Antenna::name);
+    return found == all.end() ? all.front() : *found;
 }
 
 }  // namespace boresight::profile

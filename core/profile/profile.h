@@ -3,6 +3,8 @@
 
 #include "core/base/clock.h"
 #include "core/elements/satellite_mark.h"
+#include "core/ephemeris/refraction.h"
+#include "core/pointing/antenna.h"
 #include "core/pointing/mount_model.h"
 #include "core/pointing/pointing_model.h"
 #include "core/pointing/region.h"
@@ -162,6 +164,7 @@ struct OrbitSettings
     std::vector<std::string> elements;  // files and folders; empty: those of Gpredict on this computer
     double oldestDays = 30.0;           // of elements that may be tracked
     Seconds lead{0.0};                  // of the set-points, for the latency of the drives
+    ephemeris::RefractionRule refraction = ephemeris::RefractionRule::ByKind;  // of what is tracked
 
     bool operator==(const OrbitSettings&) const = default;
 };
@@ -385,7 +388,8 @@ struct Profile
     AxisSettings azimuth = referenceAzimuth();
     AxisSettings elevation = referenceElevation();
     ControlSettings control;
-    pointing::PointingTerms pointing;  // how the true direction differs from what the axes show
+    pointing::PointingTerms pointing;         // how the true direction differs from what the axes show
+    std::vector<pointing::Antenna> antennas;  // besides the main one, which has the beam width of the mount
     pointing::Region limits;
     AxisPosition park{};  // mechanical angles
     std::vector<Preset> presets;
@@ -412,6 +416,15 @@ struct Profile
                : elevation.driver == AxisDriver::None ? std::optional(Axis::Elevation)
                                                       : std::nullopt;
     }
+    // The main one where there is none of this name.
+    [[nodiscard]] pointing::Antenna antenna(const std::string& name) const;
+    // By which its beam points.
+    [[nodiscard]] pointing::PointingTerms termsOf(const pointing::Antenna& antenna) const
+    {
+        return pointing::termsFor(pointing, antenna, missing());
+    }
+    // The main one and all others, in the order of the file.
+    [[nodiscard]] std::vector<pointing::Antenna> allAntennas() const;
     bool operator==(const Profile&) const = default;
 };
 

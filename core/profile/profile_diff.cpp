@@ -162,7 +162,11 @@ std::vector<Item> makeItems()
             items.push_back(listItem(
                 kPresetKey, presetSettings(), [](auto& p) -> auto& { return p.presets; }, &namesText<Preset>));
             items.push_back(siteItem());
-        } else if (setting.key == "orbit.lead_s") {
+        } else if (setting.key == "mount.directions") {
+            items.push_back(listItem(
+                kAntennaKey, antennaSettings(), [](auto& p) -> auto& { return p.antennas; },
+                &namesText<pointing::Antenna>));
+        } else if (setting.key == "orbit.refraction") {
             items.push_back(listItem(
                 kSatelliteKey, satelliteSettings(), [](auto& p) -> auto& { return p.satellites; },
                 &numbersText<orbit::SatelliteMark>));

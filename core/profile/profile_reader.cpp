@@ -87,6 +87,8 @@ private:
             readRows(key, node, line, presetSettings(), m_profile.presets);
         } else if (key == kSatelliteKey) {
             readRows(key, node, line, satelliteSettings(), m_profile.satellites);
+        } else if (key == kAntennaKey) {
+            readRows(key, node, line, antennaSettings(), m_profile.antennas);
         } else if (key == kWatchKey) {
             readRows(key, node, line, watchSettings(), m_profile.schedule.watch);
         } else {
@@ -148,7 +150,7 @@ private:
         }
         std::vector<std::string> missing;
         for (const SettingOf<Row>& field : fields) {
-            if (!table->contains(field.key)) {
+            if (!table->contains(field.key) && !field.mayBeLeftOut) {
                 missing.push_back(field.key);
             }
         }

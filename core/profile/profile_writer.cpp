@@ -104,7 +104,9 @@ std::string rowsText(std::string_view list, const std::string& meaning, std::spa
     for (const Row& row : rows) {
         text += "\n" + head;
         for (const SettingOf<Row>& field : fields) {
-            text += field.key + " = " + toText(field.get(row)) + "\n";
+            if (!field.mayBeLeftOut || field.get(row) != field.get(Row{})) {
+                text += field.key + " = " + toText(field.get(row)) + "\n";
+            }
         }
     }
     return text;
@@ -113,6 +115,10 @@ std::string rowsText(std::string_view list, const std::string& meaning, std::spa
 // What follows the settings of one table: TOML wants the keys of a table in one place.
 std::string listsAfter(const std::string& table, const Profile& profile)
 {
+    if (table == "mount") {
+        return rowsText(kAntennaKey, "Antennas besides the main one, which the table mount describes.",
+                        antennaSettings(), profile.antennas);
+    }
     if (table == "limits") {
         return horizonText(profile.limits.horizon) +
                rowsText(kKeepOutKey, "Parts of the sky that the beam stays out of; the edge is permitted.",

@@ -57,7 +57,8 @@ struct SettingOf
     // Set where the default depends on other settings: makes the value that a file without the key means. The writer
     // leaves the key out, as a comment, where it says nothing else.
     std::function<void(Owner&)> assume = {};
-    bool secret = false;  // not for logs, diagnostics and eyes over the shoulder; the file has it
+    bool mayBeLeftOut = false;  // of a row: it then has the default of the row
+    bool secret = false;        // not for logs, diagnostics and eyes over the shoulder; the file has it
 
     [[nodiscard]] bool counts(const Owner& owner) const { return !isGiven || isGiven(owner); }
 };
@@ -74,11 +75,14 @@ inline constexpr std::string_view kKeepOutKey = "keep_out";
 inline constexpr std::string_view kPresetKey = "preset";
 inline constexpr std::string_view kWatchKey = "watch";
 inline constexpr std::string_view kSatelliteKey = "satellite";
+inline constexpr std::string_view kAntennaKey = "antenna";
 
 // One per tenth of a degree: the region is laid out anew whenever it changes.
 inline constexpr std::size_t kMaxHorizonPoints = 3600;
 // More would make the control tick wait for the search for a way (core/pointing/METHOD.md).
 inline constexpr std::size_t kMaxKeepOuts = 32;
+// As many as can be chosen at a glance.
+inline constexpr std::size_t kMaxAntennas = 12;
 
 // Of one row, in the order of the file. They apply at once.
 [[nodiscard]] std::span<const SettingOf<pointing::HorizonPoint>> horizonSettings();
@@ -86,6 +90,7 @@ inline constexpr std::size_t kMaxKeepOuts = 32;
 [[nodiscard]] std::span<const SettingOf<Preset>> presetSettings();
 [[nodiscard]] std::span<const SettingOf<schedule::WatchEntry>> watchSettings();
 [[nodiscard]] std::span<const SettingOf<orbit::SatelliteMark>> satelliteSettings();
+[[nodiscard]] std::span<const SettingOf<pointing::Antenna>> antennaSettings();
 
 struct Problem
 {

@@ -45,9 +45,10 @@ void checkNumbers(std::vector<Problem>& problems, std::string_view list, const s
     }
 }
 
-// Cross checks of the region, the Sun, the park place and the presets; of the satellites; of the watch list; of the
-// sensor; of the received power.
+// Cross checks of the region, the Sun, the park place and the presets; of the antennas; of the satellites; of the watch
+// list; of the sensor; of the received power.
 void checkRegion(std::vector<Problem>& problems, const Profile& profile);
+void checkAntennas(std::vector<Problem>& problems, const Profile& profile);
 void checkSatellites(std::vector<Problem>& problems, const Profile& profile);
 void checkSchedule(std::vector<Problem>& problems, const Profile& profile);
 void checkSensor(std::vector<Problem>& problems, const Profile& profile);

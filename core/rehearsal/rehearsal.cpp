@@ -24,6 +24,7 @@ constexpr std::chrono::minutes kBetweenLooks{1};
 // What is looked at of each minute in which the mount stands and no pass is near.
 constexpr std::chrono::milliseconds kLook{500};
 constexpr std::size_t kMostRemarks = 200;
+const Source kRehearser{.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
 
 // As it is in force, but for what belongs to real drives and to an operator who is away.
 profile::Profile rehearsed(profile::Profile profile)
@@ -55,6 +56,7 @@ public:
                      found(passes::findPasses(searches, stop));
                  })
     {
+        [[maybe_unused]] const Result<> used = m_control.request(request::UseAntenna{task.antenna}, kRehearser);
         m_desk.setSatellites(task.satellites);
         m_night.from = task.from;
         m_night.leastAzimuth = m_night.mostAzimuth = task.standing.azimuth;
@@ -83,11 +85,7 @@ public:
         takeRemarks();
     }
 
-    Result<> arm()
-    {
-        static const Source kOperator{.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
-        return m_desk.carryOut(request::ArmSchedule{}, kOperator);
-    }
+    Result<> arm() { return m_desk.carryOut(request::ArmSchedule{}, kRehearser); }
 
     [[nodiscard]] UtcTime utc() const { return m_clock.utc(); }
     [[nodiscard]] const ScheduleStatus& schedule() const { return *m_desk.status(); }

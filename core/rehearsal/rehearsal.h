@@ -18,8 +18,9 @@ namespace boresight {
 struct RehearsalTask
 {
     profile::Profile profile;
-    NightDesk::Satellites satellites;  // in the order of the numbers
-    AxisPosition standing;             // where the mount stands at the beginning; mechanical angles
+    NightDesk::Satellites satellites;              // in the order of the numbers
+    std::string antenna = pointing::kMainAntenna;  // that is chosen
+    AxisPosition standing;                         // where the mount stands at the beginning; mechanical angles
     UtcTime from{};
 };
 

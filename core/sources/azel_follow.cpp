@@ -175,7 +175,8 @@ bool AzelFollow::isDue(const SkyPointing& moon, SteadyTime now) const
         return true;
     }
     const bool isOver = profile.azel.interval <= kAllTheTime || now - target->since >= profile.azel.interval;
-    return isOver && angleBetween(target->now, moon) >= profile.mount.beamWidth * profile.azel.beamFraction;
+    return isOver &&
+           angleBetween(target->now, moon) >= helm().view().antenna.inUse().beamWidth * profile.azel.beamFraction;
 }
 
 Result<> AzelFollow::follow(SteadyTime now, UtcTime utc)

@@ -31,6 +31,13 @@ const orbit::ElementSet* elementsOf(const targets::Target& target)
     return std::get_if<orbit::ElementSet>(&target.kind);
 }
 
+// Of a satellite.
+std::optional<std::int64_t> numberOf(const targets::Target& target)
+{
+    const orbit::ElementSet* const elements = elementsOf(target);
+    return elements ? std::optional(elements->number) : std::nullopt;
+}
+
 // A direction of its own, which may be below the horizon.
 bool isDirection(const targets::Target& target)
 {
@@ -117,15 +124,17 @@ Result<TargetTrack::Tracked> TargetTrack::plan(const targets::Target& target, co
         return tl::unexpected(may.error());
     }
     const Site site = view.profile.site.place();
-    Tracked tracked{.target = target, .path = targets::TargetPath(target, site), .site = site, .by = by};
+    Tracked tracked{.target = target,
+                    .path = targets::TargetPath(target, site, view.profile.orbit.refraction),
+                    .site = site,
+                    .by = by};
     return tracked.path.nextUp(now)
         .and_then([&](const targets::UpTime& up) { return isSoon(up, target.name, now); })
-        .and_then([&](const targets::UpTime& up) {
+        .map([&](const targets::UpTime& up) {
             tracked.up = up;
             tracked.isUp = up.rises <= now;
-            return reaches(tracked, now);
-        })
-        .map([&] { return std::move(tracked); });
+            return std::move(tracked);
+        });
 }
 
 Result<> TargetTrack::ask(const request::Track& wanted, const Source& by)
@@ -134,28 +143,43 @@ Result<> TargetTrack::ask(const request::Track& wanted, const Source& by)
         .and_then([&] { return helm().mayPoint(by); })
         .and_then([&] { return plan(wanted.target, by); })
         .and_then([&](Tracked tracked) {
-            m_utc = {};
-            const UtcTime now = m_utc.now(helm().view().clock);
-            const UtcTime from = std::max(now, tracked.up.rises);
-            tracked.way = wayOf(tracked, from);
-            tracked.place = roomyStart(tracked.way);
-            const bool goesOn = helm().current().continues(Activity::Streaming, by);
-            return follow(tracked, from).map([&](const AxisPosition& place) {
-                if (goesOn) {  // no motion begins that the log would name
-                    helm().note(Severity::Advisory, Text::tr("tracks %1 from now on").arg(wanted.target.name));
-                }
-                tracked.place = place;
-                tracked.errand = helm().current().errand();
-                m_tracked = std::move(tracked);
-                helm().clearAlarm(alarmEntry("track.no-orbit"));
-            });
+            // Its beam goes there. A refusal leaves the antenna that was in use.
+            const std::optional<AntennaChoice::Tracked> before = helm().view().antenna.tracked();
+            helm().useAntennaFor(AntennaChoice::Tracked{.satellite = numberOf(wanted.target)});
+            const Result<> begun = begin(std::move(tracked));
+            if (!begun) {
+                helm().useAntennaFor(before);
+            }
+            return begun;
         });
+}
+
+Result<> TargetTrack::begin(Tracked tracked)
+{
+    m_utc = {};
+    const UtcTime now = m_utc.now(helm().view().clock);
+    if (const Result<> may = reaches(tracked, now); !may) {
+        return may;
+    }
+    const UtcTime from = std::max(now, tracked.up.rises);
+    tracked.way = wayOf(tracked, from);
+    tracked.place = roomyStart(tracked.way);
+    const bool goesOn = helm().current().continues(Activity::Streaming, tracked.by);
+    return follow(tracked, from).map([&](const AxisPosition& place) {
+        if (goesOn) {  // no motion begins that the log would name
+            helm().note(Severity::Advisory, Text::tr("tracks %1 from now on").arg(tracked.target.name));
+        }
+        tracked.place = place;
+        tracked.errand = helm().current().errand();
+        m_tracked = std::move(tracked);
+        helm().clearAlarm(alarmEntry("track.no-orbit"));
+    });
 }
 
 // It ends with its set, or where its orbit ends.
 targets::SkyWay TargetTrack::wayOf(Tracked& tracked, UtcTime from) const
 {
-    const auto isClear = profile::clearSky(helm().view().profile);
+    const auto isClear = profile::clearSky(helm().view().profile, helm().view().antenna.inUse());
     const UtcTime end = tracked.up.sets.value_or(from + targets::TargetPath::kSearched);
     const bool isFast = elementsOf(tracked.target) || isTable(tracked.target);
     const UtcTime::duration step =
@@ -237,6 +261,7 @@ void TargetTrack::step(SteadyTime)
     }
     const UtcTime utc = m_utc.now(helm().view().clock);
     watchClock();
+    takeRefraction(utc);
     m_tracked->isUp = utc > m_tracked->up.rises;
     if (m_tracked->up.sets && utc > *m_tracked->up.sets) {
         end(Severity::Advisory,
@@ -261,6 +286,16 @@ void TargetTrack::followOn(UtcTime utc)
     end(Severity::Warning, Text::tr("ends the tracking: %1").arg(place.error().text));
 }
 
+// The profile may have changed. The way that is shown goes the same as the mount.
+void TargetTrack::takeRefraction(UtcTime utc)
+{
+    const ephemeris::RefractionRule rule = helm().view().profile.orbit.refraction;
+    if (m_tracked->path.rule() != rule) {
+        m_tracked->path.setRule(rule);
+        m_tracked->way = wayOf(*m_tracked, std::max(utc, m_tracked->up.rises));
+    }
+}
+
 // A direction is where it is at any time.
 void TargetTrack::watchClock()
 {
@@ -275,6 +310,7 @@ void TargetTrack::watchClock()
 void TargetTrack::forget()
 {
     m_tracked.reset();
+    helm().endTracking();
     helm().clearAlarm(alarmEntry("track.clock"));
 }
 
@@ -293,9 +329,7 @@ void TargetTrack::describe(StationStatus& status) const
                                    .isUp = m_tracked->isUp,
                                    .next = m_tracked->isUp ? m_tracked->up.sets : std::optional(m_tracked->up.rises),
                                    .way = m_tracked->way};
-    if (const orbit::ElementSet* const elements = elementsOf(m_tracked->target)) {
-        status.tracked->number = elements->number;
-    }
+    status.tracked->number = numberOf(m_tracked->target);
 }
 
 }  // namespace boresight::sources

@@ -48,8 +48,10 @@ private:
     [[nodiscard]] std::optional<AxisPosition> roomyStart(const targets::SkyWay& way) const;
     [[nodiscard]] UtcTime aimed(UtcTime utc) const;
     [[nodiscard]] Result<> mayGoOn() const;
+    Result<> begin(Tracked tracked);
     Result<AxisPosition> follow(Tracked& tracked, UtcTime utc);
     void followOn(UtcTime utc);
+    void takeRefraction(UtcTime utc);
     void watchClock();
     void forget();
     void end(Severity severity, const QString& why);

@@ -47,6 +47,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
            .mayShellCommand = [this] { return m_control.mayShellCommand(); },
            .readTable = [this](const QString& path, StationTables::Then then) { m_tables.read(path, std::move(then)); },
            .satellites = [this] { return m_elements.satellites(); },
+           .antennas = [this] { return knownAntennas(); },
            .schedule = [this] { return m_night.status(); },
            .rehearsal = [this] { return m_rehearsal.status(); }},
           m_log, clock, this),
@@ -169,6 +170,15 @@ void Station::openServer()
     }
 }
 
+std::vector<local::KnownAntenna> Station::knownAntennas() const
+{
+    std::vector<local::KnownAntenna> known;
+    for (const pointing::Antenna& one : m_profile->allAntennas()) {
+        known.push_back({.antenna = one, .isInUse = one.name == m_control.antenna().name});
+    }
+    return known;
+}
+
 void Station::tellStart()
 {
     const MountDriver& mount = m_mount->driver();
@@ -222,7 +232,7 @@ void Station::witness()
     }
     const auto proposed = m_calibration.proposedOfSensor();
     m_sensor.watch().setProposed(proposed ? proposed->sensor : std::nullopt);
-    m_sensor.watch().tick(m_control.direction(), amperes,
+    m_sensor.watch().tick(m_control.directionBy(m_profile->pointing), amperes,
                           proposed ? m_control.directionBy(proposed->terms) : std::nullopt);
     m_calibration.take(m_sensor.status());
     const SensorEvidence evidence = m_sensor.evidence();
@@ -361,6 +371,7 @@ Result<> Station::rehearse(const request::Rehearse& wanted)
     }
     return m_rehearsal.begin({.profile = *m_profile,
                               .satellites = m_elements.satellites(),
+                              .antenna = m_control.chosenAntenna().name,
                               .standing = m_control.measured().value_or(m_profile->park),
                               .from = m_clock.utc()});
 }

@@ -120,6 +120,7 @@ private:
     void openServer();
     void refuseToStart();
     void tellStart();
+    [[nodiscard]] std::vector<local::KnownAntenna> knownAntennas() const;
     void witness();
     void finish();
     void keepSample();

@@ -49,10 +49,8 @@ TravelRange trueRange(const TravelRange& travel, Angle offset, Angle rest)
 }
 
 // An axis that ends at the zenith does not look over the top because the mast leans.
-TravelRange trueElevations(const profile::Profile& profile)
+TravelRange trueElevations(const TravelRange& travel, const pointing::PointingTerms& terms)
 {
-    const TravelRange& travel = profile.elevation.geometry.travel;
-    const pointing::PointingTerms& terms = profile.pointing;
     const Angle rest = pointing::PointingModel(terms).skew() + abs(terms.elevationSag);
     TravelRange range = trueRange(travel, terms.elevationOffset, rest);
     if (travel.max + terms.elevationOffset <= 90_deg) {
@@ -89,9 +87,10 @@ std::string StationRotator::info() const
 
 rotctld::Limits StationRotator::limits() const
 {
+    const pointing::PointingTerms terms = m_profile->termsOf(m_control.antenna());
     const TravelRange azimuth =
-        trueRange(m_profile->azimuth.geometry.travel, m_profile->pointing.azimuthOffset.wrapped180(), model().skew());
-    const TravelRange elevation = trueElevations(*m_profile);
+        trueRange(m_profile->azimuth.geometry.travel, terms.azimuthOffset.wrapped180(), model().skew());
+    const TravelRange elevation = trueElevations(m_profile->elevation.geometry.travel, terms);
     rotctld::Limits limits{.minAzimuth = azimuth.min,
                            .maxAzimuth = azimuth.max,
                            .minElevation = elevation.min,

@@ -16,9 +16,9 @@ Source shellSource()
     return {.kind = SourceKind::Operator, .name = QStringLiteral("shell")};
 }
 
-Request requestOf(local::LocalCommand command)
+Request requestOf(const local::LocalRequest& asked)
 {
-    switch (command) {
+    switch (asked.command) {
         case local::LocalCommand::Take:
             return request::TakeAuthority{};
         case local::LocalCommand::Release:
@@ -31,9 +31,12 @@ Request requestOf(local::LocalCommand command)
             return request::DisarmSchedule{};
         case local::LocalCommand::ScheduleRehearse:
             return request::Rehearse{};
+        case local::LocalCommand::UseAntenna:
+            return request::UseAntenna{asked.target.toStdString()};
         case local::LocalCommand::Stop:
         case local::LocalCommand::Track:
         case local::LocalCommand::Satellites:
+        case local::LocalCommand::Antennas:
         case local::LocalCommand::ScheduleList:
         case local::LocalCommand::ScheduleReport:
         case local::LocalCommand::ScheduleRehearsal:
@@ -82,6 +85,9 @@ local::LocalAnswer StationShell::answerNow(const local::LocalRequest& asked)
     if (asked.command == local::LocalCommand::Satellites) {
         return satelliteLines();
     }
+    if (asked.command == local::LocalCommand::Antennas) {
+        return antennaLines();
+    }
     if (asked.command == local::LocalCommand::ScheduleList) {
         return planJson(*m_station.schedule()) + '\n';
     }
@@ -91,7 +97,7 @@ local::LocalAnswer StationShell::answerNow(const local::LocalRequest& asked)
     if (asked.command == local::LocalCommand::ScheduleRehearsal) {
         return rehearsalJson(m_station.rehearsal()) + '\n';
     }
-    return told(asked, m_station.ask(requestOf(asked.command), shellSource()).map([] { return QByteArray(); }));
+    return told(asked, m_station.ask(requestOf(asked), shellSource()).map([] { return QByteArray(); }));
 }
 
 // A refusal is in the log, too.
@@ -144,6 +150,15 @@ QByteArray StationShell::satelliteLines() const
     for (const orbit::ElementSet& one : *m_station.satellites()) {
         lines += local::satelliteLine(
             {.number = one.number, .epoch = orbit::utcTime(one.epoch), .name = toQString(one.name)});
+    }
+    return lines;
+}
+
+QByteArray StationShell::antennaLines() const
+{
+    QByteArray lines;
+    for (const local::KnownAntenna& one : m_station.antennas()) {
+        lines += local::antennaLine(one);
     }
     return lines;
 }

@@ -28,6 +28,7 @@ public:
         std::function<Result<>()> mayShellCommand;
         std::function<void(const QString& path, StationTables::Then then)> readTable;
         std::function<std::shared_ptr<const std::vector<orbit::ElementSet>>()> satellites;
+        std::function<std::vector<local::KnownAntenna>()> antennas;
         std::function<std::shared_ptr<const ScheduleStatus>()> schedule;
         std::function<RehearsalStatus()> rehearsal;
     };
@@ -51,6 +52,7 @@ private:
     [[nodiscard]] local::LocalAnswer track(const targets::Target& target);
     [[nodiscard]] local::LocalAnswer told(const local::LocalRequest& asked, local::LocalAnswer answer);
     [[nodiscard]] QByteArray satelliteLines() const;
+    [[nodiscard]] QByteArray antennaLines() const;
 
     Station m_station;
     LogThrottle m_lines;

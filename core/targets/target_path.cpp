@@ -4,7 +4,6 @@
 #include "core/base/overloaded.h"
 #include "core/base/text.h"
 #include "core/elements/julian_date.h"
-#include "core/ephemeris/refraction.h"
 #include "core/ephemeris/rise_set.h"
 #include "core/passes/pass_finder.h"
 
@@ -15,12 +14,6 @@ namespace {
 
 // Nearer to the antenna a position has no direction that means anything.
 constexpr double kNearest = 0.001;  // km
-
-ephemeris::Refraction refractionOf(const ephemeris::SkyObject& object)
-{
-    return std::holds_alternative<ephemeris::StarPlace>(object) ? ephemeris::Refraction::Radio
-                                                                : ephemeris::Refraction::Light;
-}
 
 Result<SkyPointing> directionOf(const EarthPosition& position, const QString& name, const orbit::Observer& observer)
 {
@@ -37,8 +30,18 @@ Result<SkyPointing> directionOf(const EarthPosition& position, const QString& na
 
 }  // namespace
 
-TargetPath::TargetPath(const Target& target, const Site& site)
-    : m_name(target.name), m_site(site), m_observer(site), m_almanac(site), m_way(wayOf(target, m_observer))
+SkyPointing satelliteSeen(const SkyPointing& airless, ephemeris::RefractionRule rule)
+{
+    return ephemeris::apparent(airless, refractionBy(rule, ephemeris::Refraction::None));
+}
+
+TargetPath::TargetPath(const Target& target, const Site& site, ephemeris::RefractionRule rule)
+    : m_name(target.name),
+      m_site(site),
+      m_observer(site),
+      m_almanac(site),
+      m_way(wayOf(target, m_observer)),
+      m_rule(rule)
 {}
 
 TargetPath::Way TargetPath::wayOf(const Target& target, const orbit::Observer& observer)
@@ -61,7 +64,9 @@ Result<SkyPointing> TargetPath::at(UtcTime utc)
                    },
                    [](const Fixed& direction) { return direction; },
                    [&](tables::TablePath& table) -> Result<SkyPointing> {
-                       return table.at(utc).map([](const tables::TablePlace& place) { return place.direction; });
+                       return table.at(utc).map([&](const tables::TablePlace& place) {
+                           return place.kilometres ? satelliteSeen(place.direction, m_rule) : place.direction;
+                       });
                    }},
         m_way);
 }
@@ -73,7 +78,7 @@ Result<SkyPointing> TargetPath::satelliteAt(const orbit::Sgp4& orbit, UtcTime ut
     if (!state) {
         return failure(ErrorCode::NotAvailable, orbit::describe(state.error()));
     }
-    return m_observer.look(orbit::groundState(*state, date)).direction;
+    return satelliteSeen(m_observer.look(orbit::groundState(*state, date)).direction, m_rule);
 }
 
 Result<UpTime> TargetPath::nextUp(UtcTime from)
@@ -85,6 +90,12 @@ Result<UpTime> TargetPath::nextUp(UtcTime from)
                                  },
                                  [&](tables::TablePath& table) { return nextStay(table, from); }},
                       m_way);
+}
+
+ephemeris::Refraction TargetPath::refractionOf(const ephemeris::SkyObject& object) const
+{
+    return refractionBy(m_rule, std::holds_alternative<ephemeris::StarPlace>(object) ? ephemeris::Refraction::Radio
+                                                                                     : ephemeris::Refraction::Light);
 }
 
 tl::unexpected<Error> TargetPath::neverUp() const

@@ -740,6 +740,10 @@ até %1</translation>
         <source>favourites and notes</source>
         <translation>favoritos e notas</translation>
     </message>
+    <message>
+        <source>antennas</source>
+        <translation>antenas</translation>
+    </message>
 </context>
 <context>
     <name>SkyBodies</name>
@@ -8048,10 +8052,6 @@ até %1</translation>
         <translation>%1: &quot;%2&quot; não é um número de catálogo.</translation>
     </message>
     <message>
-        <source>This is not a command. The commands are take, release, stop, reset-stop, satellites, track TARGET and those of the schedule.</source>
-        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, satellites, track TARGET e os da agenda.</translation>
-    </message>
-    <message>
         <source>%1 is not a folder of this user</source>
         <translation>%1 não é uma pasta deste utilizador</translation>
     </message>
@@ -8519,6 +8519,78 @@ até %1</translation>
         <source>The file is a CCSDS message, but not an OEM. Boresight tracks tables and OEM.</source>
         <translation>O ficheiro é uma mensagem CCSDS, mas não um OEM. O Boresight segue tabelas e OEM.</translation>
     </message>
+    <message>
+        <source>antenna &quot;%1&quot; is in use</source>
+        <translation>a antena &quot;%1&quot; está em uso</translation>
+    </message>
+    <message>
+        <source>Antenna &quot;%1&quot; is in use. North is found with the antenna &quot;main&quot;. Use that one first.</source>
+        <translation>A antena &quot;%1&quot; está em uso. O norte determina-se com a antena &quot;main&quot;. Use primeiro essa.</translation>
+    </message>
+    <message>
+        <source>There is no antenna &quot;%1&quot;. The profile has %2.</source>
+        <translation>Não há nenhuma antena &quot;%1&quot;. O perfil tem %2.</translation>
+    </message>
+    <message>
+        <source>This is not a command. The commands are take, release, stop, reset-stop, satellites, track TARGET, antennas, antenna NAME and those of the schedule.</source>
+        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, satellites, track TARGET, antennas, antenna NAME e os da agenda.</translation>
+    </message>
+    <message>
+        <source>The list of antennas is not complete.</source>
+        <translation>A lista de antenas não está completa.</translation>
+    </message>
+    <message>
+        <source>Antenna</source>
+        <translation>Antena</translation>
+    </message>
+    <message>
+        <source>The name of the antenna it is tracked with. &quot;main&quot; is that of the table mount. Without this key it is the one that is chosen by hand.</source>
+        <translation>O nome da antena com que é seguido. &quot;main&quot; é a da tabela mount. Sem esta chave é a que foi escolhida à mão.</translation>
+    </message>
+    <message>
+        <source>Refraction</source>
+        <translation>Refração</translation>
+    </message>
+    <message>
+        <source>How the air bends what is tracked. By kind: Sun, Moon and planets like light, radio sources like radio waves, satellites not at all. The other values hold for all of them. AOS and LOS of satellites stay geometric.</source>
+        <translation>Como o ar desvia o que é seguido. By kind: Sol, Lua e planetas como a luz, fontes de rádio como as ondas de rádio, satélites de modo nenhum. Os outros valores aplicam-se a todos. AOS e LOS dos satélites ficam geométricos.</translation>
+    </message>
+    <message>
+        <source>There is no antenna &quot;%1&quot;. Name one of %2, or add [[antenna]] with this name.</source>
+        <translation>Não há nenhuma antena &quot;%1&quot;. Indique uma de %2, ou acrescente [[antenna]] com este nome.</translation>
+    </message>
+    <message>
+        <source>Its name. &quot;main&quot; is the antenna that the table mount describes.</source>
+        <translation>O seu nome. &quot;main&quot; é a antena que a tabela mount descreve.</translation>
+    </message>
+    <message>
+        <source>Its half-power beam width.</source>
+        <translation>A sua largura de feixe a meia potência.</translation>
+    </message>
+    <message>
+        <source>Offset across</source>
+        <translation>Desvio lateral</translation>
+    </message>
+    <message>
+        <source>How far its beam points clockwise of the main beam, measured on the sky at any elevation. A negative value is counterclockwise.</source>
+        <translation>Quanto o seu feixe aponta no sentido horário em relação ao feixe principal, medido no céu a qualquer elevação. Um valor negativo é no sentido anti-horário.</translation>
+    </message>
+    <message>
+        <source>Offset up</source>
+        <translation>Desvio para cima</translation>
+    </message>
+    <message>
+        <source>How far its beam points above the main beam. A negative value is below.</source>
+        <translation>Quanto o seu feixe aponta acima do feixe principal. Um valor negativo é abaixo.</translation>
+    </message>
+    <message>
+        <source>%1 antennas are too many. The most is %2.</source>
+        <translation>%1 antenas são demasiadas. O máximo é %2.</translation>
+    </message>
+    <message>
+        <source>&quot;main&quot; is the name of the antenna that the table mount describes. Choose another name.</source>
+        <translation>&quot;main&quot; é o nome da antena que a tabela mount descreve. Escolha outro nome.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -8878,6 +8950,29 @@ SDL 2, toml++</translation>
     <message>
         <source>This alarm is over.</source>
         <translation>terminou</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::AntennaRow</name>
+    <message>
+        <source>Antenna</source>
+        <translation>Antena</translation>
+    </message>
+    <message>
+        <source>Beam of the antenna</source>
+        <translation>Feixe da antena</translation>
+    </message>
+    <message>
+        <source>beam %1</source>
+        <translation>feixe %1</translation>
+    </message>
+    <message>
+        <source>The antenna in use. All directions are those of its beam.</source>
+        <translation>A antena em uso. Todas as direções são as do seu feixe.</translation>
+    </message>
+    <message>
+        <source>Antenna: %1</source>
+        <translation>Antena: %1</translation>
     </message>
 </context>
 <context>
@@ -14144,6 +14239,25 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
     </message>
 </context>
 <context>
+    <name>boresight::ui::SatelliteAntenna</name>
+    <message>
+        <source>Antenna for the satellite</source>
+        <translation>Antena para o satélite</translation>
+    </message>
+    <message>
+        <source>The antenna that this satellite is tracked with</source>
+        <translation>A antena com que este satélite é seguido</translation>
+    </message>
+    <message>
+        <source>as chosen by hand</source>
+        <translation>a escolhida à mão</translation>
+    </message>
+    <message>
+        <source>Antenna: %1</source>
+        <translation>Antena: %1</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::ScanBox</name>
     <message>
         <source>Not now: %1</source>
@@ -14969,6 +15083,18 @@ Erro máximo: %6</translation>
     <message>
         <source>The panel Limits (Ctrl+3) and the sky change them.</source>
         <translation>O painel Limites (Ctrl+3) e o céu mudam-nos.</translation>
+    </message>
+    <message>
+        <source>1 antenna</source>
+        <translation>1 antena</translation>
+    </message>
+    <message>
+        <source>%1 antennas</source>
+        <translation>%1 antenas</translation>
+    </message>
+    <message>
+        <source>Antennas besides the main one. They are in the file of the profile. The manual shows how.</source>
+        <translation>Antenas além da principal. Estão no ficheiro do perfil. O manual mostra como.</translation>
     </message>
 </context>
 <context>

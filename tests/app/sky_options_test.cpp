@@ -89,6 +89,10 @@ TEST(SkyOptions, AreRefusedWithWhatIsExpected)
 TEST(SkyOptions, ABodyIsNoSatellite)
 {
     EXPECT_EQ(refusalOfEphemeris({"--body", "moon", "--site", "1,2,3", "--times", "-"}), "accepted");
+    EXPECT_EQ(refusalOfEphemeris(with(kEphemeris, {"--refraction", "radio"})), "accepted");
+    EXPECT_EQ(refusalOfEphemeris(with(kEphemeris, {"--refraction", "optical"})),
+              "--refraction \"optical\": expected none, light or radio");
+    EXPECT_EQ(refusalOfPasses(with(kPasses, {"--refraction", "light"})), "there is no option --refraction");
     EXPECT_THAT(refusalOfEphemeris({"--body", "pluto"}),
                 HasSubstr("--body \"pluto\": expected one of sun, moon, mercury,"));
     EXPECT_EQ(refusalOfEphemeris({"--body", "mars", "--site", "1,2,3", "--times", "-"}), "accepted");

@@ -204,7 +204,7 @@ private:
         m_nearestEnd = std::min({m_nearestEnd, truth.azimuth - travel.min, travel.max - truth.azimuth});
         if (seen) {
             seen->look(SkyPointing{.azimuth = truth.azimuth.wrapped360(), .elevation = truth.elevation}, now(),
-                       rig->clock.now(), profile.mount.beamWidth);
+                       rig->clock.now(), {.beamWidth = profile.mount.beamWidth});
         }
     }
 

@@ -194,7 +194,7 @@ void StripCharts::add(const std::vector<TickSample>& samples)
 
 void StripCharts::showStatus(const StationStatus& status)
 {
-    m_profile = status.profile;
+    m_limits = {.profile = status.profile, .beamWidth = antennaOf(status).beamWidth};
     for (const Axis axis : kAxes) {
         m_turnKnown[axisIndex(axis)] = isTurnKnown(status, axis);
     }
@@ -225,7 +225,7 @@ void StripCharts::refresh()
     }
     const ChartSpan span = spanOf(m_choice.window, m_strips.front()->columns(), newest(), m_cursor);
     for (const Strip which : kStrips) {
-        strip(which).showFrame(frameOf(*m_store, which, m_choice, span, *m_profile));
+        strip(which).showFrame(frameOf(*m_store, which, m_choice, span, m_limits));
     }
     showTime(span);
     describeOnceASecond();

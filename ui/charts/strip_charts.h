@@ -76,7 +76,7 @@ private:
     QButtonGroup* m_axes;
     QComboBox* m_quantity;
     // Of the status that was shown last: the cursor draws the limits again between two of them.
-    std::shared_ptr<const profile::Profile> m_profile = std::make_shared<const profile::Profile>();
+    ChartLimits m_limits;
     std::array<bool, 2> m_turnKnown{true, true};  // by Axis
     std::optional<SteadyTime> m_pausedAt;
     std::optional<int> m_cursor;

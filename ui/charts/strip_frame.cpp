@@ -61,7 +61,7 @@ std::vector<Trace> tracesOf(const TelemetryStore& store, Strip strip, const Char
             of(StripTexts::tr("board"), TraceLine::Line, Channel::BoardTemperature)};
 }
 
-std::vector<ReferenceLine> referencesOf(Strip strip, const ChartChoice& choice, const profile::Profile& profile)
+std::vector<ReferenceLine> referencesOf(Strip strip, const ChartChoice& choice, const ChartLimits& chart)
 {
     if (strip == Strip::Position) {
         return {};
@@ -69,12 +69,13 @@ std::vector<ReferenceLine> referencesOf(Strip strip, const ChartChoice& choice, 
     std::vector<ReferenceLine> lines;
     if (strip == Strip::Error) {
         for (const double share : kBeamShares) {
-            const double level = profile.mount.beamWidth.degrees() * share / 100.0;
+            const double level = chart.beamWidth.degrees() * share / 100.0;
             lines.push_back({level, StripTexts::tr("%1 % of the beam").arg(share)});
             lines.push_back({-level, {}});
         }
         return lines;
     }
+    const profile::Profile& profile = *chart.profile;
     const profile::SupervisionSettings& limits = profile.supervision;
     const profile::AxisSettings& axis = choice.axis == Axis::Azimuth ? profile.azimuth : profile.elevation;
     switch (choice.quantity) {
@@ -134,12 +135,12 @@ StripForm formOf(Strip strip, DriveQuantity quantity)
 }
 
 StripFrame frameOf(const TelemetryStore& store, Strip strip, const ChartChoice& choice, const ChartSpan& span,
-                   const profile::Profile& profile)
+                   const ChartLimits& limits)
 {
     return {.firstColumn = span.firstColumn(),
             .columns = span.grid.columns,
             .traces = tracesOf(store, strip, choice, span),
-            .references = referencesOf(strip, choice, profile),
+            .references = referencesOf(strip, choice, limits),
             .cursor = span.cursor};
 }
 

@@ -8,6 +8,7 @@
 #include <QString>
 
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -92,8 +93,14 @@ struct ChartSpan
 
 [[nodiscard]] ChartSpan spanOf(std::chrono::seconds window, int columns, SteadyTime newest, std::optional<int> cursor);
 [[nodiscard]] StripForm formOf(Strip strip, DriveQuantity quantity);
+// What the lines of reference show.
+struct ChartLimits
+{
+    std::shared_ptr<const profile::Profile> profile = std::make_shared<const profile::Profile>();
+    Angle beamWidth = Angle::fromDegrees(10.0);  // of the antenna in use
+};
 [[nodiscard]] StripFrame frameOf(const TelemetryStore& store, Strip strip, const ChartChoice& choice,
-                                 const ChartSpan& span, const profile::Profile& profile);
+                                 const ChartSpan& span, const ChartLimits& limits);
 [[nodiscard]] QString name(DriveQuantity quantity);
 // "12.30" or, of a column that holds more than can be told apart, "12.10…12.50"; "–" without a value.
 [[nodiscard]] QString valueText(const std::optional<PeakRange>& value, int decimals);

@@ -66,6 +66,7 @@ constexpr Name kNames[] = {{"limits.azimuth_min_deg", QT_TRANSLATE_NOOP("Setting
                            {profile::kKeepOutKey, QT_TRANSLATE_NOOP("SettingWords", "keep-outs")},
                            {profile::kPresetKey, QT_TRANSLATE_NOOP("SettingWords", "presets")},
                            {profile::kSatelliteKey, QT_TRANSLATE_NOOP("SettingWords", "favourites and notes")},
+                           {profile::kAntennaKey, QT_TRANSLATE_NOOP("SettingWords", "antennas")},
                            {profile::kWatchKey, QT_TRANSLATE_NOOP("SettingWords", "watch list")},
                            {"site", QT_TRANSLATE_NOOP("SettingWords", "site")}};
 

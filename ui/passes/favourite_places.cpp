@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/passes/favourite_places.h"
 
-#include "core/targets/target.h"
-
 #include <algorithm>
 
 namespace boresight::ui {
@@ -49,7 +47,7 @@ std::vector<SatellitePlace> FavouritePlaces::at(UtcTime utc, const std::optional
         }
         const SkyPointing direction = observer.look(orbit::groundState(*state, date)).direction;
         if (direction.elevation >= 0_deg) {
-            places.push_back({.name = one.name, .direction = direction});
+            places.push_back({.name = one.name, .direction = targets::satelliteSeen(direction, m_refraction)});
         }
     }
     std::ranges::sort(places, std::ranges::greater(),

@@ -4,6 +4,7 @@
 #include "core/elements/satellite_mark.h"
 #include "core/orbit/sgp4.h"
 #include "core/orbit/topocentric.h"
+#include "core/targets/target_path.h"
 #include "ui/passes/pass_book.h"
 #include "ui/sky/sky_satellites.h"
 
@@ -18,6 +19,8 @@ class FavouritePlaces
 public:
     // An empty site: it is not known, and nothing is up.
     void setBasis(const Satellites& satellites, const orbit::SatelliteMarks& marks, const std::optional<Site>& site);
+    // Where they appear by it is where a tracked one is pointed to.
+    void setRefraction(ephemeris::RefractionRule rule) { m_refraction = rule; }
     // The highest ones, without the satellite that has a mark of its own.
     [[nodiscard]] std::vector<SatellitePlace> at(UtcTime utc, const std::optional<std::int64_t>& without);
 
@@ -33,6 +36,7 @@ private:
     Satellites m_satellites;
     orbit::SatelliteMarks m_marks;
     std::optional<Site> m_site;
+    ephemeris::RefractionRule m_refraction = ephemeris::RefractionRule::ByKind;
     std::vector<One> m_favourites;
 };
 

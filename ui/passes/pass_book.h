@@ -6,6 +6,8 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -31,11 +33,18 @@ struct PassBook
     Satellites satellites;
     Site site{};
     Angle beamWidth{};
-    std::vector<BookedPass> passes;  // in the order in which they begin
+    std::map<std::int64_t, Angle> ownBeamWidths;  // of satellites with an antenna of their own, by their numbers
+    std::vector<BookedPass> passes;               // in the order in which they begin
 
     [[nodiscard]] const orbit::ElementSet& elementsOf(const BookedPass& one) const
     {
         return satellites->at(one.satellite);
+    }
+    // Of the antenna that it is tracked with.
+    [[nodiscard]] Angle beamWidthOf(const BookedPass& one) const
+    {
+        const auto own = ownBeamWidths.find(elementsOf(one).number);
+        return own == ownBeamWidths.end() ? beamWidth : own->second;
     }
 };
 

@@ -16,6 +16,9 @@ std::shared_ptr<const PassBook> bookOf(const PassQuery& query, const std::vector
     book->satellites = query.satellites;
     book->site = query.search.site;
     book->beamWidth = query.beamWidth;
+    for (const auto& [number, antenna] : query.own) {
+        book->ownBeamWidths[number] = antenna.beamWidth;
+    }
     for (std::size_t satellite = 0; satellite < lists.size(); ++satellite) {
         for (const passes::Pass& pass : lists[satellite].passes) {
             book->passes.push_back({.satellite = satellite, .pass = pass});
@@ -49,6 +52,9 @@ void PassSearcher::search(const PassQuery& query)
         searches.reserve(query.satellites->size());
         for (const orbit::ElementSet& set : *query.satellites) {
             searches.push_back({.orbit = orbit::Sgp4(set), .search = query.search});
+            if (const auto own = query.own.find(set.number); own != query.own.end()) {
+                searches.back().search.isClear = own->second.isClear;
+            }
         }
         const auto tell = [&, last = -1](std::size_t finished) mutable {
             const int percent = static_cast<int>(100 * finished / searches.size());

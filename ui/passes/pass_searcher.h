@@ -6,6 +6,8 @@
 #include <QObject>
 #include <QThreadPool>
 
+#include <functional>
+#include <map>
 #include <memory>
 #include <stop_token>
 
@@ -13,11 +15,19 @@
 // before. What was found comes back on the gui thread. Gui thread.
 namespace boresight::ui {
 
+// Of a satellite that is tracked with an antenna of its own.
+struct OwnAntenna
+{
+    Angle beamWidth{};
+    std::function<bool(const SkyPointing&)> isClear;
+};
+
 struct PassQuery
 {
     Satellites satellites;
     passes::PassSearch search;
     Angle beamWidth{};
+    std::map<std::int64_t, OwnAntenna> own;  // by the numbers of the satellites
 };
 
 class PassSearcher : public QObject

@@ -51,7 +51,7 @@ QString ageText(const BookedPass& one, const PassBook& book, UtcTime now)
     const double days = Seconds(now - orbit::utcTime(elements.epoch)).count() / kSecondsPerDay;
     const orbit::AgeError error = orbit::expectedError(elements, one.pass.tca.utc);
     const Angle shift = shiftOf(one, book, error.time);
-    const QString words = 2.0 * shift > book.beamWidth
+    const QString words = 2.0 * shift > book.beamWidthOf(one)
                               ? PassWords::tr("elements %1 days old: about %2 s or %3 off, more than half the beam")
                               : PassWords::tr("elements %1 days old: about %2 s or %3 off");
     return words.arg(std::max(0.0, days), 0, 'f', 1).arg(error.time.count(), 0, 'f', 1).arg(angleText(shift, 1));

@@ -33,6 +33,17 @@ constexpr int kCellMargins = 14;  // px
 // With less room than this the facts would leave the table a row or two.
 constexpr int kRoomForAllFacts = 400;
 
+std::map<std::int64_t, pointing::Antenna> ownAntennas(const profile::Profile& profile)
+{
+    std::map<std::int64_t, pointing::Antenna> own;
+    for (const orbit::SatelliteMark& mark : profile.satellites) {
+        if (!mark.antenna.empty()) {
+            own[mark.number] = profile.antenna(mark.antenna);
+        }
+    }
+    return own;
+}
+
 }  // namespace
 
 PassesPanel::PassesPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent)
@@ -182,19 +193,25 @@ void PassesPanel::searchAgain(const StationStatus& status)
                       .site = profile.site,
                       .limits = profile.limits,
                       .pointing = profile.pointing,
-                      .beamWidth = profile.mount.beamWidth};
+                      .antenna = antennaOf(status),
+                      .own = ownAntennas(profile)};
     const bool isOld = m_now < m_last.begun || m_now - m_last.begun > kSearchAgain;
     if (!basis.satellites || basis.satellites->empty() || !basis.site.known || (basis == m_last.basis && !isOld)) {
         return;
     }
     m_last.basis = basis;
     m_last.begun = m_now - kBack;
+    std::map<std::int64_t, OwnAntenna> own;
+    for (const auto& [number, antenna] : basis.own) {
+        own[number] = {.beamWidth = antenna.beamWidth, .isClear = clearSky(profile, antenna)};
+    }
     m_searcher->search({.satellites = basis.satellites,
                         .search = {.site = basis.site.place(),
                                    .from = m_last.begun,
                                    .to = m_now + kAhead,
-                                   .isClear = clearSky(profile)},
-                        .beamWidth = basis.beamWidth});
+                                   .isClear = clearSky(profile, basis.antenna)},
+                        .beamWidth = basis.antenna.beamWidth,
+                        .own = own});
 }
 
 void PassesPanel::showBook(const std::shared_ptr<const PassBook>& book)
@@ -258,6 +275,7 @@ void PassesPanel::showFavourites(const StationStatus& status)
     const profile::SiteSettings& site = status.profile->site;
     m_favourites.setBasis(status.satellites, status.profile->satellites,
                           site.known ? std::optional(site.place()) : std::nullopt);
+    m_favourites.setRefraction(status.profile->orbit.refraction);
     Q_EMIT favouritesMoved(
         m_favourites.at(status.utc, status.tracked ? status.tracked->number : std::optional<std::int64_t>()));
 }

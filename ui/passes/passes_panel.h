@@ -7,6 +7,7 @@
 
 #include <QWidget>
 
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -54,7 +55,8 @@ private:
         profile::SiteSettings site;
         pointing::Region limits;
         pointing::PointingTerms pointing;
-        Angle beamWidth;
+        pointing::Antenna antenna;
+        std::map<std::int64_t, pointing::Antenna> own;  // of satellites that have one
 
         bool operator==(const Basis&) const = default;
     };

@@ -9,6 +9,7 @@
 #include "ui/passes/favourite_button.h"
 #include "ui/passes/note_line.h"
 #include "ui/passes/pass_words.h"
+#include "ui/passes/satellite_antenna.h"
 #include "ui/passes/watch_button.h"
 
 #include <QHBoxLayout>
@@ -36,7 +37,8 @@ SelectedPass::SelectedPass(ProfileDraft& draft, RequestDesk& desk, QWidget* pare
                                 desk, *m_refused, this)),
       m_watch(new WatchButton(draft, desk, *m_refused, this)),
       m_favourite(new FavouriteButton(draft, desk, *m_refused, this)),
-      m_note(new NoteLine(draft, *m_refused, this))
+      m_note(new NoteLine(draft, *m_refused, this)),
+      m_antenna(new SatelliteAntenna(draft, *m_refused, this))
 {
     build();
     connect(m_track, &QPushButton::clicked, this, &SelectedPass::track);
@@ -67,7 +69,11 @@ void SelectedPass::build()
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
-    column->addWidget(m_note);
+    auto* const kept = new QHBoxLayout;
+    kept->setSpacing(kGrid);
+    kept->addWidget(m_note, 1);
+    kept->addWidget(m_antenna);
+    column->addLayout(kept);
     column->addLayout(row);
     setBrief(false, true);
 }
@@ -86,6 +92,7 @@ void SelectedPass::setNoteShown(bool on)
 {
     m_isNoteShown = on;
     m_note->setVisible(on || m_note->hasFocus());
+    m_antenna->setRoom(on || m_note->hasFocus());
     showFacts();
 }
 
@@ -110,6 +117,7 @@ void SelectedPass::showStatus(const StationStatus& status)
     m_watch->show(satellite(), status.profile->schedule.watch);
     m_favourite->show(satellite(), marks);
     m_note->show(satellite(), marks);
+    m_antenna->show(satellite(), *status.profile);
     const QString note = m_pass ? QString::fromStdString(orbit::noteOf(marks, *satellite())) : QString();
     const UtcTime second = std::chrono::floor<std::chrono::seconds>(status.utc);
     if (second != m_now || note != m_noteText) {
@@ -135,6 +143,7 @@ void SelectedPass::toggleFavourite(int satellite)
 void SelectedPass::editNote()
 {
     m_note->setVisible(true);
+    m_antenna->setRoom(true);
     showFacts();
     m_note->setFocus(Qt::ShortcutFocusReason);
 }

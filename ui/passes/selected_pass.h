@@ -11,9 +11,9 @@
 
 class QBoxLayout;
 
-// The selected pass in words, with the note of its satellite, and what can be done with it: track it, watch it, make it
-// a favourite. Gui thread.
-// More than 15 members: the widgets that it composes, and how much room they have.
+// The selected pass in words, with the note and the antenna of its satellite, and what can be done with it: track it,
+// watch it, make it a favourite. Gui thread. More than 15 members: the widgets that it composes, and how much room they
+// have.
 namespace boresight::ui {
 
 class CommandButton;
@@ -21,6 +21,7 @@ class FavouriteButton;
 class NoteLine;
 class ProfileDraft;
 class RequestDesk;
+class SatelliteAntenna;
 class ValueLabel;
 class WatchButton;
 
@@ -52,6 +53,7 @@ private:
     WatchButton* m_watch;
     FavouriteButton* m_favourite;
     NoteLine* m_note;
+    SatelliteAntenna* m_antenna;
     std::shared_ptr<const PassBook> m_book;
     std::optional<BookedPass> m_pass;
     Satellites m_satellites;  // as they are now

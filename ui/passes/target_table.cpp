@@ -28,10 +28,22 @@ void TargetTable::setSite(const std::optional<Site>& site)
     m_places.clear();
     if (site) {
         for (const targets::Target& target : m_targets) {
-            m_places.push_back({.path = targets::TargetPath(target, *site)});
+            m_places.push_back({.path = targets::TargetPath(target, *site, m_refraction)});
         }
     }
     changeCells();
+}
+
+// Rises and sets are looked for again.
+void TargetTable::setRefraction(ephemeris::RefractionRule rule)
+{
+    m_refraction = rule;
+    for (Place& place : m_places) {
+        if (place.path.rule() != rule) {
+            place.path.setRule(rule);
+            place.lookedForAt = {};
+        }
+    }
 }
 
 void TargetTable::look(Place& place, UtcTime now)

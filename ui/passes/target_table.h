@@ -27,6 +27,7 @@ public:
 
     // Empty: the site is not set, and nothing is known but the names.
     void setSite(const std::optional<Site>& site);
+    void setRefraction(ephemeris::RefractionRule rule);
     void tick(UtcTime now);
 
     [[nodiscard]] const targets::Target& target(int row) const { return m_targets.at(std::size_t(row)); }
@@ -50,6 +51,7 @@ private:
 
     std::vector<targets::Target> m_targets;
     std::optional<Site> m_site;
+    ephemeris::RefractionRule m_refraction = ephemeris::RefractionRule::ByKind;
     std::vector<Place> m_places;  // one for each target, or none
     UtcTime m_now{};
 };

@@ -119,6 +119,7 @@ void TargetsPage::showStatus(const StationStatus& status)
         site.known ? std::optional(Site{
                          .latitude = site.latitude, .longitude = site.longitude, .heightMetres = site.heightMetres})
                    : std::nullopt);
+    m_targets->setRefraction(status.profile->orbit.refraction);
     if (isVisible() && std::chrono::abs(status.utc - m_now) >= std::chrono::seconds(1)) {
         m_now = status.utc;
         m_targets->tick(status.utc);

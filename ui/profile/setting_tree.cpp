@@ -43,8 +43,8 @@ SettingTree::SettingTree(ProfileDraft& draft, QObject* parent) : QAbstractItemMo
                 {.key = setting.key, .comparedAs = setting.isGiven ? "site" : setting.key, .setting = &setting});
     }
     for (const auto& [table, key] :
-         {std::pair("limits", profile::kHorizonKey), std::pair("limits", profile::kKeepOutKey),
-          std::pair("park", profile::kPresetKey)}) {
+         {std::pair("mount", profile::kAntennaKey), std::pair("limits", profile::kHorizonKey),
+          std::pair("limits", profile::kKeepOutKey), std::pair("park", profile::kPresetKey)}) {
         addLine(QLatin1String(table), {.key = std::string(key), .comparedAs = std::string(key)});
     }
     connect(&m_draft, &ProfileDraft::changed, this, &SettingTree::followDraft);
@@ -266,6 +266,9 @@ QString SettingTree::heldText(const Line& line, const profile::Profile& profile)
     if (line.key == profile::kKeepOutKey) {
         return counted(profile.limits.keepOuts.size(), tr("1 sector"), tr("%1 sectors"));
     }
+    if (line.key == profile::kAntennaKey) {
+        return counted(profile.allAntennas().size(), tr("1 antenna"), tr("%1 antennas"));
+    }
     return counted(profile.presets.size(), tr("1 direction"), tr("%1 directions"));
 }
 
@@ -288,7 +291,9 @@ QString SettingTree::explanation(const Line& line) const
     }
     if (line.setting == nullptr) {
         sentences << (line.key == profile::kPresetKey ? tr("Your own directions. The panel Jog (Ctrl+1) changes them.")
-                                                      : tr("The panel Limits (Ctrl+3) and the sky change them."));
+                      : line.key == profile::kAntennaKey ? tr("Antennas besides the main one. They are in the file of "
+                                                              "the profile. The manual shows how.")
+                                                         : tr("The panel Limits (Ctrl+3) and the sky change them."));
         return sentences.join(QLatin1Char(' '));
     }
     const profile::Setting& setting = *line.setting;

@@ -30,9 +30,8 @@ CableState cableOf(const StationStatus& status)
     }
     const AxisStatus& axis = status.azimuth;
     const Freshness age = freshness(axis.age);
-    CableState cable{.travel = axis.travel,
-                     .zero = status.profile->pointing.azimuthOffset,
-                     .wrapKnown = isTurnKnown(status, Axis::Azimuth)};
+    CableState cable{
+        .travel = axis.travel, .zero = termsOf(status).azimuthOffset, .wrapKnown = isTurnKnown(status, Axis::Azimuth)};
     cable.late = age == Freshness::Late;
     if (age != Freshness::NoData && cable.wrapKnown) {
         cable.actual = axis.actual;

@@ -54,10 +54,11 @@ std::optional<Angle> distanceTo(const StationStatus& status, const std::optional
 std::pair<pointing::Region, Travel> groundOf(const StationStatus& status)
 {
     pointing::Region region = pointing::withSun(status.profile->limits, status.sunKeepOuts);
-    Travel travel{status.azimuth.travel, status.elevation.travel, pointing::PointingModel(status.profile->pointing)};
+    const pointing::PointingTerms terms = termsOf(status);
+    Travel travel{status.azimuth.travel, status.elevation.travel, pointing::PointingModel(terms)};
     if (const auto missing = missingAxis(status)) {
         region = pointing::withoutAxis(region, *missing);
-        travel.pointing = pointing::PointingModel(pointing::withoutAxis(status.profile->pointing, *missing));
+        travel.pointing = pointing::PointingModel(pointing::withoutAxis(terms, *missing));
         (*missing == Axis::Azimuth ? travel.azimuth : travel.elevation) =
             *missing == Axis::Azimuth ? TravelRange{0_deg, 360_deg} : TravelRange{0_deg, 90_deg};
         for (pointing::KeepOut& keepOut : region.keepOuts) {
@@ -388,7 +389,7 @@ void PolarPlot::showCable(const StationStatus& status)
 void PolarPlot::showRegion(const StationStatus& status)
 {
     const auto [region, travel] = groundOf(status);
-    m_beamWidth = status.profile->mount.beamWidth;
+    m_beamWidth = antennaOf(status).beamWidth;
     m_focus = status.target ? *status.target : status.actual.value_or(m_focus);
     const bool moved = !m_editor->isDragging() && m_zoom.follow(m_focus);
     const bool changed = m_region != region || travel != m_travel;

@@ -215,7 +215,7 @@ void AxisCard::showStatus(const StationStatus& status)
     m_shown = m_axis == Axis::Azimuth ? status.azimuth : status.elevation;
     m_registers = driveOf(status, m_axis).registers;
     m_trim = status.trim;
-    m_hasModel = status.profile->pointing != pointing::PointingTerms{};
+    m_hasModel = termsOf(status) != pointing::PointingTerms{};
     const bool turnKnown = isTurnKnown(status, m_axis);
     showNumbers(turnKnown);
     // On an unknown turn the drive counts from anywhere: there is nothing to compare.
@@ -258,7 +258,8 @@ void AxisCard::showError(const StationStatus& status, bool known)
     }
     // A degree of azimuth is less of the sky the higher the beam.
     const double onSky = m_axis == Axis::Azimuth && status.actual ? std::cos(status.actual->elevation.radians()) : 1.0;
-    const auto share = [&](Angle to) { return (to - *beam.actual) / status.profile->mount.beamWidth * onSky; };
+    const Angle width = antennaOf(status).beamWidth;
+    const auto share = [&](Angle to) { return (to - *beam.actual) / width * onSky; };
     const std::optional<Angle> expected = expectedAngle(status, beam);
     m_bar->setError(share(*beam.target), expected && std::abs(share(*expected)) > 0.5);
 }

@@ -3,6 +3,7 @@
 
 #include "ui/kit/theme.h"
 #include "ui/window/alarm_card.h"
+#include "ui/window/antenna_row.h"
 #include "ui/window/axis_readout.h"
 #include "ui/window/sensor_readout.h"
 
@@ -12,14 +13,19 @@
 
 namespace boresight::ui {
 
-ColumnHead::ColumnHead(AlarmCard& alarms, QWidget* parent)
-    : QWidget(parent), m_alarms(alarms), m_axes(new AxisReadout(this)), m_sensor(new SensorReadout(this))
+ColumnHead::ColumnHead(AlarmCard& alarms, RequestDesk& desk, QWidget* parent)
+    : QWidget(parent),
+      m_alarms(alarms),
+      m_axes(new AxisReadout(this)),
+      m_antenna(new AntennaRow(desk, alarms.notice(), this)),
+      m_sensor(new SensorReadout(this))
 {
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kGrid / 2);
     column->addWidget(&m_alarms);
     column->addWidget(m_axes);
+    column->addWidget(m_antenna);
     column->addWidget(m_sensor);
     column->addStretch(1);
 }
@@ -27,6 +33,7 @@ ColumnHead::ColumnHead(AlarmCard& alarms, QWidget* parent)
 void ColumnHead::showStatus(const StationStatus& status)
 {
     m_axes->showStatus(status);
+    m_antenna->showStatus(status);
     m_sensor->showStatus(status.sensor);
     arrange();
 }
@@ -52,8 +59,9 @@ void ColumnHead::arrange()
     };
     const Numerals usual = numeralsFor(m_window);
     const int sensor = m_sensor->isConfigured() ? m_sensor->sizeHint().height() + layout()->spacing() : 0;
+    const int antenna = m_antenna->hasChoice() ? m_antenna->sizeHint().height() + layout()->spacing() : 0;
     const auto height = [&](const Arrangement& of) {
-        return m_axes->sizeWith(of.numerals).height() + (of.sensor ? sensor : 0);
+        return antenna + m_axes->sizeWith(of.numerals).height() + (of.sensor ? sensor : 0);
     };
     const std::array arrangements{Arrangement{usual, true}, Arrangement{Numerals::Small, true},
                                   Arrangement{Numerals::Beside, true}, Arrangement{Numerals::Beside, false}};

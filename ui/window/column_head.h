@@ -5,13 +5,16 @@
 
 #include <QWidget>
 
-// What stands above the tabs: the alarm card while there is one, the readouts of the axes and of the sensor. An alarm
+// What stands above the tabs: the alarm card while there is one, the readouts of the axes, the antenna in use
+// where there are several, the readout of the sensor. An alarm
 // takes its room from the readouts, which get smaller, so that tabs and buttons stay where the operator's hand is. Only
 // an alarm for which that is not enough moves them. Gui thread.
 namespace boresight::ui {
 
 class AlarmCard;
+class AntennaRow;
 class AxisReadout;
+class RequestDesk;
 class SensorReadout;
 
 class ColumnHead : public QWidget
@@ -19,7 +22,7 @@ class ColumnHead : public QWidget
     Q_OBJECT
 
 public:
-    explicit ColumnHead(AlarmCard& alarms, QWidget* parent = nullptr);
+    ColumnHead(AlarmCard& alarms, RequestDesk& desk, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
     void setRoom(QSize window);
@@ -30,6 +33,7 @@ private:
 
     AlarmCard& m_alarms;
     AxisReadout* m_axes;
+    AntennaRow* m_antenna;
     SensorReadout* m_sensor;
     QSize m_window;
 };

@@ -189,6 +189,31 @@ TEST_F(StationTarget, AnotherSiteEndsIt)
     EXPECT_EQ(rig.state(), StationState::Hold);
 }
 
+// REQ-TRACK-930: The mount follows a target where the rule of the profile for refraction has it. Another rule counts
+// from the next set-point on, and for the way that is shown.
+TEST_F(StationTarget, FollowsByTheRuleForRefraction)
+{
+    const auto up = pathOf("moon").nextUp(now()).value();
+    goTo(*up.sets - std::chrono::seconds(600));
+    ASSERT_EQ(ask("moon"), "");
+    rig.settle();
+    targets::TargetPath path = pathOf("moon");
+    EXPECT_LT(distance(path), 0.01_deg);
+    const targets::SkyWay before = tracked()->way;
+
+    profile::Profile airless = rig.profile;
+    airless.orbit.refraction = ephemeris::RefractionRule::None;
+    rig.setProfile(airless);
+    rig.settle();
+    EXPECT_GT(distance(path), 0.2_deg);
+    path.setRule(ephemeris::RefractionRule::None);
+    EXPECT_LT(distance(path), 0.01_deg);
+    ASSERT_TRUE(tracked());
+    ASSERT_NE(tracked()->way, before);
+    const targets::SkyMoment& shown = tracked()->way->front();
+    EXPECT_EQ(shown.direction, path.at(shown.utc).value());
+}
+
 // REQ-TRACK-925: A client cannot ask for a target, and STOP ends its tracking.
 TEST_F(StationTarget, BelongsToTheOperatorAndEndsWithStop)
 {

@@ -33,5 +33,16 @@ TEST(SatelliteMarks, EachSatelliteHasItsOwn)
     EXPECT_EQ(marks.size(), 2U);
 }
 
+TEST(SatelliteMarks, AnAntennaIsKeptOfASatellite)
+{
+    SatelliteMarks marks;
+    EXPECT_EQ(antennaOf(marks, 25544), "");
+    setAntenna(marks, 25544, "70 cm");
+    EXPECT_EQ(antennaOf(marks, 25544), "70 cm");
+    EXPECT_EQ(antennaOf(marks, 33591), "");
+    setAntenna(marks, 25544, "");
+    EXPECT_TRUE(marks.empty());
+}
+
 }  // namespace
 }  // namespace boresight::orbit

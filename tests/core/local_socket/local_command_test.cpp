@@ -10,13 +10,14 @@
 namespace boresight::local {
 namespace {
 
-// REQ-LOCALSOCKET-01: The commands are take, release, stop, reset-stop, satellites, those of the schedule, and track
-// with a target, exactly. The answer is ok and the lines of the answer, or one line: error with the reason.
+// REQ-LOCALSOCKET-01: The commands are take, release, stop, reset-stop, satellites, antennas, those of the schedule,
+// and with a target track, with a name antenna, exactly. The answer is ok and the lines of the answer, or one line:
+// error with the reason.
 TEST(LocalCommandTest, EachHasItsWord)
 {
     for (const char* const word :
-         {"take", "release", "stop", "reset-stop", "satellites", "schedule-list", "schedule-arm", "schedule-disarm",
-          "schedule-report", "schedule-rehearse", "schedule-rehearsal"}) {
+         {"take", "release", "stop", "reset-stop", "satellites", "antennas", "schedule-list", "schedule-arm",
+          "schedule-disarm", "schedule-report", "schedule-rehearse", "schedule-rehearsal"}) {
         const auto request = parseRequest(word);
         ASSERT_TRUE(request) << word;
         EXPECT_EQ(wordOf(request->command), word);
@@ -27,8 +28,11 @@ TEST(LocalCommandTest, EachHasItsWord)
     EXPECT_EQ(parseRequest("track cas a"), track);
     EXPECT_EQ(parseRequest(" track   cas a \r"), track);
     EXPECT_EQ(requestLine(track), "track cas a\n");
+    const LocalRequest antenna{.command = LocalCommand::UseAntenna, .target = "70 cm"};
+    EXPECT_EQ(parseRequest("antenna 70 cm\r"), antenna);
+    EXPECT_EQ(requestLine(antenna), "antenna 70 cm\n");
     for (const char* const other : {"", "Stop", "stop now", "reset_stop", "P 10 20", "take\nstop", "track", "track ",
-                                    "tracks moon", "satellites all"}) {
+                                    "tracks moon", "satellites all", "antenna", "antennas 70 cm"}) {
         EXPECT_FALSE(parseRequest(other)) << other;
     }
 }
@@ -65,6 +69,26 @@ TEST(LocalCommandTest, SatellitesAreLines)
     EXPECT_EQ(satelliteLine({.number = 1, .name = QStringLiteral("a\tb\nc")}), "1\t0\ta b c\n");
     for (const char* const bad : {"25544\t1\tISS", "x\t1\tISS\n", "1\tx\tISS\n", "1\t1\n", "1\t1\ta\tb\n", "\n"}) {
         EXPECT_FALSE(parseSatellites(bad)) << bad;
+    }
+}
+
+// REQ-ANTENNA-940: An antenna is a line: whether it is in use, beam width and offsets in degrees, and its name. A
+// list that is not complete is refused.
+TEST(LocalCommandTest, AntennasAreLines)
+{
+    const std::vector<KnownAntenna> known{
+        {.antenna = {.beamWidth = 10_deg}, .isInUse = false},
+        {.antenna = {.name = "70 cm", .beamWidth = 20.5_deg, .across = -2_deg, .up = 3.25_deg}, .isInUse = true}};
+    const QByteArray lines = antennaLine(known[0]) + antennaLine(known[1]);
+    EXPECT_EQ(lines, "0\t10.000000\t0.000000\t0.000000\tmain\n1\t20.500000\t-2.000000\t3.250000\t70 cm\n");
+    const auto read = parseAntennas(lines);
+    ASSERT_TRUE(read);
+    ASSERT_EQ(read->size(), 2U);
+    EXPECT_EQ(read->at(1).antenna.name, "70 cm");
+    EXPECT_TRUE(read->at(1).isInUse);
+    EXPECT_NEAR(read->at(1).antenna.across.degrees(), -2.0, 1e-9);
+    for (const char* const bad : {"1\t1\t2\t3\tx", "2\t1\t2\t3\tx\n", "1\tnan\t2\t3\tx\n", "1\t1\t2\tx\n", "\n"}) {
+        EXPECT_FALSE(parseAntennas(bad)) << bad;
     }
 }
 

@@ -216,6 +216,33 @@ TEST(CrossCheck, TheWatchListHasEachSatelliteOnce)
     EXPECT_EQ(keysOf(crossCheck(profile)), (std::vector<std::string>{"watch[2].norad", "watch[3].norad"}));
 }
 
+// REQ-ANTENNA-920: The antennas of a profile have different names, and none is called like the main one. A satellite
+// names one of them. Another name is refused with the names that there are and what to do.
+TEST(CrossCheck, ASatelliteNamesAnAntennaOfTheProfile)
+{
+    Profile profile;
+    profile.antennas = {{.name = "70 cm"}, {.name = "2 m"}};
+    profile.satellites = {{.number = 25544, .note = {}, .antenna = "2 m"},
+                          {.number = 33591, .note = {}, .antenna = "main"},
+                          {.number = 7, .note = {}}};
+    EXPECT_TRUE(crossCheck(profile).empty());
+    profile.satellites[1].antenna = "23 cm";
+    const auto unknown = crossCheck(profile);
+    ASSERT_EQ(unknown.size(), 1U);
+    EXPECT_EQ(unknown[0].key, "satellite[2].antenna");
+    EXPECT_EQ(unknown[0].text,
+              QStringLiteral("There is no antenna \"23 cm\". Name one of \"main\", \"70 cm\", \"2 m\", "
+                             "or add [[antenna]] with this name."));
+    profile.satellites.clear();
+    profile.antennas = {{.name = "2 m"}, {.name = "main"}, {.name = "2 m"}};
+    EXPECT_EQ(keysOf(crossCheck(profile)), (std::vector<std::string>{"antenna[2].name", "antenna[3].name"}));
+    profile.antennas.clear();
+    for (int i = 0; i < 13; ++i) {
+        profile.antennas.push_back({.name = std::to_string(i)});
+    }
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"antenna"});
+}
+
 // REQ-PASSES-959: The profile keeps favourites and notes of satellites, each satellite once. A note is one line of at
 // most 120 characters.
 TEST(CrossCheck, TheMarksHaveEachSatelliteOnce)

@@ -106,8 +106,11 @@ TEST(ProfileFile, EveryValueSurvivesTheRoundTrip)
                       .horizon = {{0_deg, 5_deg}, {123.456789012_deg, -90_deg}, {359.999999_deg, 5.5_deg}},
                       .keepOuts = {{"mast \"2\"", 350_deg, 10_deg, 40_deg, 90_deg},
                                    {"Sun's shed", 0_deg, 0.001_deg, -90_deg, -89_deg}}};
+    changed.antennas = {{.name = "70 cm \"X\"", .beamWidth = 20.5_deg, .across = -2.25_deg, .up = 3.5_deg},
+                        {.name = "Ω", .beamWidth = 0.01_deg}};
+    changed.orbit.refraction = ephemeris::RefractionRule::Radio;
     changed.satellites = {{.number = 25544, .favourite = orbit::Favourite::On, .note = "145.800 MHz \"FM\", RHCP"},
-                          {.number = 33591, .note = ""}};
+                          {.number = 33591, .note = "", .antenna = "70 cm \"X\""}};
     changed.schedule.watch = {{.number = 25544, .priority = 2, .leastElevation = 5.5_deg}, {.number = 33591}};
     changed.presets = {{"north", {0_deg, 0_deg}}, {"over the top \\", {359.5_deg, 180_deg}}};
     changed.site = {.known = true, .latitude = 38.7223_deg, .longitude = -9.1393_deg, .heightMetres = 102.25};
@@ -215,6 +218,45 @@ TEST(ProfileFile, TellsWhichRowsCannotBeRead)
               "together.\n"
               "m.toml:21: rotctld.allow: a number or a text in quotes is expected\n"
               "m.toml:22: rotctld.locked_to: a text in quotes is expected");
+}
+
+// REQ-ANTENNA-921: Antennas are rows of the profile: name, beam width, offsets across and up. The antenna of a
+// satellite may be left out, as in files from before there were several. What makes no sense is refused with line and
+// key.
+TEST(ProfileFile, AntennasAreRows)
+{
+    const auto read = parseProfile(
+        "version = 1\n[[antenna]]\nname = \"70 cm\"\nbeam_width_deg = 20\n"
+        "offset_across_deg = -1.5\noffset_up_deg = 2\n"
+        "[[satellite]]\nnorad = 25544\nfavourite = \"on\"\nnote = \"\"\n"
+        "[[satellite]]\nnorad = 7\nfavourite = \"off\"\nnote = \"\"\nantenna = \"70 cm\"\n",
+        QStringLiteral("m.toml"));
+    ASSERT_TRUE(read) << textOf(read.error());
+    EXPECT_EQ(
+        read->antennas,
+        (std::vector<pointing::Antenna>{{.name = "70 cm", .beamWidth = 20_deg, .across = -1.5_deg, .up = 2_deg}}));
+    EXPECT_EQ(read->satellites[0].antenna, "");
+    EXPECT_EQ(read->satellites[1].antenna, "70 cm");
+    EXPECT_EQ(errorsOf("version = 1\n"            // 1
+                       "[[antenna]]\n"            // 2
+                       "name = \"main\"\n"        // 3
+                       "beam_width_deg = 20\n"    // 4
+                       "offset_across_deg = 0\n"  // 5
+                       "offset_up_deg = 0\n"      // 6
+                       "[[satellite]]\n"          // 7
+                       "norad = 25544\n"          // 8
+                       "favourite = \"on\"\n"     // 9
+                       "note = \"\"\n"            // 10
+                       "antenna = \"2 m\"\n"),    // 11
+              "m.toml:3: antenna[1].name: \"main\" is the name of the antenna that the table mount describes. Choose "
+              "another name.\n"
+              "m.toml:11: satellite[1].antenna: There is no antenna \"2 m\". Name one of \"main\", or add "
+              "[[antenna]] with this name.");
+    EXPECT_EQ(errorsOf("version = 1\n[[antenna]]\nname = \"x\"\nbeam_width_deg = 0\noffset_across_deg = 11\n"
+                       "offset_up_deg = -31\n"),
+              "m.toml:4: antenna[1].beam_width_deg: 0 is outside 0.01…180\n"
+              "m.toml:5: antenna[1].offset_across_deg: 11 is outside -10…10\n"
+              "m.toml:6: antenna[1].offset_up_deg: -31 is outside -30…30");
 }
 
 // REQ-PROFILE-03

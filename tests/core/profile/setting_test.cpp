@@ -137,7 +137,8 @@ TEST(Settings, RowsAreDescribedToo)
     EXPECT_EQ(check(horizonSettings()), "azimuth_deg elevation_deg ");
     EXPECT_EQ(check(keepOutSettings()), "name azimuth_from_deg azimuth_to_deg elevation_min_deg elevation_max_deg ");
     EXPECT_EQ(check(presetSettings()), "name azimuth_deg elevation_deg ");
-    EXPECT_EQ(check(satelliteSettings()), "norad favourite note ");
+    EXPECT_EQ(check(satelliteSettings()), "norad favourite note antenna ");
+    EXPECT_EQ(check(antennaSettings()), "name beam_width_deg offset_across_deg offset_up_deg ");
     EXPECT_EQ(check(watchSettings()), "norad priority min_elevation_deg ");
 }
 

@@ -94,6 +94,11 @@ struct ShellRig : StationRig
         return boresight::ask(local::socketPath(runtime.path(), kPort), line);
     }
 
+    static std::vector<local::KnownAntenna> antennas()
+    {
+        return {{.antenna = {}, .isInUse = true}, {.antenna = {.name = "70 cm", .beamWidth = 20_deg, .up = 3_deg}}};
+    }
+
     static constexpr std::uint16_t kPort = 4533;
     QTemporaryDir runtime;
     QString asked;  // of a table
@@ -108,7 +113,8 @@ struct ShellRig : StationRig
                                 asked = path;
                                 answer = std::move(then);
                             },
-                        .satellites = [this] { return known; }},
+                        .satellites = [this] { return known; },
+                        .antennas = [] { return antennas(); }},
                        log,
                        clock,
                        nullptr};
@@ -139,6 +145,21 @@ TEST(StationShell, TracksWhereAClientOfThisComputerCouldMoveTheMount)
     EXPECT_EQ(rig.answerTo("track azel 20,30\n"), "ok\n20.00° 30.00°\n");
     ASSERT_EQ(rig.answerTo("stop\n"), "ok\n");
     EXPECT_THAT(rig.answerTo("track azel 20,30\n"), HasSubstr("error: STOP is latched"));
+}
+
+// REQ-ANTENNA-941: The shell lists the antennas with their beams, and lets the station use one. A refusal has its
+// reason.
+TEST(StationShell, ListsAntennasAndUsesOne)
+{
+    ShellRig rig;
+    EXPECT_EQ(rig.answerTo("antennas\n"),
+              "ok\n1\t10.000000\t0.000000\t0.000000\tmain\n0\t20.000000\t0.000000\t3.000000\t70 cm\n");
+    EXPECT_EQ(rig.answerTo("antenna 70 cm\n"), "error: There is no antenna \"70 cm\". The profile has \"main\".\n");
+    profile::Profile profile = rig.profile;
+    profile.antennas = {{.name = "70 cm", .beamWidth = 20_deg, .up = 3_deg}};
+    rig.setProfile(profile);
+    EXPECT_EQ(rig.answerTo("antenna 70 cm\n"), "ok\n");
+    EXPECT_EQ(rig.control.status().antenna, "70 cm");
 }
 
 // REQ-STATION-940

@@ -151,6 +151,61 @@ TEST(TargetPath, ASatelliteGoesAsTheListOfPasses)
     EXPECT_LT(angleBetween(path.at(first.tca.utc).value(), first.tca.direction).degrees(), 1e-6);
 }
 
+// The example of Reda and Andreas again, and Sæmundsson's 29.0′ at 0° and 5.4′ at 10° (Meeus, 16.4). Radio waves: the
+// refractivities of ITU-R P.453 and of light at 1010 hPa, 10 °C and half the moisture are as 1.0843 to 1.
+// REQ-TARGETS-920: A rule of the profile bends satellites and bodies alike: not at all, like light or like radio waves.
+// By kind nothing changes. A satellite rises and sets by geometry under each rule. What stays is never bent.
+TEST(TargetPath, ARuleBendsAllAlike)
+{
+    using ephemeris::RefractionRule;
+    const Site golden{.latitude = 39.742476_deg, .longitude = -105.1786_deg, .heightMetres = 1830.14};
+    const UtcTime utc = std::chrono::sys_days(std::chrono::year(2003) / 10 / 17) + std::chrono::hours(19) +
+                        std::chrono::minutes(30) + std::chrono::seconds(30);
+    const auto sunBy = [&](RefractionRule rule) {
+        return TargetPath(object("sun"), golden, rule).at(utc).value().elevation.degrees();
+    };
+    EXPECT_NEAR(sunBy(RefractionRule::None), 39.872046, 0.001);
+    EXPECT_EQ(sunBy(RefractionRule::Light), sunBy(RefractionRule::ByKind));
+    EXPECT_NEAR((sunBy(RefractionRule::Radio) - sunBy(RefractionRule::None)) * 60.0, 1.21 * 1.0843, 0.01);
+
+    const Target satellite = satelliteTarget(fakes::lowOrbit(kDay));
+    TargetPath path(satellite, kLisbon);
+    const UpTime up = path.nextUp(kDay).value();
+    const auto bentAt = [&](UtcTime when, RefractionRule rule) {
+        path.setRule(RefractionRule::None);
+        const SkyPointing airless = path.at(when).value();
+        path.setRule(rule);
+        EXPECT_EQ(path.nextUp(kDay).value(), up);
+        EXPECT_EQ(path.at(when).value().azimuth, airless.azimuth);
+        return (path.at(when).value().elevation - airless.elevation).degrees() * 60.0;
+    };
+    EXPECT_EQ(bentAt(up.rises, RefractionRule::ByKind), 0.0);
+    EXPECT_NEAR(bentAt(up.rises, RefractionRule::Light), 29.0, 0.1);
+    EXPECT_NEAR(bentAt(*up.sets, RefractionRule::Radio), 29.0 * 1.0843, 0.1);
+    const SkyPointing ten{.azimuth = 0_deg, .elevation = 10_deg};
+    EXPECT_NEAR((satelliteSeen(ten, RefractionRule::Light).elevation - 10_deg).degrees() * 60.0, 5.4, 0.1);
+
+    for (const RefractionRule rule : {RefractionRule::None, RefractionRule::Light, RefractionRule::Radio}) {
+        const SkyPointing low{.azimuth = 270_deg, .elevation = 1_deg};
+        EXPECT_EQ(TargetPath({.name = {}, .kind = low}, kLisbon, rule).at(kDay).value(), low);
+        const Target plane = position({39.3_deg, -8.5_deg, 11'000.0});
+        EXPECT_EQ(TargetPath(plane, kLisbon, rule).at(kDay), TargetPath(plane, kLisbon).at(kDay));
+        EXPECT_EQ(TargetPath(satellite, kLisbon, rule).nextUp(kDay), Result<UpTime>(up));
+    }
+}
+
+// REQ-TARGETS-908: A body rises at the horizon as the rule has it: without air some minutes later than with it.
+TEST(TargetPath, WithoutAirABodyRisesByGeometry)
+{
+    using ephemeris::RefractionRule;
+    const UtcTime seen = TargetPath(object("sun"), kLisbon).nextUp(kDay).value().rises;
+    TargetPath path(object("sun"), kLisbon, RefractionRule::None);
+    const UtcTime geometric = path.nextUp(kDay).value().rises;
+    EXPECT_NEAR(path.at(geometric).value().elevation.degrees(), 0.0, 0.008);
+    EXPECT_GT(geometric - seen, std::chrono::minutes(2));
+    EXPECT_LT(geometric - seen, std::chrono::minutes(4));
+}
+
 // REQ-TARGETS-906: A direction stays, and is always up.
 TEST(TargetPath, ADirectionStays)
 {

@@ -9,6 +9,7 @@
 #include "ui/passes/pass_words.h"
 #include "ui/sky/polar_plot.h"
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QToolButton>
@@ -85,6 +86,19 @@ TEST_F(PassesPanelTest, JudgesTheAgeOfTheElements)
                                              Not(HasSubstr("half the beam"))));
     profile::Profile profile = *status.profile;
     profile.mount.beamWidth = 0.01_deg;
+    status.profile = std::make_shared<const profile::Profile>(profile);
+    give(samples::update(status));
+    ASSERT_TRUE(fakes::waitUntil([&] { return facts().contains(u"° off, more than half the beam"); }));
+
+    // By the antenna in use, or by the one that the satellite has of its own.
+    profile.mount.beamWidth = 10_deg;
+    profile.antennas = {{.name = "thin", .beamWidth = 0.01_deg}};
+    status.profile = std::make_shared<const profile::Profile>(profile);
+    give(samples::update(status));
+    ASSERT_TRUE(fakes::waitUntil([&] { return !facts().contains(u"half the beam"); }));
+    for (const orbit::ElementSet& one : *status.satellites) {
+        orbit::setAntenna(profile.satellites, static_cast<int>(one.number), "thin");
+    }
     status.profile = std::make_shared<const profile::Profile>(profile);
     give(samples::update(status));
     ASSERT_TRUE(fakes::waitUntil([&] { return facts().contains(u"° off, more than half the beam"); }));
@@ -304,6 +318,29 @@ TEST_F(MarkedPassesTest, FavouritesOnly)
     EXPECT_THAT(text("About the passes").toStdString(), HasSubstr("No favourite passes"));
     QTest::mouseClick(only, Qt::LeftButton);
     EXPECT_EQ(names().size(), 3U);
+}
+
+// REQ-ANTENNA-931: Where there are several antennas, one is chosen for a satellite beside its note, and stored in the
+// profile. With one antenna there is nothing to choose.
+TEST_F(MarkedPassesTest, AnAntennaIsChosenForASatellite)
+{
+    window.resize(1280, 1000);
+    settle();
+    auto* const antenna = named<QComboBox>("Antenna for the satellite");
+    EXPECT_FALSE(antenna->isVisible());
+    profile::Profile profile = *status.profile;
+    profile.antennas = {{.name = "70 cm"}};
+    status.profile = std::make_shared<const profile::Profile>(profile);
+    give(samples::update(status));
+    ASSERT_TRUE(antenna->isVisible());
+    EXPECT_EQ(antenna->count(), 3);
+    EXPECT_EQ(antenna->currentText(), QStringLiteral("as chosen by hand"));
+    antenna->setCurrentIndex(2);
+    Q_EMIT antenna->activated(2);
+    EXPECT_EQ(askedMarks(), (orbit::SatelliteMarks{{.number = numberOf(0), .note = {}, .antenna = "70 cm"}}));
+    EXPECT_EQ(antenna->currentText(), QStringLiteral("as chosen by hand")) << "the screen follows the next status";
+    accept();
+    EXPECT_EQ(antenna->currentText(), QStringLiteral("70 cm"));
 }
 
 // REQ-PASSES-961: A satellite has a note of one line: frequency, polarisation. It stands with the selected pass, and is

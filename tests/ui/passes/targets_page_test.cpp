@@ -66,6 +66,30 @@ TEST_F(TargetsPageTest, ListsWhereEachStandsAndTracksTheSelectedOne)
     EXPECT_FALSE(named<CommandButton>("Track selected")->isEnabled());
 }
 
+// REQ-TARGETS-960: The list shows where a target appears by the rule of the profile for refraction, and when it rises
+// by it.
+TEST_F(TargetsPageTest, GoesByTheRuleForRefraction)
+{
+    using ephemeris::RefractionRule;
+    StationStatus status = atSite();
+    targets::TargetPath path(targets::objectTargets()[0], {38.757_deg, -9.117_deg, 80.0});
+    const UtcTime set = path.nextUp(status.utc + std::chrono::hours(24)).value().sets.value();
+    status.utc = path.nextUp(set + std::chrono::minutes(1)).value().rises + std::chrono::seconds(10);
+    show(status);
+    EXPECT_TRUE(cell(0, TargetTable::Next).startsWith(QStringLiteral("sets")));
+    EXPECT_NEAR(cell(0, TargetTable::Elevation).chopped(1).toDouble(), 0.0, 0.11);
+
+    profile::Profile airless = *status.profile;
+    airless.orbit.refraction = RefractionRule::None;
+    status.profile = std::make_shared<const profile::Profile>(airless);
+    status.utc += std::chrono::seconds(1);
+    show(status);
+    path.setRule(RefractionRule::None);
+    EXPECT_LT(cell(0, TargetTable::Elevation).chopped(1).toDouble(), -0.3);
+    EXPECT_NEAR(cell(0, TargetTable::Elevation).chopped(1).toDouble(), path.at(status.utc)->elevation.degrees(), 0.06);
+    EXPECT_TRUE(cell(0, TargetTable::Next).startsWith(QStringLiteral("rises")));
+}
+
 // REQ-TARGETS-951: A typed target is tracked by the same words as boresightctl track takes. What makes no sense is
 // refused with the reason, and nothing is asked.
 TEST_F(TargetsPageTest, TracksWhatIsTyped)

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/control/antenna_choice.h"
+
+#include "core/base/text.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace boresight {
+
+AntennaChoice::AntennaChoice(const profile::InForce& profile, EventLog& log, std::function<void()> changed)
+    : m_profile(profile), m_log(log), m_changed(std::move(changed)), m_inUse(profile->antenna(m_chosen))
+{}
+
+Angle AntennaChoice::spread() const
+{
+    Angle widest;
+    for (const pointing::Antenna& one : m_profile->allAntennas()) {
+        widest = std::max(widest, pointing::beamDistance(one, m_inUse));
+    }
+    return widest;
+}
+
+void AntennaChoice::choose(const std::string& name)
+{
+    m_chosen = name;
+    if (m_tracked) {
+        m_tracked->satellite.reset();
+    }
+    renew();
+}
+
+void AntennaChoice::track(const std::optional<Tracked>& tracked)
+{
+    m_tracked = tracked;
+    renew();
+}
+
+void AntennaChoice::endTracking()
+{
+    if (m_tracked) {
+        m_tracked->isOver = true;
+    }
+}
+
+void AntennaChoice::release()
+{
+    if (m_tracked && m_tracked->isOver) {
+        track({});
+    }
+}
+
+std::string AntennaChoice::wanted() const
+{
+    const std::string own = m_tracked && m_tracked->satellite
+                                ? orbit::antennaOf(m_profile->satellites, *m_tracked->satellite)
+                                : std::string();
+    return own.empty() ? m_chosen : own;
+}
+
+void AntennaChoice::renew()
+{
+    const pointing::Antenna before = std::exchange(m_inUse, m_profile->antenna(wanted()));
+    if (m_inUse.name != before.name) {
+        m_log.add(Severity::Advisory, QStringLiteral("station"),
+                  Text::tr("antenna \"%1\" is in use").arg(toQString(m_inUse.name)));
+    }
+    if (m_inUse != before) {
+        m_changed();
+    }
+}
+
+}  // namespace boresight
