@@ -27,6 +27,7 @@ constexpr std::array kWords{std::pair{LocalCommand::Take, "take"},
                             std::pair{LocalCommand::ScheduleReport, "schedule-report"},
                             std::pair{LocalCommand::ScheduleRehearse, "schedule-rehearse"},
                             std::pair{LocalCommand::ScheduleRehearsal, "schedule-rehearsal"},
+                            std::pair{LocalCommand::Transmit, "transmit"},
                             std::pair{LocalCommand::Track, "track"}};
 const QByteArray kAgreed = "ok\n";
 const QByteArray kRefused = "error: ";
@@ -68,7 +69,7 @@ Result<LocalRequest> parseRequest(const QByteArray& line)
     if (found == kWords.end() || isTrack == (word == text)) {
         return failure(ErrorCode::InvalidInput,
                        Text::tr("This is not a command. The commands are take, release, stop, reset-stop, satellites, "
-                                "track TARGET and those of the schedule."));
+                                "transmit, track TARGET and those of the schedule."));
     }
     return LocalRequest{.command = found->first, .target = isTrack ? text.mid(word.size()).trimmed() : QByteArray()};
 }

@@ -9,6 +9,7 @@
 #include "core/profile/axis_driver.h"
 #include "core/profile/power_settings.h"
 #include "core/profile/sensor_settings.h"
+#include "core/profile/transmit_settings.h"
 #include "core/schedule/watch_entry.h"
 #include "core/tracking/axis_profile.h"
 #include "core/units/site.h"
@@ -403,6 +404,7 @@ struct Profile
     SensorSettings sensor;
     BrokerSettings mqtt;
     PowerSettings power;
+    TransmitSettings transmit;
 
     [[nodiscard]] const AxisSettings& axis(Axis which) const { return which == Axis::Azimuth ? azimuth : elevation; }
     // The axis that nothing turns.

@@ -315,6 +315,7 @@ std::vector<Setting> makeSettings()
     addSensor(list);
     addBroker(list);
     addPower(list);
+    addTransmit(list);
     return list;
 }
 

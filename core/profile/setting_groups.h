@@ -23,6 +23,7 @@ void addRecovery(std::vector<Setting>& list);
 void addSensor(std::vector<Setting>& list);
 void addBroker(std::vector<Setting>& list);
 void addPower(std::vector<Setting>& list);
+void addTransmit(std::vector<Setting>& list);
 
 // Of another computer, or this one: "shack.local", "127.0.0.1".
 [[nodiscard]] Result<> checkHost(const std::string& text);

@@ -46,7 +46,8 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
                .mayShellCommand = [this] { return m_control.mayShellCommand(); },
                .satellites = [this] { return m_elements.satellites(); },
                .schedule = [this] { return m_night.status(); },
-               .rehearsal = [this] { return m_rehearsal.status(); }},
+               .rehearsal = [this] { return m_rehearsal.status(); },
+               .transmit = [this] { return m_transmit.status(); }},
               m_log, clock, this),
       m_broker(m_profile, m_log, clock, this),
       m_sensor(m_profile, clock, m_log, m_control.alarms(), m_broker, this),
@@ -57,6 +58,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_calibration(m_control, m_profile, m_calibrationFile, clock, m_log),
       m_tuning(m_control, clock, m_log),
       m_hooks(m_profile, m_mount->simulated(), m_log, m_broker, this),
+      m_transmit(m_profile, m_mount->simulated(), clock, m_log, m_alarms, this),
       m_reportFile(reportPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_night(
           m_control, m_profile, m_reportFile, clock, m_log,
@@ -127,6 +129,7 @@ void Station::openAll()
     m_power.open();
     m_elements.open();
     m_azel.open();
+    m_transmit.open();
     m_eventFile.tick();
 }
 
@@ -199,6 +202,9 @@ void Station::tick()
     m_tuning.tick();
     m_night.tick();
     m_control.tick();
+    if (m_transmit.isWanted()) {
+        m_transmit.tick(m_control.status());
+    }
     witness();
     m_mount->send();
     m_eventFile.tick();
@@ -382,6 +388,7 @@ void Station::reconnect(const profile::Profile& next)
     m_log.add(Severity::Advisory, QStringLiteral("operator"),
               Text::tr("reconnects to the mount \"%1\"").arg(QString::fromStdString(next.mount.name)));
     m_next = next;
+    m_transmit.close();
     m_control.shutDown();
 }
 
@@ -413,6 +420,7 @@ void Station::profileChanged(const profile::Profile& before)
     m_power.profileChanged(before, after);
     m_elements.profileChanged(before, after);
     m_night.profileChanged(before, after);
+    m_transmit.profileChanged(before, after);
     m_calibration.profileChanged(before, after);
 }
 
@@ -453,6 +461,7 @@ void Station::shutDown()
 {
     m_log.add(Severity::Advisory, QStringLiteral("station"),
               Text::tr("Boresight is being closed: the mount is stopped"));
+    m_transmit.close();
     m_control.shutDown();
 }
 
@@ -479,6 +488,7 @@ StationStatus Station::status() const
     m_night.fill(status);
     status.rehearsal = m_rehearsal.status();
     status.clock = m_clockGuard.status();
+    status.transmit = m_transmit.status();
     return status;
 }
 

@@ -25,6 +25,7 @@
 #include "core/station/station_sensor.h"
 #include "core/station/station_server.h"
 #include "core/station/station_shell.h"
+#include "core/station/station_transmit.h"
 #include "core/station/tick_lateness.h"
 #include "core/tuning/tuning_desk.h"
 
@@ -142,6 +143,7 @@ private:
     TuningDesk m_tuning;
     StationPasses m_passes{this};
     StationHooks m_hooks;
+    StationTransmit m_transmit;
     ReportFile m_reportFile;
     NightDesk m_night;
     StationRehearsal m_rehearsal{this};

@@ -19,6 +19,9 @@
 // itself is served by a thread of its own.
 namespace boresight {
 
+// The broker of the profile, for a connection with this name where the profile has none.
+[[nodiscard]] mqtt::Broker brokerOf(const profile::BrokerSettings& settings, const QString& ownId);
+
 class StationBroker : public QObject
 {
     Q_OBJECT
@@ -46,7 +49,6 @@ public:
 private:
     void connectAnew();
     void stopPublishing();
-    [[nodiscard]] mqtt::Broker broker() const;
     [[nodiscard]] std::optional<Seconds> untilNext() const;
 
     const profile::InForce& m_profile;

@@ -6,6 +6,9 @@
 #include "core/night/schedule_json.h"
 #include "core/targets/target_text.h"
 
+#include <QJsonDocument>
+#include <QJsonObject>
+
 namespace boresight {
 namespace {
 
@@ -37,9 +40,25 @@ Request requestOf(local::LocalCommand command)
         case local::LocalCommand::ScheduleList:
         case local::LocalCommand::ScheduleReport:
         case local::LocalCommand::ScheduleRehearsal:
+        case local::LocalCommand::Transmit:
             break;
     }
     return request::Stop{};
+}
+
+// An object without fields: the profile names no output.
+QByteArray transmitJson(const TransmitStatus& transmit)
+{
+    QJsonObject all;
+    if (!transmit.output.isEmpty()) {
+        all = {{QStringLiteral("output"), transmit.output},
+               {QStringLiteral("on"), transmit.on},
+               {QStringLiteral("whyOff"), transmit.whyOff},
+               {QStringLiteral("problem"), transmit.problem},
+               {QStringLiteral("within"), transmit.within.degrees()},
+               {QStringLiteral("error"), transmit.error ? QJsonValue(transmit.error->degrees()) : QJsonValue()}};
+    }
+    return QJsonDocument(all).toJson(QJsonDocument::Compact);
 }
 
 }  // namespace
@@ -81,6 +100,9 @@ local::LocalAnswer StationShell::obey(const local::LocalRequest& asked)
     }
     if (asked.command == local::LocalCommand::ScheduleRehearsal) {
         return rehearsalJson(m_station.rehearsal()) + '\n';
+    }
+    if (asked.command == local::LocalCommand::Transmit) {
+        return transmitJson(m_station.transmit()) + '\n';
     }
     const auto request = [&]() -> local::LocalAnswer {
         return m_station.ask(requestOf(asked.command), shellSource()).map([] { return QByteArray(); });

@@ -28,6 +28,7 @@ public:
         std::function<std::shared_ptr<const std::vector<orbit::ElementSet>>()> satellites;
         std::function<std::shared_ptr<const ScheduleStatus>()> schedule;
         std::function<RehearsalStatus()> rehearsal;
+        std::function<TransmitStatus()> transmit;
     };
 
     // Log and clock outlive this.

@@ -740,6 +740,10 @@ até %1</translation>
         <source>favourites and notes</source>
         <translation>favoritos e notas</translation>
     </message>
+    <message>
+        <source>Transmit on target</source>
+        <translation>Transmitir só no alvo</translation>
+    </message>
 </context>
 <context>
     <name>SkyBodies</name>
@@ -8048,10 +8052,6 @@ até %1</translation>
         <translation>%1: &quot;%2&quot; não é um número de catálogo.</translation>
     </message>
     <message>
-        <source>This is not a command. The commands are take, release, stop, reset-stop, satellites, track TARGET and those of the schedule.</source>
-        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, satellites, track TARGET e os da agenda.</translation>
-    </message>
-    <message>
         <source>%1 is not a folder of this user</source>
         <translation>%1 não é uma pasta deste utilizador</translation>
     </message>
@@ -8330,6 +8330,126 @@ até %1</translation>
     <message>
         <source>A line of the operator&apos;s own, such as frequency and polarisation.</source>
         <translation>Uma linha do próprio operador, como frequência e polarização.</translation>
+    </message>
+    <message>
+        <source>The transmit output %1 does not work: %2</source>
+        <translation>A saída de emissão %1 não funciona: %2</translation>
+    </message>
+    <message>
+        <source>Boresight counts it as off and tries to switch it again</source>
+        <translation>O Boresight considera-a desligada e volta a tentar comutá-la</translation>
+    </message>
+    <message>
+        <source>Do not transmit: the output may still be on. Check it, or choose another one (transmit.output on the page Profile)</source>
+        <translation>Não emita: a saída pode estar ainda ligada. Verifique-a, ou escolha outra (transmit.output na página Perfil)</translation>
+    </message>
+    <message>
+        <source>%1 does not work: %2</source>
+        <translation>%1 não funciona: %2</translation>
+    </message>
+    <message>
+        <source>This is not a command. The commands are take, release, stop, reset-stop, satellites, transmit, track TARGET and those of the schedule.</source>
+        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, satellites, transmit, track ALVO e os da agenda.</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Saída</translation>
+    </message>
+    <message>
+        <source>An output that is on only while the beam is on its target: file:PATH, mqtt:TOPIC, command:PROGRAM with its arguments, dtr:PORT or rts:PORT. Let it hold the transmitter. Empty: none.</source>
+        <translation>Uma saída que só está ligada enquanto o feixe está no alvo: file:CAMINHO, mqtt:TÓPICO, command:PROGRAMA com os seus argumentos, dtr:PORTA ou rts:PORTA. Faça com que retenha o emissor. Vazio: nenhuma.</translation>
+    </message>
+    <message>
+        <source>The output is on while the beam is nearer to the target than this part of the beam width. At 0.5 the antenna sends half of its best power to the target.</source>
+        <translation>A saída está ligada enquanto o feixe está mais perto do alvo do que esta parte da largura do feixe. Com 0.5 a antena envia para o alvo metade da sua melhor potência.</translation>
+    </message>
+    <message>
+        <source>Also with a simulated mount</source>
+        <translation>Também com montagem simulada</translation>
+    </message>
+    <message>
+        <source>With &quot;off&quot; the output stays off while the mount is simulated, because the real antenna points elsewhere.</source>
+        <translation>Com &quot;off&quot; a saída fica desligada enquanto a montagem é simulada, porque a antena real aponta para outro lado.</translation>
+    </message>
+    <message>
+        <source>The mount is simulated (transmit.in_simulation).</source>
+        <translation>A montagem é simulada (transmit.in_simulation).</translation>
+    </message>
+    <message>
+        <source>STOP is latched.</source>
+        <translation>STOP está retido.</translation>
+    </message>
+    <message>
+        <source>The mount has a fault or does not reply.</source>
+        <translation>A montagem tem uma falha ou não responde.</translation>
+    </message>
+    <message>
+        <source>The mount has no target.</source>
+        <translation>A montagem não tem alvo.</translation>
+    </message>
+    <message>
+        <source>The target is below the horizon.</source>
+        <translation>O alvo está abaixo do horizonte.</translation>
+    </message>
+    <message>
+        <source>The mount reports no position.</source>
+        <translation>A montagem não comunica a posição.</translation>
+    </message>
+    <message>
+        <source>The beam has just come to the target.</source>
+        <translation>O feixe acabou de chegar ao alvo.</translation>
+    </message>
+    <message>
+        <source>The beam is %1 from the target. The limit is %2.</source>
+        <translation>O feixe está a %1 do alvo. O limite é %2.</translation>
+    </message>
+    <message>
+        <source>no answer for %1 s</source>
+        <translation>sem resposta durante %1 s</translation>
+    </message>
+    <message>
+        <source>on: the beam is %1 from the target</source>
+        <translation>ligada: o feixe está a %1 do alvo</translation>
+    </message>
+    <message>
+        <source>off: %1</source>
+        <translation>desligada: %1</translation>
+    </message>
+    <message>
+        <source>The output before has not answered yet.</source>
+        <translation>A saída anterior ainda não respondeu.</translation>
+    </message>
+    <message>
+        <source>a path from / on is expected after the colon</source>
+        <translation>espera-se um caminho a partir de / depois dos dois pontos</translation>
+    </message>
+    <message>
+        <source>a topic is expected after the colon, without + # and $</source>
+        <translation>espera-se um tópico depois dos dois pontos, sem + # e $</translation>
+    </message>
+    <message>
+        <source>one line of at most 1000 bytes is expected</source>
+        <translation>espera-se uma linha de no máximo 1000 bytes</translation>
+    </message>
+    <message>
+        <source>file:PATH, mqtt:TOPIC, command:PROGRAM, dtr:PORT or rts:PORT is expected</source>
+        <translation>espera-se file:CAMINHO, mqtt:TÓPICO, command:PROGRAMA, dtr:PORTA ou rts:PORTA</translation>
+    </message>
+    <message>
+        <source>%1 is used by %2</source>
+        <translation>%1 está a ser usado por %2</translation>
+    </message>
+    <message>
+        <source>%1 has no lines DTR and RTS</source>
+        <translation>%1 não tem as linhas DTR e RTS</translation>
+    </message>
+    <message>
+        <source>%1: the line did not change</source>
+        <translation>%1: a linha não mudou</translation>
+    </message>
+    <message>
+        <source>%1 is not a file</source>
+        <translation>%1 não é um ficheiro</translation>
     </message>
 </context>
 <context>
@@ -11203,6 +11323,26 @@ trocar os motores</translation>
     <message>
         <source>%1 h %2 min</source>
         <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>TX output failed</source>
+        <translation>Saída TX falhou</translation>
+    </message>
+    <message>
+        <source>TX on</source>
+        <translation>TX ligado</translation>
+    </message>
+    <message>
+        <source>TX off</source>
+        <translation>TX desligado</translation>
+    </message>
+    <message>
+        <source>The output %1 is on only while the beam is less than %2 from the target.</source>
+        <translation>A saída %1 só está ligada enquanto o feixe está a menos de %2 do alvo.</translation>
+    </message>
+    <message>
+        <source>Transmit output</source>
+        <translation>Saída de emissão</translation>
     </message>
 </context>
 <context>

@@ -47,7 +47,8 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"recovery", QT_TRANSLATE_NOOP("SettingWords", "Recovery")},
                              {"sensor", QT_TRANSLATE_NOOP("SettingWords", "Orientation sensor")},
                              {"mqtt", QT_TRANSLATE_NOOP("SettingWords", "MQTT broker")},
-                             {"power", QT_TRANSLATE_NOOP("SettingWords", "Received power")}};
+                             {"power", QT_TRANSLATE_NOOP("SettingWords", "Received power")},
+                             {"transmit", QT_TRANSLATE_NOOP("SettingWords", "Transmit on target")}};
 
 // Where the operator sets it by another name than the file's.
 struct Name

@@ -10,13 +10,13 @@
 namespace boresight::local {
 namespace {
 
-// REQ-LOCALSOCKET-01: The commands are take, release, stop, reset-stop, satellites, those of the schedule, and track
-// with a target, exactly. The answer is ok and the lines of the answer, or one line: error with the reason.
+// REQ-LOCALSOCKET-01: The commands are take, release, stop, reset-stop, satellites, transmit, those of the schedule,
+// and track with a target, exactly. The answer is ok and the lines of the answer, or one line: error with the reason.
 TEST(LocalCommandTest, EachHasItsWord)
 {
     for (const char* const word :
          {"take", "release", "stop", "reset-stop", "satellites", "schedule-list", "schedule-arm", "schedule-disarm",
-          "schedule-report", "schedule-rehearse", "schedule-rehearsal"}) {
+          "schedule-report", "schedule-rehearse", "schedule-rehearsal", "transmit"}) {
         const auto request = parseRequest(word);
         ASSERT_TRUE(request) << word;
         EXPECT_EQ(wordOf(request->command), word);

@@ -107,8 +107,8 @@ TEST_F(LocalServerTest, OneLineInOneLineOut)
     EXPECT_THAT(asked, ElementsAre(LocalCommand::Take, LocalCommand::Stop, LocalCommand::Release));
     asked.clear();
     EXPECT_EQ(ask("P 10 20\n"),
-              "error: This is not a command. The commands are take, release, stop, reset-stop, satellites, track "
-              "TARGET and those of the schedule.\n");
+              "error: This is not a command. The commands are take, release, stop, reset-stop, satellites, "
+              "transmit, track TARGET and those of the schedule.\n");
     EXPECT_EQ(ask(QByteArray(100000, 'x')), "error: The line is longer than 256 bytes.\n");
     EXPECT_EQ(ask("stop" + QByteArray(253, ' ') + "\n"), "error: The line is longer than 256 bytes.\n");
     EXPECT_THAT(asked, IsEmpty());

@@ -96,12 +96,14 @@ struct ShellRig : StationRig
 
     static constexpr std::uint16_t kPort = 4533;
     QTemporaryDir runtime;
+    TransmitStatus transmit;
     std::shared_ptr<const std::vector<orbit::ElementSet>> known =
         std::make_shared<const std::vector<orbit::ElementSet>>(std::vector<orbit::ElementSet>{
             {.name = "ISS (ZARYA)", .number = 25544, .epoch = orbit::julianDate(UtcTime(std::chrono::days(20000)))}});
     StationShell shell{{.ask = [this](const Request& request, const Source& by) { return ask(request, by); },
                         .mayShellCommand = [this] { return control.mayShellCommand(); },
-                        .satellites = [this] { return known; }},
+                        .satellites = [this] { return known; },
+                        .transmit = [this] { return transmit; }},
                        log,
                        clock,
                        nullptr};
@@ -196,6 +198,24 @@ TEST(StationShell, HasTheSchedule)
                "ok\n{\"night\":null,\"problem\":\"The watch list of the profile is empty.\",\"progress\":null}\n";
     }));
     EXPECT_EQ(rig.station->status().authority, Authority::Clients) << "nothing was taken";
+}
+
+// REQ-TRANSMIT-31: The shell reports whether the transmit output is on, and what keeps it off. Without an output the
+// answer is an empty object.
+TEST(StationShell, ReportsTheTransmitOutput)
+{
+    ShellRig rig;
+    EXPECT_EQ(rig.answerTo("transmit\n"), "ok\n{}\n");
+    rig.transmit = {.output = QStringLiteral("file:/run/transmit"),
+                    .whyOff = QStringLiteral("The mount has no target."),
+                    .within = 2.5_deg};
+    EXPECT_EQ(rig.answerTo("transmit\n"),
+              "ok\n{\"error\":null,\"on\":false,\"output\":\"file:/run/transmit\",\"problem\":\"\","
+              "\"whyOff\":\"The mount has no target.\",\"within\":2.5}\n");
+    rig.transmit.on = true;
+    rig.transmit.whyOff.clear();
+    rig.transmit.error = 0.25_deg;
+    EXPECT_THAT(rig.answerTo("transmit\n"), HasSubstr("{\"error\":0.25,\"on\":true,"));
 }
 
 }  // namespace
