@@ -85,6 +85,7 @@ TARGET is one of these. Capital and small letters are the same.
   azel AZIMUTH,ELEVATION      a direction that stays, in degrees
   IM58kr                      a Maidenhead locator: the bearing to it. "IM58kr long": the long path
   place NORTH,EAST,HEIGHT     a position in degrees and metres above the ellipsoid of WGS-84
+  position                    the balloon or rocket whose positions the station receives (settings of position)
 )" + kLocalSocket +
                                           R"(
 The command ends when the station has accepted the target. The motion goes on. What rises and sets is followed until it

@@ -16,6 +16,7 @@
 #include "core/motion/motion.h"
 #include "core/mount/mount_driver.h"
 #include "core/pointing/mount_model.h"
+#include "core/position/position_feed.h"
 #include "core/profile/profile.h"
 
 #include <cstdint>
@@ -40,6 +41,7 @@ struct ControlParts
     const EnergyMeter& energy;
     const AlarmBoard& alarms;
     const azel::AzelFeed& azelFeed;
+    const position::PositionFeed& positionFeed;
     SteadyTime now;  // of the running or last tick
     std::uint64_t tick = 0;
 

@@ -11,6 +11,7 @@
 #include "core/messages/drives_status.h"
 #include "core/messages/mount_line.h"
 #include "core/messages/permissions.h"
+#include "core/messages/position_status.h"
 #include "core/messages/power_status.h"
 #include "core/messages/rehearsal_status.h"
 #include "core/messages/schedule_status.h"
@@ -263,6 +264,7 @@ struct StationStatus
         std::make_shared<const std::vector<orbit::ElementSet>>();
     QStringList elementProblems;  // of element files and downloads: what cannot be used, and why. The first ones
     AzelStatus azel;
+    PositionStatus position;
     std::vector<BodyPlace> bodies;       // empty: the site is not set
     Permissions permissions;             // of the operator
     Capabilities capabilities;           // of the mount

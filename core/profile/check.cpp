@@ -148,6 +148,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     checkSchedule(problems, profile);
     checkSensor(problems, profile);
     checkPower(problems, profile);
+    checkPosition(problems, profile);
     return problems;
 }
 

@@ -7,6 +7,7 @@
 #include "core/pointing/pointing_model.h"
 #include "core/pointing/region.h"
 #include "core/profile/axis_driver.h"
+#include "core/profile/position_settings.h"
 #include "core/profile/power_settings.h"
 #include "core/profile/sensor_settings.h"
 #include "core/profile/transmit_settings.h"
@@ -395,6 +396,7 @@ struct Profile
     OrbitSettings orbit;
     orbit::SatelliteMarks satellites;  // that the operator knows: favourites and notes
     AzelSettings azel;
+    PositionSettings position;
     ScheduleSettings schedule;
     SunSettings sun;
     JogSettings jog;

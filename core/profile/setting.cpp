@@ -306,6 +306,7 @@ std::vector<Setting> makeSettings()
     addGpredict(list);
     addOrbit(list);
     addAzel(list);
+    addPosition(list);
     addSchedule(list);
     addSun(list);
     addJog(list);

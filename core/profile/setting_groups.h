@@ -16,6 +16,7 @@ void addSite(std::vector<Setting>& list);
 void addGpredict(std::vector<Setting>& list);
 void addOrbit(std::vector<Setting>& list);
 void addAzel(std::vector<Setting>& list);
+void addPosition(std::vector<Setting>& list);
 void addSchedule(std::vector<Setting>& list);
 void addSun(std::vector<Setting>& list);
 void addSupervision(std::vector<Setting>& list);
@@ -46,9 +47,10 @@ void checkNumbers(std::vector<Problem>& problems, std::string_view list, const s
     }
 }
 
-// Cross checks of the region, the Sun, the park place and the presets; of the satellites; of the watch list; of the
-// sensor; of the received power.
+// Cross checks of the region, the Sun, the park place and the presets; of the source of positions; of the satellites;
+// of the watch list; of the sensor; of the received power.
 void checkRegion(std::vector<Problem>& problems, const Profile& profile);
+void checkPosition(std::vector<Problem>& problems, const Profile& profile);
 void checkSatellites(std::vector<Problem>& problems, const Profile& profile);
 void checkSchedule(std::vector<Problem>& problems, const Profile& profile);
 void checkSensor(std::vector<Problem>& problems, const Profile& profile);

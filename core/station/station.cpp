@@ -54,6 +54,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_power(m_profile, clock, m_log, this),
       m_elements(m_profile, m_log, clock, this),
       m_azel(m_profile, this),
+      m_position(m_profile, m_log, clock, m_broker, this),
       m_calibrationFile(calibrationPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_calibration(m_control, m_profile, m_calibrationFile, clock, m_log),
       m_tuning(m_control, clock, m_log),
@@ -91,6 +92,11 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
     connect(&m_elements, &StationElements::changed, this, [this] { m_night.setSatellites(m_elements.satellites()); });
     connect(&m_power, &StationPower::received, this, [this](const power::Value& value) { m_calibration.take(value); });
     connect(&m_azel, &StationAzel::looked, this, [this](const azel::AzelReading& reading) { m_control.take(reading); });
+    connect(&m_position, &StationPosition::received, this, [this](const Result<position::PositionText>& read) {
+        if (const Result<> taken = m_control.take(read); !taken) {
+            m_position.tellRefused(taken.error().text);
+        }
+    });
     connect(&m_eventFile, &EventFile::failed, this,
             [this](const QString& reason) { m_control.alarms().raise(alarmEntry("log.not-stored"), {reason}); });
     connect(&m_eventFile, &EventFile::written, this,
@@ -129,6 +135,7 @@ void Station::openAll()
     m_power.open();
     m_elements.open();
     m_azel.open();
+    m_position.open();
     m_transmit.open();
     m_eventFile.tick();
 }
@@ -245,6 +252,7 @@ void Station::finish()
     m_sensor.close();
     m_power.close();
     m_azel.close();
+    m_position.close();
     m_broker.close();
     m_mount->close();
     m_updateWanted = true;  // the last words, also to a screen that is slow: who asked for the end has an answer to get
@@ -419,6 +427,7 @@ void Station::profileChanged(const profile::Profile& before)
     m_sensor.profileChanged(before, after);
     m_power.profileChanged(before, after);
     m_elements.profileChanged(before, after);
+    m_position.profileChanged(before, after);
     m_night.profileChanged(before, after);
     m_transmit.profileChanged(before, after);
     m_calibration.profileChanged(before, after);
@@ -480,6 +489,7 @@ StationStatus Station::status() const
                      .scheduling = m_realTime.text()};
     status.broker = m_broker.status();
     status.sensor = m_sensor.status();
+    m_position.describe(status.position);
     status.satellites = m_elements.satellites();
     status.elementProblems = m_elements.problems();
     m_calibration.fill(status);

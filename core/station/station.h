@@ -20,6 +20,7 @@
 #include "core/station/station_elements.h"
 #include "core/station/station_hooks.h"
 #include "core/station/station_passes.h"
+#include "core/station/station_position.h"
 #include "core/station/station_power.h"
 #include "core/station/station_rehearsal.h"
 #include "core/station/station_sensor.h"
@@ -138,6 +139,7 @@ private:
     StationPower m_power;
     StationElements m_elements;
     StationAzel m_azel;
+    StationPosition m_position;
     CalibrationFile m_calibrationFile;
     CalibrationDesk m_calibration;
     TuningDesk m_tuning;

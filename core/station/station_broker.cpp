@@ -124,10 +124,16 @@ void StationBroker::setSensorWanted(bool wanted)
     connectAnew();
 }
 
+void StationBroker::setPositionWanted(bool wanted)
+{
+    m_positionWanted = wanted;
+    connectAnew();
+}
+
 void StationBroker::connectAnew()
 {
     const bool publishes = m_profile->mqtt.publish == profile::Publish::On;
-    if (!publishes && !m_sensorWanted) {
+    if (!publishes && !isReadFrom()) {
         m_client.close();
         return;
     }
@@ -175,7 +181,7 @@ std::optional<Seconds> StationBroker::untilNext() const
 
 BrokerStatus StationBroker::status() const
 {
-    const bool isWanted = m_profile->mqtt.publish == profile::Publish::On || m_sensorWanted;
+    const bool isWanted = m_profile->mqtt.publish == profile::Publish::On || isReadFrom();
     return {.wanted = isWanted,
             .connected = m_client.isConnected(),
             .name = isWanted ? mqtt::toText(m_client.broker()) : QString(),

@@ -36,6 +36,8 @@ public:
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
     // Whether the orientation sensor comes by the broker.
     void setSensorWanted(bool wanted);
+    // Whether positions of what flies come by the broker.
+    void setPositionWanted(bool wanted);
     void close();
 
     [[nodiscard]] mqtt::Connection& connection() { return m_client; }
@@ -48,6 +50,7 @@ public:
 
 private:
     void connectAnew();
+    [[nodiscard]] bool isReadFrom() const { return m_sensorWanted || m_positionWanted; }
     void stopPublishing();
     [[nodiscard]] std::optional<Seconds> untilNext() const;
 
@@ -59,6 +62,7 @@ private:
     mqtt::ThreadedClient m_client;
     std::unique_ptr<mqtt::StatePublisher> m_publisher;
     bool m_sensorWanted = false;
+    bool m_positionWanted = false;
 };
 
 }  // namespace boresight

@@ -13,6 +13,7 @@ namespace boresight {
 namespace {
 
 constexpr int kShellLinesPerSecond = 4;
+const QByteArray kPositionWord = "position";  // in place of a target
 
 Source shellSource()
 {
@@ -122,6 +123,9 @@ local::LocalAnswer StationShell::track(const QByteArray& text)
     const auto free = m_station.mayShellCommand();
     if (!free) {
         return failure(free.error().code, Text::tr("%1 Take the control first.").arg(free.error().text));
+    }
+    if (text == kPositionWord) {
+        return m_station.ask(request::FollowPosition{}, shellSource()).map([] { return QByteArray("position\n"); });
     }
     return targets::parseTarget(text.toStdString(), *m_station.satellites())
         .and_then([&](const targets::Target& target) {

@@ -55,7 +55,8 @@ Obstacle obstacleOf(const StationStatus& status)
     if (status.state == StationState::Fault || status.state == StationState::Disconnected) {
         return Obstacle::Fault;
     }
-    if (!status.aimed || status.azel.phase == AzelPhase::Stale) {
+    const bool isStale = status.azel.phase == AzelPhase::Stale || status.position.phase == PositionPhase::Stale;
+    if (!status.aimed || isStale) {
         return Obstacle::NoTarget;
     }
     return status.tracked && !status.tracked->isUp ? Obstacle::NotUp : Obstacle::None;

@@ -39,6 +39,7 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"gpredict", QT_TRANSLATE_NOOP("SettingWords", "Gpredict")},
                              {"orbit", QT_TRANSLATE_NOOP("SettingWords", "Satellites")},
                              {"azel", QT_TRANSLATE_NOOP("SettingWords", "Moon by WSJT-X")},
+                             {"position", QT_TRANSLATE_NOOP("SettingWords", "Balloon or rocket")},
                              {"schedule", QT_TRANSLATE_NOOP("SettingWords", "Schedule of passes")},
                              {"sun", QT_TRANSLATE_NOOP("SettingWords", "Sun")},
                              {"jog", QT_TRANSLATE_NOOP("SettingWords", "Jog")},

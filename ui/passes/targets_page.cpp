@@ -7,6 +7,7 @@
 #include "ui/kit/value_label.h"
 #include "ui/look/paint.h"
 #include "ui/passes/azel_box.h"
+#include "ui/passes/position_box.h"
 #include "ui/passes/target_table.h"
 
 #include <QHBoxLayout>
@@ -29,7 +30,8 @@ TargetsPage::TargetsPage(RequestDesk& desk, QWidget* parent)
                                       *m_refused, this)),
       m_trackTyped(new CommandButton(tr("Track"), tr("Follow the typed target, or go there if it stays"), desk,
                                      *m_refused, this)),
-      m_azel(new AzelBox(desk, this))
+      m_azel(new AzelBox(desk, this)),
+      m_position(new PositionBox(desk, this))
 {
     build();
     connect(m_trackChosen, &QPushButton::clicked, this, &TargetsPage::trackChosen);
@@ -66,6 +68,7 @@ void TargetsPage::build()
     column->addLayout(actions);
     column->addWidget(m_refused);
     column->addWidget(m_azel);
+    column->addWidget(m_position);
     QHeaderView* const header = m_table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setSectionResizeMode(TargetTable::Next, QHeaderView::Stretch);
@@ -108,6 +111,7 @@ void TargetsPage::showStatus(const StationStatus& status)
     const bool isTyped = !m_typed->text().trimmed().isEmpty();
     m_trackTyped->setBlocked(isTyped ? why : tr("Type a target first."));
     m_azel->showStatus(status);
+    m_position->showStatus(status);
 }
 
 }  // namespace boresight::ui

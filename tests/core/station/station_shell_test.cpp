@@ -200,6 +200,21 @@ TEST(StationShell, HasTheSchedule)
     EXPECT_EQ(rig.station->status().authority, Authority::Clients) << "nothing was taken";
 }
 
+// REQ-POSITION-41: "track position" asks for what reports its position, by the rule of any other target.
+TEST(StationShell, TracksWhatReportsItsPosition)
+{
+    ShellRig rig;
+    EXPECT_EQ(rig.answerTo("track position\n"), "error: No position to track: the site of the mount is not set\n");
+    profile::Profile there = rig.profile;
+    there.site = {.known = true, .latitude = 38_deg, .longitude = -9_deg};
+    rig.setProfile(there);
+    EXPECT_TRUE(rig.control.take(
+        position::PositionText{.site = {.latitude = 38.1_deg, .longitude = -9_deg, .heightMetres = 5000.0}}));
+    EXPECT_EQ(rig.answerTo("track position\n"), "ok\nposition\n");
+    rig.run(Seconds(0.2));
+    EXPECT_EQ(rig.control.status().position.phase, PositionPhase::Following);
+}
+
 // REQ-TRANSMIT-31: The shell reports whether the transmit output is on, and what keeps it off. Without an output the
 // answer is an empty object.
 TEST(StationShell, ReportsTheTransmitOutput)
