@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 
+#include <QFileInfo>
 #include <QHostAddress>
 #include <QThread>
 
@@ -16,7 +17,17 @@ bool isThisComputer(const std::string& host)
     return host == "localhost" || QHostAddress(toQString(host)).isLoopback();
 }
 
+QString socketOf(const profile::ListenAddress& station)
+{
+    return local::socketToAsk(local::runtimeFolder(), local::kServiceRuntimeFolder, station.port);
+}
+
 }  // namespace
+
+bool hasLocalSocket(const profile::ListenAddress& station)
+{
+    return isThisComputer(station.host) && QFileInfo::exists(socketOf(station));
+}
 
 bool connectBy(const QDeadlineTimer& deadline, const std::function<QString()>& path, QLocalSocket& socket,
                const std::function<void()>& pause)
@@ -42,9 +53,7 @@ local::LocalAnswer askLocally(const profile::ListenAddress& station, const local
                                       "socket of the station, and \"%1\" is not localhost")
                            .arg(toQString(station.host)));
     }
-    const auto path = [&station] {
-        return local::socketToAsk(local::runtimeFolder(), local::kServiceRuntimeFolder, station.port);
-    };
+    const auto path = [&station] { return socketOf(station); };
     if (path().isEmpty()) {
         return failure(ErrorCode::NoAnswer,
                        QStringLiteral("XDG_RUNTIME_DIR is not set, so there is no local socket of a station."));

@@ -19,6 +19,9 @@ namespace boresight::ctl {
 [[nodiscard]] local::LocalAnswer askLocally(const profile::ListenAddress& station, const local::LocalRequest& request,
                                             std::chrono::seconds patience = kPatience);
 
+// Whether askLocally() finds a socket without waiting for it.
+[[nodiscard]] bool hasLocalSocket(const profile::ListenAddress& station);
+
 // Connects to the path of this moment, by the deadline. `pause` comes between two attempts: a station that reconnects
 // has no socket for a moment.
 [[nodiscard]] bool connectBy(const QDeadlineTimer& deadline, const std::function<QString()>& path, QLocalSocket& socket,

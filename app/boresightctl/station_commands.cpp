@@ -40,12 +40,15 @@ QString doneText(local::LocalCommand command)
         case local::LocalCommand::Stop:
         case local::LocalCommand::Track:
         case local::LocalCommand::Satellites:
+        case local::LocalCommand::Antennas:
+        case local::LocalCommand::UseAntenna:
         case local::LocalCommand::ScheduleList:
         case local::LocalCommand::ScheduleArm:
         case local::LocalCommand::ScheduleDisarm:
         case local::LocalCommand::ScheduleReport:
         case local::LocalCommand::ScheduleRehearse:
         case local::LocalCommand::ScheduleRehearsal:
+        case local::LocalCommand::Transmit:
             break;
     }
     return QStringLiteral("STOP is latched. The mount slows down and holds. Nothing moves it until reset-stop.");
@@ -107,6 +110,19 @@ ExitStatus runPark(Arguments arguments)
                    : usageError(kParkCommand, options.error().text);
 }
 
+// Of a station of this computer that has such an output. Else nothing is added.
+void addTransmit(QJsonObject& report, const profile::ListenAddress& station)
+{
+    if (!hasLocalSocket(station)) {
+        return;
+    }
+    const auto answer = askLocally(station, {.command = local::LocalCommand::Transmit});
+    const QJsonObject transmit = QJsonDocument::fromJson(answer.value_or(QByteArray())).object();
+    if (!transmit.isEmpty()) {
+        report[QStringLiteral("transmit")] = transmit;
+    }
+}
+
 ExitStatus runStatus(Arguments arguments)
 {
     const auto options = parseStationOptions(arguments, 0);
@@ -114,11 +130,12 @@ ExitStatus runStatus(Arguments arguments)
         return usageError(kStatusCommand, options.error().text);
     }
     RotctldClient station;
-    const auto report =
-        station.connect(options->station.value_or(profile::ListenAddress{})).and_then([&] { return station.status(); });
+    const profile::ListenAddress address = options->station.value_or(profile::ListenAddress{});
+    auto report = station.connect(address).and_then([&] { return station.status(); });
     if (!report) {
         return failedBy(kStatusCommand, report.error());
     }
+    addTransmit(*report, address);
     print(options->json ? QJsonDocument(*report).toJson().toStdString() : reportText(*report).toStdString());
     return kDone;
 }
@@ -216,7 +233,8 @@ const Subcommand kStatusCommand{.name = "status",
                                 .details = kWhichStation +
                                            R"(  --format text|json   text without it
 
-Prints the station, whether the mount moves, and where it points. rotctld reports no more.
+Prints the station, whether the mount moves, and where it points. rotctld reports no more. A station of this user on this
+computer reports by its local socket whether its transmit output is on, and what keeps it off.
 )" + kExitStatus + R"(
 Example:
   boresightctl status --format json

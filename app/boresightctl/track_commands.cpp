@@ -109,6 +109,7 @@ TARGET is one of these. Capital and small letters are the same.
   table FILE, oem FILE        the way that a file describes: a tracking table with a time, an azimuth and an elevation in each
                               line, or a CCSDS OEM as KVN. The station reads the file, as the user that it runs as.
                               "ephemeris --table FILE" shows where it leads
+  position                    the balloon or rocket whose positions the station receives (settings of position)
 )" + kLocalSocket +
                                           R"(
 The command ends when the station has accepted the target. The motion goes on. What rises and sets is followed until it

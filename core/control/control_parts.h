@@ -17,6 +17,7 @@
 #include "core/motion/motion.h"
 #include "core/mount/mount_driver.h"
 #include "core/pointing/mount_model.h"
+#include "core/position/position_feed.h"
 #include "core/profile/profile.h"
 
 #include <cstdint>
@@ -42,6 +43,7 @@ struct ControlParts
     const EnergyMeter& energy;
     const AlarmBoard& alarms;
     const azel::AzelFeed& azelFeed;
+    const position::PositionFeed& positionFeed;
     SteadyTime now;  // of the running or last tick
     std::uint64_t tick = 0;
 

@@ -18,6 +18,7 @@ enum class Activity
     None,
     Holding,
     Pointing,
+    Placing,  // as Pointing, to a place of the mount itself: home, or with the cable unwrapped
     Parking,
     Streaming,
     Jogging,
@@ -40,7 +41,10 @@ public:
     [[nodiscard]] Activity activity() const { return m_activity; }
     [[nodiscard]] bool is(Activity activity) const { return m_activity == activity; }
     [[nodiscard]] bool moves() const { return !is(Activity::None) && !is(Activity::Holding); }
-    [[nodiscard]] bool goesToAPlace() const { return is(Activity::Pointing) || is(Activity::Parking); }
+    [[nodiscard]] bool goesToAPlace() const
+    {
+        return is(Activity::Pointing) || is(Activity::Placing) || is(Activity::Parking);
+    }
     [[nodiscard]] bool runsFreely() const
     {
         return is(Activity::Jogging) || is(Activity::Running) || is(Activity::Trying);

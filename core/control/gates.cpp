@@ -435,7 +435,8 @@ Result<> Gates::mayChangePointing() const
         return failure(ErrorCode::Refused,
                        Text::tr("The mount tracks a target, and the change would move it. Press Hold first."));
     }
-    if (m_of.current.is(Activity::Pointing) && !StatusReport(m_of).arrived()) {
+    const bool goes = m_of.current.is(Activity::Pointing) || m_of.current.is(Activity::Placing);
+    if (goes && !StatusReport(m_of).arrived()) {
         return failure(ErrorCode::Refused, Text::tr("The mount is on its way to a target, and the change would move "
                                                     "it. Wait until it is there, or press Hold."));
     }

@@ -28,7 +28,7 @@ struct RequestList
 using MotionRequests =
     RequestList<request::PointSky, request::PointAxes, request::PointAxis, request::Jog, request::Move, request::Step,
                 request::Follow, request::Track, request::Nudge, request::Horizon, request::Park, request::Home,
-                request::Unwind, request::Trial, request::FollowAzel>;
+                request::Unwind, request::Trial, request::FollowAzel, request::FollowPosition>;
 
 class MotionSource
 {

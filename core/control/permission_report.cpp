@@ -51,6 +51,7 @@ void PermissionReport::judgePlaces(Permissions& may) const
     judge(may, Action::Point, point);
     judge(may, Action::Track, point);
     judge(may, Action::FollowAzel, point);
+    judge(may, Action::FollowPosition, point);
     judge(may, Action::Park, point.and_then([&] { return gates.mayBeAt(gates.park()); }));
     judge(may, Action::Home, point.and_then([&] { return gates.mayBeAt(gates.home()); }));
     judge(may, Action::HoldAtEnd, gates.mayHoldAtEnd());

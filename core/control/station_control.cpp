@@ -101,6 +101,7 @@ ControlParts StationControl::parts() const
             .energy = m_energy,
             .alarms = m_alarms,
             .azelFeed = m_azelFeed,
+            .positionFeed = m_positionFeed,
             .now = m_now,
             .tick = m_tick};
 }
@@ -276,6 +277,13 @@ Result<> StationControl::handle(const request::Reconnect& wanted, const Source& 
     return operatorOnly(source).and_then([this] { return gates().drivesRest(); }).and_then([&] {
         return makesSense(wanted.profile);
     });
+}
+
+Result<> StationControl::take(const Result<position::PositionText>& read)
+{
+    const profile::PositionSettings& settings = m_profile->position;
+    m_positionFeed.setLimits({.name = toQString(settings.name), .stale = settings.stale, .fastest = settings.fastest});
+    return m_positionFeed.take(read, m_clock.now(), m_clock.utc());
 }
 
 void StationControl::profileChanged(const profile::Profile& before, const profile::Profile& after)

@@ -31,6 +31,7 @@
 #include "core/motion/motion.h"
 #include "core/mount/mount_driver.h"
 #include "core/pointing/mount_model.h"
+#include "core/position/position_feed.h"
 #include "core/profile/in_force.h"
 
 #include <QString>
@@ -147,6 +148,8 @@ public:
     void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation);
     // What a look at azel.dat has found.
     void take(const azel::AzelReading& reading) { m_azelFeed.take(reading, m_clock.now(), m_clock.utc()); }
+    // A report of what flies. The error says why it is not believed.
+    Result<> take(const Result<position::PositionText>& read);
 
 private:
     Result<> handle(const request::Hold& wanted, const Source& source);
@@ -201,6 +204,7 @@ private:
     SlewWatch m_slew;
     EnergyMeter m_energy;
     azel::AzelFeed m_azelFeed;
+    position::PositionFeed m_positionFeed;
     SourceLog m_sourceLog;
     HeldLog m_heldLog;
 

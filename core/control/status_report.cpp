@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/control/beam_report.h"
+#include "core/control/calibration_source.h"
 #include "core/control/permission_report.h"
 #include "core/messages/no_data.h"
 #include "core/mount/mount_service.h"
@@ -62,6 +63,12 @@ QString StatusReport::limitedReason() const
                : m_of.current.limitedReason();
 }
 
+bool StatusReport::aimed() const
+{
+    const bool isAimed = m_of.current.is(Activity::Pointing) || m_of.current.is(Activity::Streaming);
+    return isAimed && !m_of.current.isFor(calibrationSource());
+}
+
 StationState StatusReport::state() const
 {
     if (!m_of.arming.connected()) {
@@ -79,6 +86,7 @@ StationState StatusReport::state() const
         case Activity::Holding:
             return StationState::Hold;
         case Activity::Pointing:
+        case Activity::Placing:
             return arrived() ? StationState::Hold : StationState::Slew;
         case Activity::Parking:
             return arrived() ? StationState::Parked : StationState::Slew;
@@ -262,6 +270,7 @@ StationStatus StatusReport::status() const
                          .elevation = axisStatus(Axis::Elevation),
                          .targetText = m_of.current.text(),
                          .commander = m_of.current.commander(),
+                         .aimed = aimed(),
                          .limited = !limitedReason().isEmpty(),
                          .limitedReason = limitedReason(),
                          .route = route(),

@@ -27,6 +27,7 @@ public:
     [[nodiscard]] QString limitedReason() const;
 
 private:
+    [[nodiscard]] bool aimed() const;
     [[nodiscard]] AxisStatus axisStatus(Axis axis) const;
     [[nodiscard]] std::vector<SkyPointing> route() const;
     [[nodiscard]] AxisSample axisSample(Axis axis) const;

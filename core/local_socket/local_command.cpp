@@ -29,6 +29,7 @@ constexpr std::array kWords{std::pair{LocalCommand::Take, "take"},
                             std::pair{LocalCommand::ScheduleReport, "schedule-report"},
                             std::pair{LocalCommand::ScheduleRehearse, "schedule-rehearse"},
                             std::pair{LocalCommand::ScheduleRehearsal, "schedule-rehearsal"},
+                            std::pair{LocalCommand::Transmit, "transmit"},
                             std::pair{LocalCommand::Track, "track"}};
 constexpr int kDecimals = 6;  // of a degree, as in the profile
 const QByteArray kAgreed = "ok\n";
@@ -112,7 +113,7 @@ Result<LocalRequest> parseRequest(const QByteArray& line)
     if (found == kWords.end() || hasTarget == (word == text)) {
         return failure(ErrorCode::InvalidInput,
                        Text::tr("This is not a command. The commands are take, release, stop, reset-stop, satellites, "
-                                "track TARGET, antennas, antenna NAME and those of the schedule."));
+                                "transmit, track TARGET, antennas, antenna NAME and those of the schedule."));
     }
     return LocalRequest{.command = found->first, .target = hasTarget ? text.mid(word.size()).trimmed() : QByteArray()};
 }

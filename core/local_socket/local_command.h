@@ -29,9 +29,10 @@ enum class LocalCommand
     ScheduleList,  // the plan, as JSON
     ScheduleArm,
     ScheduleDisarm,
-    ScheduleReport,    // of the passes so far, as JSON
-    ScheduleRehearse,  // begin
-    ScheduleRehearsal  // how far it is, or what came of it, as JSON
+    ScheduleReport,     // of the passes so far, as JSON
+    ScheduleRehearse,   // begin
+    ScheduleRehearsal,  // how far it is, or what came of it, as JSON
+    Transmit            // whether the transmitter may transmit, as JSON
 };
 
 struct LocalRequest
@@ -43,7 +44,7 @@ struct LocalRequest
 };
 
 // The lines that follow "ok", each with its LF: the name of the target that is tracked, the satellites, the antennas,
-// or what is told of the schedule. Else empty.
+// or what is told of the schedule or the transmit output. Else empty.
 using LocalAnswer = Result<QByteArray>;
 
 // Of a command, without its LF: a path has up to 4096 bytes.

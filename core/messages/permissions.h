@@ -29,8 +29,9 @@ enum class Action
     Hold,   // also leaves PARKED; where nothing is left to hold the screen does not offer it, but it is never refused
     Point,  // to an angle: needs the wrap of both axes
     Track,
-    FollowAzel,   // the Moon of WSJT-X
-    ArmSchedule,  // of passes
+    FollowAzel,      // the Moon of WSJT-X
+    FollowPosition,  // what reports its position
+    ArmSchedule,     // of passes
     Park,
     Home,
     Unwind,

@@ -71,6 +71,8 @@ struct TrackFile  // the same with the table of a file, once the station has rea
 };
 struct FollowAzel  // keep the beam on the Moon of WSJT-X's azel.dat; below the horizon the mount is parked
 {};
+struct FollowPosition  // keep the beam on what reports its position
+{};
 struct Nudge  // while a stream is followed: shifts it, see StationStatus::trim; else as Step
 {
     Angle azimuth;
@@ -303,8 +305,8 @@ using AnyRequest =
                  request::FixDrives, request::AssignBoard, request::SetGear, request::SwitchOff, request::ReleaseBus,
                  request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof, request::ReadGains,
                  request::SetGain, request::PutGainsBack, request::StoreGains, request::Trial, request::FollowAzel,
-                 request::Rehearse, request::TrackFile, request::UseAntenna, TuningRequest, CalibrationRequest,
-                 ScheduleRequest>;
+                 request::FollowPosition, request::Rehearse, request::TrackFile, request::UseAntenna, TuningRequest,
+                 CalibrationRequest, ScheduleRequest>;
 
 // Every source that includes this header would compile the copying of so many alternatives again. It is compiled once.
 struct Request : AnyRequest

@@ -11,10 +11,12 @@
 #include "core/messages/drives_status.h"
 #include "core/messages/mount_line.h"
 #include "core/messages/permissions.h"
+#include "core/messages/position_status.h"
 #include "core/messages/power_status.h"
 #include "core/messages/rehearsal_status.h"
 #include "core/messages/schedule_status.h"
 #include "core/messages/sensor_status.h"
+#include "core/messages/transmit_status.h"
 #include "core/messages/tuning_status.h"
 #include "core/profile/profile.h"
 #include "core/targets/sky_moment.h"
@@ -246,6 +248,7 @@ struct StationStatus
     std::optional<SkyPointing> target;
     QString targetText;                // "P 339.50 57.00", "go to 113.0° 10.0°", "park"; empty without a target
     Source commander;                  // whose target it is
+    bool aimed = false;                // it is sent to a target: no jog, no place of the mount itself, no calibration
     bool limited = false;              // the target was outside the limits; the nearest permitted point is driven
     QString limitedReason;             // then why: "elevation -5.0° below limit 0.0°"
     std::vector<SkyPointing> route;    // of the beam around what is forbidden, from `commanded` to the target
@@ -262,6 +265,7 @@ struct StationStatus
         std::make_shared<const std::vector<orbit::ElementSet>>();
     QStringList elementProblems;  // of element files and downloads: what cannot be used, and why. The first ones
     AzelStatus azel;
+    PositionStatus position;
     std::vector<BodyPlace> bodies;       // empty: the site is not set
     Permissions permissions;             // of the operator
     Capabilities capabilities;           // of the mount
@@ -288,6 +292,7 @@ struct StationStatus
     // The passes that are tracked by themselves; never null.
     std::shared_ptr<const ScheduleStatus> schedule = std::make_shared<const ScheduleStatus>();
     RehearsalStatus rehearsal;
+    TransmitStatus transmit;
     ClockStatus clock;
 };
 

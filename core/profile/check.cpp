@@ -149,6 +149,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     checkSchedule(problems, profile);
     checkSensor(problems, profile);
     checkPower(problems, profile);
+    checkPosition(problems, profile);
     return problems;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The satellites that are known, and the Moon of azel.dat.
+// The satellites that are known, the Moon of azel.dat, and what reports its position.
 #include "core/base/control_characters.h"
 #include "core/base/text.h"
 #include "core/elements/element_address.h"
@@ -54,6 +54,14 @@ SettingOf<orbit::SatelliteMark> antennaOfSatellite()
         });
     antenna.mayBeLeftOut = true;
     return antenna;
+}
+
+// Without the wildcards of a filter: one thing is tracked.
+Result<> checkPositionTopic(const std::string& topic)
+{
+    const bool isTopic = !topic.empty() && topic.front() != '$' && topic.find_first_of("+#") == std::string::npos;
+    return isTopic ? checkNote(topic)
+                   : failure(ErrorCode::InvalidInput, Text::tr("a topic is expected, without + # and $"));
 }
 
 std::vector<SettingOf<orbit::SatelliteMark>> makeSatelliteSettings()
@@ -146,6 +154,64 @@ void addAzel(std::vector<Setting>& list)
                            "Whether the mount stands still while WSJT-X transmits. The way that is saved up is driven "
                            "in the next receive period.")},
         [](auto& p) -> auto& { return p.azel.onlyWhileReceiving; }));
+}
+
+void addPosition(std::vector<Setting>& list)
+{
+    list.push_back(choice(
+        "position.source", {"none", "udp", "mqtt"}, kNow,
+        {QT_TRANSLATE_NOOP("Text", "Source"),
+         QT_TRANSLATE_NOOP("Text",
+                           "Whether the position of a balloon or a rocket arrives, to be tracked: by UDP on a port of "
+                           "this computer, or by a topic of the MQTT broker.")},
+        [](auto& p) -> auto& { return p.position.source; }));
+    list.push_back(textual(
+        "position.host", kNow,
+        {QT_TRANSLATE_NOOP("Text", "Host"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "UDP: the address of this computer to listen on. 127.0.0.1 receives from this computer only, "
+             "0.0.0.0 from all computers and what is sent to the whole network.")},
+        [](const Profile& p) { return p.position.host; },
+        [](Profile& p, const std::string& text) { return checkHost(text).map([&] { p.position.host = text; }); }));
+    list.push_back(integer(
+        "position.port", "", {1, 65535}, kNow,
+        {QT_TRANSLATE_NOOP("Text", "Port"),
+         QT_TRANSLATE_NOOP("Text", "UDP port of the positions. radiosonde_auto_rx sends to 55673.")},
+        [](auto& p) -> auto& { return p.position.port; }));
+    list.push_back(textual(
+        "position.topic", kNow,
+        {QT_TRANSLATE_NOOP("Text", "Topic"), QT_TRANSLATE_NOOP("Text", "MQTT: the topic of the positions.")},
+        [](const Profile& p) { return p.position.topic; },
+        [](Profile& p, const std::string& text) {
+            return checkPositionTopic(text).map([&] { p.position.topic = text; });
+        }));
+    list.push_back(textual(
+        "position.name", kNow,
+        {QT_TRANSLATE_NOOP("Text", "Call sign"),
+         QT_TRANSLATE_NOOP("Text",
+                           "Only reports with this call sign count. Empty: every report counts, and only one thing may "
+                           "fly.")},
+        [](const Profile& p) { return p.position.name; },
+        [](Profile& p, const std::string& text) { return checkNote(text).map([&] { p.position.name = text; }); }));
+    list.push_back(number(
+        "position.stale_s", "s", {2.0, 600.0}, kNow,
+        {QT_TRANSLATE_NOOP("Text", "Longest silence"),
+         QT_TRANSLATE_NOOP("Text", "Without a position for this long the mount stands still.")},
+        [](auto& p) -> auto& { return p.position.stale; }));
+    list.push_back(number(
+        "position.fastest_m_s", "m/s", {10.0, 12000.0}, kNow,
+        {QT_TRANSLATE_NOOP("Text", "Fastest flight"),
+         QT_TRANSLATE_NOOP("Text", "A position that needs a higher speed from the one before is refused.")},
+        [](auto& p) -> auto& { return p.position.fastest; }));
+}
+
+void checkPosition(std::vector<Problem>& problems, const Profile& profile)
+{
+    if (profile.position.source == PositionSource::Udp && !checkAddress(profile.position.host)) {
+        problems.push_back(
+            {"position.host", Text::tr("an address of this computer is expected while position.source is \"udp\"")});
+    }
 }
 
 std::span<const SettingOf<orbit::SatelliteMark>> satelliteSettings()

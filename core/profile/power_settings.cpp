@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The radio: what it receives, and when it may transmit.
 #include "core/profile/power_settings.h"
 
 #include "core/base/text.h"
 #include "core/profile/setting_groups.h"
 #include "core/profile/setting_makers.h"
+#include "core/transmit/output_name.h"
 
 namespace boresight::profile {
 
@@ -31,6 +33,35 @@ void addPower(std::vector<Setting>& list)
         "power.port", "", {1, 65535}, Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Port"), QT_TRANSLATE_NOOP("Text", "UDP or TCP port of the received power.")},
         [](auto& p) -> auto& { return p.power.port; }));
+}
+
+void addTransmit(std::vector<Setting>& list)
+{
+    list.push_back(textual(
+        "transmit.output", Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Output"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "An output that is on only while the beam is on its target: file:PATH, mqtt:TOPIC, command:PROGRAM with "
+             "its arguments, dtr:PORT or rts:PORT. Let it hold the transmitter. Empty: none.")},
+        [](const Profile& p) { return p.transmit.output; },
+        [](Profile& p, const std::string& wanted) {
+            return transmit::parseOutput(wanted).map([&](const transmit::OutputName&) { p.transmit.output = wanted; });
+        }));
+    list.push_back(number(
+        "transmit.beam_fraction", "", {0.01, 1.0}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Part of the beam width"),
+         QT_TRANSLATE_NOOP("Text",
+                           "The output is on while the beam is nearer to the target than this part of the beam width. "
+                           "At 0.5 the antenna sends half of its best power to the target.")},
+        [](auto& p) -> auto& { return p.transmit.beamFraction; }));
+    list.push_back(choice(
+        "transmit.in_simulation", {"off", "on"}, Applies::Now,
+        {QT_TRANSLATE_NOOP("Text", "Also with a simulated mount"),
+         QT_TRANSLATE_NOOP("Text",
+                           "With \"off\" the output stays off while the mount is simulated, because the real antenna "
+                           "points elsewhere.")},
+        [](auto& p) -> auto& { return p.transmit.inSimulation; }));
 }
 
 void checkPower(std::vector<Problem>& problems, const Profile& profile)

@@ -9,8 +9,10 @@
 #include "core/pointing/pointing_model.h"
 #include "core/pointing/region.h"
 #include "core/profile/axis_driver.h"
+#include "core/profile/position_settings.h"
 #include "core/profile/power_settings.h"
 #include "core/profile/sensor_settings.h"
+#include "core/profile/transmit_settings.h"
 #include "core/schedule/watch_entry.h"
 #include "core/tracking/axis_profile.h"
 #include "core/units/site.h"
@@ -398,6 +400,7 @@ struct Profile
     OrbitSettings orbit;
     orbit::SatelliteMarks satellites;  // that the operator knows: favourites and notes
     AzelSettings azel;
+    PositionSettings position;
     ScheduleSettings schedule;
     SunSettings sun;
     JogSettings jog;
@@ -407,6 +410,7 @@ struct Profile
     SensorSettings sensor;
     BrokerSettings mqtt;
     PowerSettings power;
+    TransmitSettings transmit;
 
     [[nodiscard]] const AxisSettings& axis(Axis which) const { return which == Axis::Azimuth ? azimuth : elevation; }
     // The axis that nothing turns.

@@ -306,6 +306,7 @@ std::vector<Setting> makeSettings()
     addGpredict(list);
     addOrbit(list);
     addAzel(list);
+    addPosition(list);
     addSchedule(list);
     addSun(list);
     addJog(list);
@@ -315,6 +316,7 @@ std::vector<Setting> makeSettings()
     addSensor(list);
     addBroker(list);
     addPower(list);
+    addTransmit(list);
     return list;
 }
 

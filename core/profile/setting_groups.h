@@ -16,6 +16,7 @@ void addSite(std::vector<Setting>& list);
 void addGpredict(std::vector<Setting>& list);
 void addOrbit(std::vector<Setting>& list);
 void addAzel(std::vector<Setting>& list);
+void addPosition(std::vector<Setting>& list);
 void addSchedule(std::vector<Setting>& list);
 void addSun(std::vector<Setting>& list);
 void addSupervision(std::vector<Setting>& list);
@@ -23,6 +24,7 @@ void addRecovery(std::vector<Setting>& list);
 void addSensor(std::vector<Setting>& list);
 void addBroker(std::vector<Setting>& list);
 void addPower(std::vector<Setting>& list);
+void addTransmit(std::vector<Setting>& list);
 
 // Of another computer, or this one: "shack.local", "127.0.0.1".
 [[nodiscard]] Result<> checkHost(const std::string& text);
@@ -45,10 +47,11 @@ void checkNumbers(std::vector<Problem>& problems, std::string_view list, const s
     }
 }
 
-// Cross checks of the region, the Sun, the park place and the presets; of the antennas; of the satellites; of the watch
-// list; of the sensor; of the received power.
+// Cross checks of the region, the Sun, the park place and the presets; of the antennas; of the source of positions; of
+// the satellites; of the watch list; of the sensor; of the received power.
 void checkRegion(std::vector<Problem>& problems, const Profile& profile);
 void checkAntennas(std::vector<Problem>& problems, const Profile& profile);
+void checkPosition(std::vector<Problem>& problems, const Profile& profile);
 void checkSatellites(std::vector<Problem>& problems, const Profile& profile);
 void checkSchedule(std::vector<Problem>& problems, const Profile& profile);
 void checkSensor(std::vector<Problem>& problems, const Profile& profile);

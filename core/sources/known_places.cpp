@@ -28,7 +28,7 @@ Angle lowest(const pointing::PermittedRegion& region, const AxisPosition& wanted
 Result<> KnownPlaces::ask(const request::Home&, const Source& by)
 {
     const AxisPosition home = Gates(helm().view()).home();
-    return helm().goTo(home, Activity::Pointing, by, Text::tr("home to %1").arg(helm().directionText(home)));
+    return helm().goTo(home, Activity::Placing, by, Text::tr("home to %1").arg(helm().directionText(home)));
 }
 
 // Down to 0°, or as far as it goes.
@@ -55,7 +55,7 @@ Result<> KnownPlaces::ask(const request::Unwind&, const Source& by)
 {
     const auto unwound = helm().mayPoint(by).and_then([this] { return Gates(helm().view()).unwound(); });
     return unwound.and_then([&](const AxisPosition& place) {
-        return helm().goTo(place, Activity::Pointing, by,
+        return helm().goTo(place, Activity::Placing, by,
                            Text::tr("unwrap the cable, azimuth axis to %1").arg(degreesText(place.azimuth, 1)));
     });
 }

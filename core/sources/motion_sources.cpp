@@ -9,6 +9,7 @@
 #include "core/sources/jog.h"
 #include "core/sources/known_places.h"
 #include "core/sources/park.h"
+#include "core/sources/position_follow.h"
 #include "core/sources/step.h"
 #include "core/sources/target_track.h"
 #include "core/sources/trial_run.h"
@@ -40,17 +41,18 @@ MotionSources listed(Helm& helm)
 // The list: a new source is its file and a line here.
 MotionSources motionSources(Helm& helm)
 {
-    return listed<sources::GoTo,          //
-                  sources::KnownPlaces,   //
-                  sources::Park,          //
-                  sources::Step,          //
-                  sources::Jog,           //
-                  sources::ClientMove,    //
-                  sources::ClientStream,  //
-                  sources::BodyStream,    //
-                  sources::TargetTrack,   //
-                  sources::AzelFollow,    //
-                  sources::TrialRun       //
+    return listed<sources::GoTo,            //
+                  sources::KnownPlaces,     //
+                  sources::Park,            //
+                  sources::Step,            //
+                  sources::Jog,             //
+                  sources::ClientMove,      //
+                  sources::ClientStream,    //
+                  sources::BodyStream,      //
+                  sources::TargetTrack,     //
+                  sources::AzelFollow,      //
+                  sources::PositionFollow,  //
+                  sources::TrialRun         //
                   >(helm);
 }
 

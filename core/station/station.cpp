@@ -49,17 +49,20 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
            .satellites = [this] { return m_elements.satellites(); },
            .antennas = [this] { return knownAntennas(); },
            .schedule = [this] { return m_night.status(); },
-           .rehearsal = [this] { return m_rehearsal.status(); }},
+           .rehearsal = [this] { return m_rehearsal.status(); },
+           .transmit = [this] { return m_transmit.status(); }},
           m_log, clock, this),
       m_broker(m_profile, m_log, clock, this),
       m_sensor(m_profile, clock, m_log, m_control.alarms(), m_broker, this),
       m_power(m_profile, clock, m_log, this),
       m_elements(m_profile, m_log, clock, this),
       m_azel(m_profile, this),
+      m_position(m_profile, m_log, clock, m_broker, this),
       m_calibrationFile(calibrationPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_calibration(m_control, m_profile, m_calibrationFile, clock, m_log),
       m_tuning(m_control, clock, m_log),
       m_hooks(m_profile, m_mount->simulated(), m_log, m_broker, this),
+      m_transmit(m_profile, m_mount->simulated(), clock, m_log, m_alarms, this),
       m_reportFile(reportPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_night(
           m_control, m_profile, m_reportFile, clock, m_log,
@@ -92,6 +95,11 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
     connect(&m_elements, &StationElements::changed, this, [this] { m_night.setSatellites(m_elements.satellites()); });
     connect(&m_power, &StationPower::received, this, [this](const power::Value& value) { m_calibration.take(value); });
     connect(&m_azel, &StationAzel::looked, this, [this](const azel::AzelReading& reading) { m_control.take(reading); });
+    connect(&m_position, &StationPosition::received, this, [this](const Result<position::PositionText>& read) {
+        if (const Result<> taken = m_control.take(read); !taken) {
+            m_position.tellRefused(taken.error().text);
+        }
+    });
     connect(&m_eventFile, &EventFile::failed, this,
             [this](const QString& reason) { m_control.alarms().raise(alarmEntry("log.not-stored"), {reason}); });
     connect(&m_eventFile, &EventFile::written, this,
@@ -130,6 +138,8 @@ void Station::openAll()
     m_power.open();
     m_elements.open();
     m_azel.open();
+    m_position.open();
+    m_transmit.open();
     m_eventFile.tick();
 }
 
@@ -211,6 +221,9 @@ void Station::tick()
     m_tuning.tick();
     m_night.tick();
     m_control.tick();
+    if (m_transmit.isWanted()) {
+        m_transmit.tick(m_control.status());
+    }
     witness();
     m_mount->send();
     m_eventFile.tick();
@@ -251,6 +264,7 @@ void Station::finish()
     m_sensor.close();
     m_power.close();
     m_azel.close();
+    m_position.close();
     m_broker.close();
     m_mount->close();
     m_updateWanted = true;  // the last words, also to a screen that is slow: who asked for the end has an answer to get
@@ -405,6 +419,7 @@ void Station::reconnect(const profile::Profile& next)
     m_log.add(Severity::Advisory, QStringLiteral("operator"),
               Text::tr("reconnects to the mount \"%1\"").arg(QString::fromStdString(next.mount.name)));
     m_next = next;
+    m_transmit.close();
     m_control.shutDown();
 }
 
@@ -435,7 +450,9 @@ void Station::profileChanged(const profile::Profile& before)
     m_sensor.profileChanged(before, after);
     m_power.profileChanged(before, after);
     m_elements.profileChanged(before, after);
+    m_position.profileChanged(before, after);
     m_night.profileChanged(before, after);
+    m_transmit.profileChanged(before, after);
     m_calibration.profileChanged(before, after);
 }
 
@@ -476,6 +493,7 @@ void Station::shutDown()
 {
     m_log.add(Severity::Advisory, QStringLiteral("station"),
               Text::tr("Boresight is being closed: the mount is stopped"));
+    m_transmit.close();
     m_control.shutDown();
 }
 
@@ -494,6 +512,7 @@ StationStatus Station::status() const
                      .scheduling = m_realTime.text()};
     status.broker = m_broker.status();
     status.sensor = m_sensor.status();
+    m_position.describe(status.position);
     status.satellites = m_elements.satellites();
     status.elementProblems = m_elements.problems();
     m_calibration.fill(status);
@@ -502,6 +521,7 @@ StationStatus Station::status() const
     m_night.fill(status);
     status.rehearsal = m_rehearsal.status();
     status.clock = m_clockGuard.status();
+    status.transmit = m_transmit.status();
     return status;
 }
 

@@ -20,12 +20,14 @@
 #include "core/station/station_elements.h"
 #include "core/station/station_hooks.h"
 #include "core/station/station_passes.h"
+#include "core/station/station_position.h"
 #include "core/station/station_power.h"
 #include "core/station/station_rehearsal.h"
 #include "core/station/station_sensor.h"
 #include "core/station/station_server.h"
 #include "core/station/station_shell.h"
 #include "core/station/station_tables.h"
+#include "core/station/station_transmit.h"
 #include "core/station/tick_lateness.h"
 #include "core/tuning/tuning_desk.h"
 
@@ -140,11 +142,13 @@ private:
     StationElements m_elements;
     StationAzel m_azel;
     StationTables m_tables{this};
+    StationPosition m_position;
     CalibrationFile m_calibrationFile;
     CalibrationDesk m_calibration;
     TuningDesk m_tuning;
     StationPasses m_passes{this};
     StationHooks m_hooks;
+    StationTransmit m_transmit;
     ReportFile m_reportFile;
     NightDesk m_night;
     StationRehearsal m_rehearsal{this};

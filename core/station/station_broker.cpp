@@ -72,6 +72,17 @@ mqtt::PublishedState published(const StationStatus& status)
 
 }  // namespace
 
+mqtt::Broker brokerOf(const profile::BrokerSettings& settings, const QString& ownId)
+{
+    return {.host = toQString(settings.host),
+            .port = static_cast<std::uint16_t>(settings.port),
+            .user = toQString(settings.user),
+            .password = toQString(settings.password),
+            .encryption = settings.tls == profile::Tls::On ? mqtt::Encryption::Tls : mqtt::Encryption::None,
+            .caFile = toQString(settings.caFile),
+            .clientId = settings.clientId.empty() ? ownId : toQString(settings.clientId)};
+}
+
 StationBroker::StationBroker(const profile::InForce& profile, EventLog& log, const Clock& clock, QObject* parent)
     : QObject(parent),
       m_profile(profile),
@@ -99,17 +110,6 @@ StationBroker::StationBroker(const profile::InForce& profile, EventLog& log, con
     });
 }
 
-mqtt::Broker StationBroker::broker() const
-{
-    return {.host = toQString(m_profile->mqtt.host),
-            .port = static_cast<std::uint16_t>(m_profile->mqtt.port),
-            .user = toQString(m_profile->mqtt.user),
-            .password = toQString(m_profile->mqtt.password),
-            .encryption = m_profile->mqtt.tls == profile::Tls::On ? mqtt::Encryption::Tls : mqtt::Encryption::None,
-            .caFile = toQString(m_profile->mqtt.caFile),
-            .clientId = m_profile->mqtt.clientId.empty() ? m_ownId : toQString(m_profile->mqtt.clientId)};
-}
-
 void StationBroker::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
     if (before.mqtt != after.mqtt) {
@@ -124,15 +124,22 @@ void StationBroker::setSensorWanted(bool wanted)
     connectAnew();
 }
 
+void StationBroker::setPositionWanted(bool wanted)
+{
+    m_positionWanted = wanted;
+    connectAnew();
+}
+
 void StationBroker::connectAnew()
 {
     const bool publishes = m_profile->mqtt.publish == profile::Publish::On;
-    if (!publishes && !m_sensorWanted) {
+    if (!publishes && !isReadFrom()) {
         m_client.close();
         return;
     }
     const QString prefix = toQString(m_profile->mqtt.prefix);
-    m_client.open(broker(), publishes ? std::optional(mqtt::StatePublisher::will(prefix)) : std::nullopt);
+    m_client.open(brokerOf(m_profile->mqtt, m_ownId),
+                  publishes ? std::optional(mqtt::StatePublisher::will(prefix)) : std::nullopt);
     if (publishes && !m_publisher) {
         m_publisher = std::make_unique<mqtt::StatePublisher>(m_client, m_clock, prefix);
     }
@@ -174,7 +181,7 @@ std::optional<Seconds> StationBroker::untilNext() const
 
 BrokerStatus StationBroker::status() const
 {
-    const bool isWanted = m_profile->mqtt.publish == profile::Publish::On || m_sensorWanted;
+    const bool isWanted = m_profile->mqtt.publish == profile::Publish::On || isReadFrom();
     return {.wanted = isWanted,
             .connected = m_client.isConnected(),
             .name = isWanted ? mqtt::toText(m_client.broker()) : QString(),

@@ -19,6 +19,9 @@
 // itself is served by a thread of its own.
 namespace boresight {
 
+// The broker of the profile, for a connection with this name where the profile has none.
+[[nodiscard]] mqtt::Broker brokerOf(const profile::BrokerSettings& settings, const QString& ownId);
+
 class StationBroker : public QObject
 {
     Q_OBJECT
@@ -33,6 +36,8 @@ public:
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
     // Whether the orientation sensor comes by the broker.
     void setSensorWanted(bool wanted);
+    // Whether positions of what flies come by the broker.
+    void setPositionWanted(bool wanted);
     void close();
 
     [[nodiscard]] mqtt::Connection& connection() { return m_client; }
@@ -45,8 +50,8 @@ public:
 
 private:
     void connectAnew();
+    [[nodiscard]] bool isReadFrom() const { return m_sensorWanted || m_positionWanted; }
     void stopPublishing();
-    [[nodiscard]] mqtt::Broker broker() const;
     [[nodiscard]] std::optional<Seconds> untilNext() const;
 
     const profile::InForce& m_profile;
@@ -57,6 +62,7 @@ private:
     mqtt::ThreadedClient m_client;
     std::unique_ptr<mqtt::StatePublisher> m_publisher;
     bool m_sensorWanted = false;
+    bool m_positionWanted = false;
 };
 
 }  // namespace boresight

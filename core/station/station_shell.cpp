@@ -6,10 +6,14 @@
 #include "core/night/schedule_json.h"
 #include "core/targets/target_text.h"
 
+#include <QJsonDocument>
+#include <QJsonObject>
+
 namespace boresight {
 namespace {
 
 constexpr int kShellLinesPerSecond = 4;
+const QByteArray kPositionWord = "position";  // in place of a target
 
 Source shellSource()
 {
@@ -40,9 +44,25 @@ Request requestOf(const local::LocalRequest& asked)
         case local::LocalCommand::ScheduleList:
         case local::LocalCommand::ScheduleReport:
         case local::LocalCommand::ScheduleRehearsal:
+        case local::LocalCommand::Transmit:
             break;
     }
     return request::Stop{};
+}
+
+// An object without fields: the profile names no output.
+QByteArray transmitJson(const TransmitStatus& transmit)
+{
+    QJsonObject all;
+    if (!transmit.output.isEmpty()) {
+        all = {{QStringLiteral("output"), transmit.output},
+               {QStringLiteral("on"), transmit.on},
+               {QStringLiteral("whyOff"), transmit.whyOff},
+               {QStringLiteral("problem"), transmit.problem},
+               {QStringLiteral("within"), transmit.within.degrees()},
+               {QStringLiteral("error"), transmit.error ? QJsonValue(transmit.error->degrees()) : QJsonValue()}};
+    }
+    return QJsonDocument(all).toJson(QJsonDocument::Compact);
 }
 
 }  // namespace
@@ -97,6 +117,9 @@ local::LocalAnswer StationShell::answerNow(const local::LocalRequest& asked)
     if (asked.command == local::LocalCommand::ScheduleRehearsal) {
         return rehearsalJson(m_station.rehearsal()) + '\n';
     }
+    if (asked.command == local::LocalCommand::Transmit) {
+        return transmitJson(m_station.transmit()) + '\n';
+    }
     return told(asked, m_station.ask(requestOf(asked), shellSource()).map([] { return QByteArray(); }));
 }
 
@@ -124,6 +147,10 @@ void StationShell::track(const QByteArray& text, const local::Reply& reply)
     const Result<> may = mayTrack();
     if (!may) {
         reply(tl::unexpected(may.error()));
+        return;
+    }
+    if (text == kPositionWord) {
+        reply(m_station.ask(request::FollowPosition{}, shellSource()).map([] { return QByteArray("position\n"); }));
         return;
     }
     if (const auto file = targets::tableFile(text.toStdString())) {

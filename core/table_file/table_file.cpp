@@ -24,8 +24,10 @@ tl::unexpected<Error> cannotRead(ErrorCode code, const QString& path, const QStr
 
 Result<SharedTable> readTableFile(const QString& path)
 {
-    if (!QFileInfo(path).isFile()) {
-        return cannotRead(ErrorCode::NoDevice, path, Text::tr("There is no such file."));
+    const QFileInfo there(path);
+    if (!there.isFile()) {
+        return cannotRead(ErrorCode::NoDevice, path,
+                          there.exists() ? Text::tr("This is not a file.") : Text::tr("There is no such file."));
     }
     QFile file(path);
     const bool isOpen = file.open(QIODevice::ReadOnly);

@@ -744,6 +744,14 @@ até %1</translation>
         <source>antennas</source>
         <translation>antenas</translation>
     </message>
+    <message>
+        <source>Balloon or rocket</source>
+        <translation>Balão ou foguetão</translation>
+    </message>
+    <message>
+        <source>Transmit on target</source>
+        <translation>Transmitir só no alvo</translation>
+    </message>
 </context>
 <context>
     <name>SkyBodies</name>
@@ -8532,10 +8540,6 @@ até %1</translation>
         <translation>Não há nenhuma antena &quot;%1&quot;. O perfil tem %2.</translation>
     </message>
     <message>
-        <source>This is not a command. The commands are take, release, stop, reset-stop, satellites, track TARGET, antennas, antenna NAME and those of the schedule.</source>
-        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, satellites, track TARGET, antennas, antenna NAME e os da agenda.</translation>
-    </message>
-    <message>
         <source>The list of antennas is not complete.</source>
         <translation>A lista de antenas não está completa.</translation>
     </message>
@@ -8590,6 +8594,294 @@ até %1</translation>
     <message>
         <source>&quot;main&quot; is the name of the antenna that the table mount describes. Choose another name.</source>
         <translation>&quot;main&quot; é o nome da antena que a tabela mount descreve. Escolha outro nome.</translation>
+    </message>
+    <message>
+        <source>What reports its position cannot be tracked: %1</source>
+        <translation>Não é possível seguir o que comunica a sua posição: %1</translation>
+    </message>
+    <message>
+        <source>The mount stands still. It moves again BY ITSELF if a position arrives before %2</source>
+        <translation>A montagem está parada. Volta a mover-se POR SI se chegar uma posição antes de %2</translation>
+    </message>
+    <message>
+        <source>Check the receiver and the program that sends the positions. STOP or Hold ends the tracking</source>
+        <translation>Verifique o recetor e o programa que envia as posições. STOP ou Manter termina o seguimento</translation>
+    </message>
+    <message>
+        <source>What reports its position is no longer tracked: %1</source>
+        <translation>O que comunica a sua posição deixou de ser seguido: %1</translation>
+    </message>
+    <message>
+        <source>Press Track position on the page Passes when positions arrive again</source>
+        <translation>Prima Seguir posição na página Passagens quando voltarem a chegar posições</translation>
+    </message>
+    <message>
+        <source>no longer tracked: %1</source>
+        <translation>deixou de ser seguido: %1</translation>
+    </message>
+    <message>
+        <source>The transmit output %1 does not work: %2</source>
+        <translation>A saída de emissão %1 não funciona: %2</translation>
+    </message>
+    <message>
+        <source>Boresight counts it as off and tries to switch it again</source>
+        <translation>O Boresight considera-a desligada e volta a tentar comutá-la</translation>
+    </message>
+    <message>
+        <source>Do not transmit: the output may still be on. Check it, or choose another one (transmit.output on the page Profile)</source>
+        <translation>Não emita: a saída pode estar ainda ligada. Verifique-a, ou escolha outra (transmit.output na página Perfil)</translation>
+    </message>
+    <message>
+        <source>%1 does not work: %2</source>
+        <translation>%1 não funciona: %2</translation>
+    </message>
+    <message>
+        <source>This is not a command. The commands are take, release, stop, reset-stop, satellites, transmit, track TARGET, antennas, antenna NAME and those of the schedule.</source>
+        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, satellites, transmit, track TARGET, antennas, antenna NAME e os da agenda.</translation>
+    </message>
+    <message>
+        <source>it is a report of another one than %1</source>
+        <translation>é uma comunicação de outro que não %1</translation>
+    </message>
+    <message>
+        <source>its time and the clock of this computer differ by %1 s</source>
+        <translation>a sua hora e o relógio deste computador diferem %1 s</translation>
+    </message>
+    <message>
+        <source>the position jumped by %1 km in %2 s</source>
+        <translation>a posição saltou %1 km em %2 s</translation>
+    </message>
+    <message>
+        <source>no position was received</source>
+        <translation>não foi recebida nenhuma posição</translation>
+    </message>
+    <message>
+        <source>no position was received for %1 s</source>
+        <translation>não foi recebida nenhuma posição durante %1 s</translation>
+    </message>
+    <message>
+        <source>the latitude is not within ±90°</source>
+        <translation>a latitude não está dentro de ±90°</translation>
+    </message>
+    <message>
+        <source>the longitude is not within -180° to 360°</source>
+        <translation>a longitude não está entre -180° e 360°</translation>
+    </message>
+    <message>
+        <source>the height is not within -1000 m to 2000000 m</source>
+        <translation>a altitude não está entre -1000 m e 2000000 m</translation>
+    </message>
+    <message>
+        <source>latitude and longitude are 0, as without a GPS fix</source>
+        <translation>a latitude e a longitude são 0, como sem posição GPS</translation>
+    </message>
+    <message>
+        <source>&quot;LATITUDE,LONGITUDE,METRES&quot; or a JSON object is expected</source>
+        <translation>espera-se &quot;LATITUDE,LONGITUDE,METROS&quot; ou um objeto JSON</translation>
+    </message>
+    <message>
+        <source>a part of the line is no number</source>
+        <translation>uma parte da linha não é um número</translation>
+    </message>
+    <message>
+        <source>the time is not HH:MM:SS</source>
+        <translation>a hora não é HH:MM:SS</translation>
+    </message>
+    <message>
+        <source>the text is no JSON object</source>
+        <translation>o texto não é um objeto JSON</translation>
+    </message>
+    <message>
+        <source>the object has no latitude, longitude and altitude</source>
+        <translation>o objeto não tem latitude, longitude e altitude</translation>
+    </message>
+    <message>
+        <source>the message is longer than 4096 bytes</source>
+        <translation>a mensagem tem mais de 4096 bytes</translation>
+    </message>
+    <message>
+        <source>Boresight cannot listen on UDP %1:%2: %3</source>
+        <translation>O Boresight não consegue escutar em UDP %1:%2: %3</translation>
+    </message>
+    <message>
+        <source>a topic is expected, without + # and $</source>
+        <translation>espera-se um tópico, sem + # e $</translation>
+    </message>
+    <message>
+        <source>Whether the position of a balloon or a rocket arrives, to be tracked: by UDP on a port of this computer, or by a topic of the MQTT broker.</source>
+        <translation>Se chega a posição de um balão ou foguetão, para ser seguido: por UDP numa porta deste computador, ou por um tópico do broker MQTT.</translation>
+    </message>
+    <message>
+        <source>UDP: the address of this computer to listen on. 127.0.0.1 receives from this computer only, 0.0.0.0 from all computers and what is sent to the whole network.</source>
+        <translation>UDP: o endereço deste computador em que se escuta. 127.0.0.1 recebe só deste computador, 0.0.0.0 de todos os computadores e o que é enviado a toda a rede.</translation>
+    </message>
+    <message>
+        <source>UDP port of the positions. radiosonde_auto_rx sends to 55673.</source>
+        <translation>Porta UDP das posições. O radiosonde_auto_rx envia para 55673.</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>Tópico</translation>
+    </message>
+    <message>
+        <source>MQTT: the topic of the positions.</source>
+        <translation>MQTT: o tópico das posições.</translation>
+    </message>
+    <message>
+        <source>Call sign</source>
+        <translation>Indicativo</translation>
+    </message>
+    <message>
+        <source>Only reports with this call sign count. Empty: every report counts, and only one thing may fly.</source>
+        <translation>Só contam as comunicações com este indicativo. Vazio: conta qualquer comunicação, e só pode voar um.</translation>
+    </message>
+    <message>
+        <source>Longest silence</source>
+        <translation>Silêncio mais longo</translation>
+    </message>
+    <message>
+        <source>Without a position for this long the mount stands still.</source>
+        <translation>Sem uma posição durante este tempo a montagem fica parada.</translation>
+    </message>
+    <message>
+        <source>Fastest flight</source>
+        <translation>Voo mais rápido</translation>
+    </message>
+    <message>
+        <source>A position that needs a higher speed from the one before is refused.</source>
+        <translation>Uma posição que exija uma velocidade maior desde a anterior é recusada.</translation>
+    </message>
+    <message>
+        <source>an address of this computer is expected while position.source is &quot;udp&quot;</source>
+        <translation>espera-se um endereço deste computador enquanto position.source é &quot;udp&quot;</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Saída</translation>
+    </message>
+    <message>
+        <source>An output that is on only while the beam is on its target: file:PATH, mqtt:TOPIC, command:PROGRAM with its arguments, dtr:PORT or rts:PORT. Let it hold the transmitter. Empty: none.</source>
+        <translation>Uma saída que só está ligada enquanto o feixe está no alvo: file:CAMINHO, mqtt:TÓPICO, command:PROGRAMA com os seus argumentos, dtr:PORTA ou rts:PORTA. Faça com que retenha o emissor. Vazio: nenhuma.</translation>
+    </message>
+    <message>
+        <source>The output is on while the beam is nearer to the target than this part of the beam width. At 0.5 the antenna sends half of its best power to the target.</source>
+        <translation>A saída está ligada enquanto o feixe está mais perto do alvo do que esta parte da largura do feixe. Com 0.5 a antena envia para o alvo metade da sua melhor potência.</translation>
+    </message>
+    <message>
+        <source>Also with a simulated mount</source>
+        <translation>Também com montagem simulada</translation>
+    </message>
+    <message>
+        <source>With &quot;off&quot; the output stays off while the mount is simulated, because the real antenna points elsewhere.</source>
+        <translation>Com &quot;off&quot; a saída fica desligada enquanto a montagem é simulada, porque a antena real aponta para outro lado.</translation>
+    </message>
+    <message>
+        <source>the position is where the mount stands</source>
+        <translation>a posição é onde está a montagem</translation>
+    </message>
+    <message>
+        <source>No position to track: %1</source>
+        <translation>Não há posição para seguir: %1</translation>
+    </message>
+    <message>
+        <source>the site of the mount was changed</source>
+        <translation>o local da montagem foi alterado</translation>
+    </message>
+    <message>
+        <source>the position</source>
+        <translation>a posição</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posição</translation>
+    </message>
+    <message>
+        <source>a position was refused: %1</source>
+        <translation>uma posição foi recusada: %1</translation>
+    </message>
+    <message>
+        <source>The mount is simulated (transmit.in_simulation).</source>
+        <translation>A montagem é simulada (transmit.in_simulation).</translation>
+    </message>
+    <message>
+        <source>STOP is latched.</source>
+        <translation>STOP está retido.</translation>
+    </message>
+    <message>
+        <source>The mount has a fault or does not reply.</source>
+        <translation>A montagem tem uma falha ou não responde.</translation>
+    </message>
+    <message>
+        <source>The mount has no target.</source>
+        <translation>A montagem não tem alvo.</translation>
+    </message>
+    <message>
+        <source>The target is below the horizon.</source>
+        <translation>O alvo está abaixo do horizonte.</translation>
+    </message>
+    <message>
+        <source>The mount reports no position.</source>
+        <translation>A montagem não comunica a posição.</translation>
+    </message>
+    <message>
+        <source>The beam has just come to the target.</source>
+        <translation>O feixe acabou de chegar ao alvo.</translation>
+    </message>
+    <message>
+        <source>The beam is %1 from the target. The limit is %2.</source>
+        <translation>O feixe está a %1 do alvo. O limite é %2.</translation>
+    </message>
+    <message>
+        <source>no answer for %1 s</source>
+        <translation>sem resposta durante %1 s</translation>
+    </message>
+    <message>
+        <source>on: the beam is %1 from the target</source>
+        <translation>ligada: o feixe está a %1 do alvo</translation>
+    </message>
+    <message>
+        <source>off: %1</source>
+        <translation>desligada: %1</translation>
+    </message>
+    <message>
+        <source>The output before has not answered yet.</source>
+        <translation>A saída anterior ainda não respondeu.</translation>
+    </message>
+    <message>
+        <source>a path from / on is expected after the colon</source>
+        <translation>espera-se um caminho a partir de / depois dos dois pontos</translation>
+    </message>
+    <message>
+        <source>a topic is expected after the colon, without + # and $</source>
+        <translation>espera-se um tópico depois dos dois pontos, sem + # e $</translation>
+    </message>
+    <message>
+        <source>one line of at most 1000 bytes is expected</source>
+        <translation>espera-se uma linha de no máximo 1000 bytes</translation>
+    </message>
+    <message>
+        <source>file:PATH, mqtt:TOPIC, command:PROGRAM, dtr:PORT or rts:PORT is expected</source>
+        <translation>espera-se file:CAMINHO, mqtt:TÓPICO, command:PROGRAMA, dtr:PORTA ou rts:PORTA</translation>
+    </message>
+    <message>
+        <source>%1 is used by %2</source>
+        <translation>%1 está a ser usado por %2</translation>
+    </message>
+    <message>
+        <source>%1 has no lines DTR and RTS</source>
+        <translation>%1 não tem as linhas DTR e RTS</translation>
+    </message>
+    <message>
+        <source>%1: the line did not change</source>
+        <translation>%1: a linha não mudou</translation>
+    </message>
+    <message>
+        <source>%1 is not a file</source>
+        <translation>%1 não é um ficheiro</translation>
+    </message>
+    <message>
+        <source>This is not a file.</source>
+        <translation>Isto não é um ficheiro.</translation>
     </message>
 </context>
 <context>
@@ -11487,6 +11779,26 @@ trocar os motores</translation>
         <source>%1 h %2 min</source>
         <translation>%1 h %2 min</translation>
     </message>
+    <message>
+        <source>TX output failed</source>
+        <translation>Saída TX falhou</translation>
+    </message>
+    <message>
+        <source>TX on</source>
+        <translation>TX ligado</translation>
+    </message>
+    <message>
+        <source>TX off</source>
+        <translation>TX desligado</translation>
+    </message>
+    <message>
+        <source>The output %1 is on only while the beam is less than %2 from the target.</source>
+        <translation>A saída %1 só está ligada enquanto o feixe está a menos de %2 do alvo.</translation>
+    </message>
+    <message>
+        <source>Transmit output</source>
+        <translation>Saída de emissão</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::HelpPage</name>
@@ -13367,6 +13679,81 @@ el %2</translation>
     <message>
         <source>North is up, east is right, the zenith is in the centre. A click reads a direction. A right click offers what can be done there.</source>
         <translation>O norte está em cima, o leste à direita, o zénite no centro. Um clique lê uma direção. O botão direito oferece o que se pode fazer ali.</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::PositionBox</name>
+    <message>
+        <source>Balloon or rocket: %1</source>
+        <translation>Balão ou foguetão: %1</translation>
+    </message>
+    <message>
+        <source>%1 km</source>
+        <translation>%1 km</translation>
+    </message>
+    <message>
+        <source>%1 m high</source>
+        <translation>%1 m de altitude</translation>
+    </message>
+    <message>
+        <source>%1 old</source>
+        <translation>há %1</translation>
+    </message>
+    <message>
+        <source>Balloon or rocket</source>
+        <translation>Balão ou foguetão</translation>
+    </message>
+    <message>
+        <source>%1 positions received, %2 refused.</source>
+        <translation>%1 posições recebidas, %2 recusadas.</translation>
+    </message>
+    <message>
+        <source>Tracked.</source>
+        <translation>Seguido.</translation>
+    </message>
+    <message>
+        <source>The mount waits for a position.</source>
+        <translation>A montagem espera por uma posição.</translation>
+    </message>
+    <message>
+        <source>Position that arrives</source>
+        <translation>Posição que chega</translation>
+    </message>
+    <message>
+        <source>State of the positions</source>
+        <translation>Estado das posições</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>Track position</source>
+        <translation>Seguir posição</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Manter</translation>
+    </message>
+    <message>
+        <source>End tracking. The mount holds</source>
+        <translation>Terminar o seguimento. A montagem mantém</translation>
+    </message>
+    <message>
+        <source>Track the balloon or rocket that reports its position</source>
+        <translation>Seguir o balão ou foguetão que comunica a sua posição</translation>
+    </message>
+    <message>
+        <source>Hold and stop tracking the position</source>
+        <translation>Manter e deixar de seguir a posição</translation>
+    </message>
+    <message>
+        <source>Track the position that arrives</source>
+        <translation>Seguir a posição que chega</translation>
+    </message>
+    <message>
+        <source>Last refusal: %1</source>
+        <translation>Última recusa: %1</translation>
     </message>
 </context>
 <context>

@@ -39,6 +39,7 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"gpredict", QT_TRANSLATE_NOOP("SettingWords", "Gpredict")},
                              {"orbit", QT_TRANSLATE_NOOP("SettingWords", "Satellites")},
                              {"azel", QT_TRANSLATE_NOOP("SettingWords", "Moon by WSJT-X")},
+                             {"position", QT_TRANSLATE_NOOP("SettingWords", "Balloon or rocket")},
                              {"schedule", QT_TRANSLATE_NOOP("SettingWords", "Schedule of passes")},
                              {"sun", QT_TRANSLATE_NOOP("SettingWords", "Sun")},
                              {"jog", QT_TRANSLATE_NOOP("SettingWords", "Jog")},
@@ -47,7 +48,8 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"recovery", QT_TRANSLATE_NOOP("SettingWords", "Recovery")},
                              {"sensor", QT_TRANSLATE_NOOP("SettingWords", "Orientation sensor")},
                              {"mqtt", QT_TRANSLATE_NOOP("SettingWords", "MQTT broker")},
-                             {"power", QT_TRANSLATE_NOOP("SettingWords", "Received power")}};
+                             {"power", QT_TRANSLATE_NOOP("SettingWords", "Received power")},
+                             {"transmit", QT_TRANSLATE_NOOP("SettingWords", "Transmit on target")}};
 
 // Where the operator sets it by another name than the file's.
 struct Name

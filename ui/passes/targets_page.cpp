@@ -8,6 +8,7 @@
 #include "ui/kit/value_label.h"
 #include "ui/look/paint.h"
 #include "ui/passes/azel_box.h"
+#include "ui/passes/position_box.h"
 #include "ui/passes/target_table.h"
 
 #include <QFileInfo>
@@ -35,7 +36,8 @@ TargetsPage::TargetsPage(RequestDesk& desk, QWidget* parent)
                                     tr("Follow the way that a file describes: a table with a time, an azimuth and an "
                                        "elevation in each line, or a CCSDS OEM"),
                                     desk, *m_refused, this)),
-      m_azel(new AzelBox(desk, this))
+      m_azel(new AzelBox(desk, this)),
+      m_position(new PositionBox(desk, this))
 {
     build();
     connect(m_trackChosen, &QPushButton::clicked, this, &TargetsPage::trackChosen);
@@ -75,6 +77,7 @@ void TargetsPage::build()
     column->addLayout(actions);
     column->addWidget(m_refused);
     column->addWidget(m_azel);
+    column->addWidget(m_position);
     QHeaderView* const header = m_table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setSectionResizeMode(TargetTable::Next, QHeaderView::Stretch);
@@ -130,6 +133,7 @@ void TargetsPage::showStatus(const StationStatus& status)
     m_trackTyped->setBlocked(isTyped ? why : tr("Type a target first."));
     m_trackFile->setBlocked(why);
     m_azel->showStatus(status);
+    m_position->showStatus(status);
 }
 
 }  // namespace boresight::ui

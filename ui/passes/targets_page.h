@@ -9,11 +9,12 @@ class QLineEdit;
 class QTableView;
 
 // What is tracked besides satellites: Sun, Moon, planets and radio sources in a table, anything else as it is typed,
-// the way that a file describes, and the Moon of WSJT-X. Gui thread.
+// the way that a file describes, the Moon of WSJT-X, and what reports its position. Gui thread.
 namespace boresight::ui {
 
 class AzelBox;
 class CommandButton;
+class PositionBox;
 class RequestDesk;
 class TargetTable;
 class ValueLabel;
@@ -43,6 +44,7 @@ private:
     CommandButton* m_trackTyped;
     CommandButton* m_trackFile;
     AzelBox* m_azel;
+    PositionBox* m_position;
     Satellites m_satellites;
     UtcTime m_now{};
 };

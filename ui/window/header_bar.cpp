@@ -105,6 +105,29 @@ QString sensorHelp(const SensorStatus& sensor)
     return text;
 }
 
+// Empty without an output: then the label takes no room.
+Shown transmitShown(const TransmitStatus& transmit)
+{
+    if (transmit.output.isEmpty()) {
+        return {QString(), Tone::Secondary, Symbol::None};
+    }
+    if (!transmit.problem.isEmpty()) {
+        return {HeaderBar::tr("TX output failed"), Tone::Warning, Symbol::Warning};
+    }
+    return transmit.on ? Shown{HeaderBar::tr("TX on"), Tone::Normal}
+                       : Shown{HeaderBar::tr("TX off"), Tone::Secondary, Symbol::Lost};
+}
+
+QString transmitHelp(const TransmitStatus& transmit)
+{
+    QString text = HeaderBar::tr("The output %1 is on only while the beam is less than %2 from the target.")
+                       .arg(transmit.output, angleText(transmit.within));
+    for (const QString& more : {transmit.problem, transmit.whyOff}) {
+        text += more.isEmpty() ? QString() : QLatin1Char('\n') + more;
+    }
+    return text;
+}
+
 QString lineHelp(const StationStatus& status)
 {
     const MountLine& line = status.line;
@@ -271,6 +294,7 @@ HeaderBar::HeaderBar(AuthorityButton& authority, QWidget* parent)
       m_azimuth(new ValueLabel(tr("Azimuth drive"), fonts::label(), widestDrive(tr("AZ")), this)),
       m_elevation(new ValueLabel(tr("Elevation drive"), fonts::label(), widestDrive(tr("EL")), this)),
       m_sensor(new ValueLabel(tr("Orientation sensor"), fonts::label(), tr("Sensor awaited"), this)),
+      m_transmit(new ValueLabel(tr("Transmit output"), fonts::label(), tr("TX off"), this)),
       m_control(new ValueLabel(tr("Who has control"), fonts::label(), {}, this)),
       m_utc(new ValueLabel(tr("UTC"), fonts::clock(), QStringLiteral("00:00:00Z?"), this)),
       m_simulated(new ValueLabel(tr("Simulated mount"), fonts::label(), tr("SIMULATED"), this)),
@@ -287,12 +311,13 @@ void HeaderBar::build(AuthorityButton& authority)
     for (ValueLabel* const wide : {m_reason, m_target, m_control}) {
         wide->setStretching(true);
     }
-    for (ValueLabel* const marked : {m_state, m_limited, m_line, m_azimuth, m_elevation, m_sensor}) {
+    for (ValueLabel* const marked : {m_state, m_limited, m_line, m_azimuth, m_elevation, m_sensor, m_transmit}) {
         marked->setSymbolRoom(true);
     }
     m_target->setLines(2);
     m_line->setCollapsing(true);
     m_sensor->setCollapsing(true);
+    m_transmit->setCollapsing(true);
     m_simulated->setOutlined(true);
     m_simulated->setToolTip(
         tr("No real drive is connected. Settings and results stay in the simulation of this mount."));
@@ -304,6 +329,7 @@ void HeaderBar::build(AuthorityButton& authority)
     targetRow->setSpacing(4);
     targetRow->addWidget(m_limited);
     targetRow->addWidget(m_target, 1);
+    targetRow->addWidget(m_transmit);
     targetRow->addWidget(m_sensor);  // in the row below there is no room for it at 1024 px
     auto* const linkRow = new QHBoxLayout;
     grid->addLayout(linkRow, 1, 1);
@@ -386,6 +412,8 @@ void HeaderBar::showLinks(const StationStatus& status)
     setShown(*m_elevation, driveShown(tr("EL"), status.elevation, drivesOf(status).released));
     setShown(*m_sensor, sensorShown(status.sensor));
     m_sensor->setToolTip(status.sensor.configured() ? sensorHelp(status.sensor) : QString());
+    setShown(*m_transmit, transmitShown(status.transmit));
+    m_transmit->setToolTip(status.transmit.output.isEmpty() ? QString() : transmitHelp(status.transmit));
     m_line->setToolTip(status.line.kind.isEmpty() ? QString() : lineHelp(status));
     m_azimuth->setToolTip(status.azimuth.stateText);
     m_elevation->setToolTip(status.elevation.stateText);

@@ -48,6 +48,7 @@ private:
     ValueLabel* m_azimuth;
     ValueLabel* m_elevation;
     ValueLabel* m_sensor;
+    ValueLabel* m_transmit;
     ValueLabel* m_control;
     ValueLabel* m_utc;
     ValueLabel* m_simulated;

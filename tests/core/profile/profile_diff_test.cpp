@@ -107,6 +107,7 @@ TEST(ProfileDiff, KnowsEveryKey)
                     : setting.key == "bus.name"                    ? "socketcan:can7"
                     : setting.key == "gpredict.folder"             ? "/mnt/Gpredict"
                     : setting.key == "azel.file"                   ? "/srv/azel.dat"
+                    : setting.key == "transmit.output"             ? "file:/srv/transmit"
                     : setting.key == "sensor.deviation_unreliable" ? "40.0-80.0"
                                                                    : "::1";
         }

@@ -102,6 +102,8 @@ struct SourcesRig
         for (int second = 0; second < 2; ++second) {
             rig.control.take(writer.readingAt(rig.clock.utc() + std::chrono::seconds(second)));
         }
+        EXPECT_TRUE(rig.control.take(
+            position::PositionText{.site = {.latitude = 0.1_deg, .longitude = 0.2_deg, .heightMetres = 5000.0}}));
         rig.run(Seconds(0.5));
     }
 

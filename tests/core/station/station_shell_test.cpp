@@ -103,6 +103,7 @@ struct ShellRig : StationRig
     QTemporaryDir runtime;
     QString asked;  // of a table
     StationTables::Then answer;
+    TransmitStatus transmit;
     std::shared_ptr<const std::vector<orbit::ElementSet>> known =
         std::make_shared<const std::vector<orbit::ElementSet>>(std::vector<orbit::ElementSet>{
             {.name = "ISS (ZARYA)", .number = 25544, .epoch = orbit::julianDate(UtcTime(std::chrono::days(20000)))}});
@@ -114,7 +115,8 @@ struct ShellRig : StationRig
                                 answer = std::move(then);
                             },
                         .satellites = [this] { return known; },
-                        .antennas = [] { return antennas(); }},
+                        .antennas = [] { return antennas(); },
+                        .transmit = [this] { return transmit; }},
                        log,
                        clock,
                        nullptr};
@@ -260,6 +262,39 @@ TEST(StationShell, HasTheSchedule)
                "ok\n{\"night\":null,\"problem\":\"The watch list of the profile is empty.\",\"progress\":null}\n";
     }));
     EXPECT_EQ(rig.station->status().authority, Authority::Clients) << "nothing was taken";
+}
+
+// REQ-POSITION-41: "track position" asks for what reports its position, by the rule of any other target.
+TEST(StationShell, TracksWhatReportsItsPosition)
+{
+    ShellRig rig;
+    EXPECT_EQ(rig.answerTo("track position\n"), "error: No position to track: the site of the mount is not set\n");
+    profile::Profile there = rig.profile;
+    there.site = {.known = true, .latitude = 38_deg, .longitude = -9_deg};
+    rig.setProfile(there);
+    EXPECT_TRUE(rig.control.take(
+        position::PositionText{.site = {.latitude = 38.1_deg, .longitude = -9_deg, .heightMetres = 5000.0}}));
+    EXPECT_EQ(rig.answerTo("track position\n"), "ok\nposition\n");
+    rig.run(Seconds(0.2));
+    EXPECT_EQ(rig.control.status().position.phase, PositionPhase::Following);
+}
+
+// REQ-TRANSMIT-31: The shell reports whether the transmit output is on, and what keeps it off. Without an output the
+// answer is an empty object.
+TEST(StationShell, ReportsTheTransmitOutput)
+{
+    ShellRig rig;
+    EXPECT_EQ(rig.answerTo("transmit\n"), "ok\n{}\n");
+    rig.transmit = {.output = QStringLiteral("file:/run/transmit"),
+                    .whyOff = QStringLiteral("The mount has no target."),
+                    .within = 2.5_deg};
+    EXPECT_EQ(rig.answerTo("transmit\n"),
+              "ok\n{\"error\":null,\"on\":false,\"output\":\"file:/run/transmit\",\"problem\":\"\","
+              "\"whyOff\":\"The mount has no target.\",\"within\":2.5}\n");
+    rig.transmit.on = true;
+    rig.transmit.whyOff.clear();
+    rig.transmit.error = 0.25_deg;
+    EXPECT_THAT(rig.answerTo("transmit\n"), HasSubstr("{\"error\":0.25,\"on\":true,"));
 }
 
 }  // namespace

@@ -49,10 +49,10 @@ TEST_F(TableFileTest, ReadsTheTableOrNamesTheLine)
 TEST_F(TableFileTest, RefusesWhatIsNoFileOrTooLarge)
 {
     EXPECT_THAT(refusal(folder.filePath(QStringLiteral("none"))), HasSubstr("none: There is no such file."));
-    EXPECT_THAT(refusal(folder.path()), HasSubstr("There is no such file."));
+    EXPECT_THAT(refusal(folder.path()), HasSubstr("This is not a file."));
     const QString pipe = folder.filePath(QStringLiteral("pipe"));
     ASSERT_EQ(::mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
-    EXPECT_THAT(refusal(pipe), HasSubstr("There is no such file."));
+    EXPECT_THAT(refusal(pipe), HasSubstr("pipe: This is not a file."));
     QFile huge(folder.filePath(QStringLiteral("huge")));
     ASSERT_TRUE(huge.open(QIODevice::WriteOnly));
     ASSERT_TRUE(huge.resize((kMostTableMegabytes << 20) + 1));

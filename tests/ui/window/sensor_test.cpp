@@ -90,6 +90,33 @@ TEST(HeaderBar, ShowsTheSensorIfThereIsOne)
     EXPECT_EQ(shown(header, "Orientation sensor"), QStringLiteral("Sensor lost"));
 }
 
+// REQ-TRANSMIT-30: The header shows whether the transmit output is on, and its tooltip what keeps it off. Without an
+// output there is nothing.
+TEST(HeaderBar, ShowsTheTransmitOutputIfThereIsOne)
+{
+    RequestDesk desk;
+    ValueLabel notice({}, {}, {});
+    auto* const authority = new AuthorityButton(desk, notice);
+    HeaderBar header(*authority);
+    StationStatus status;
+    header.showStatus(status);
+    EXPECT_EQ(shown(header, "Transmit output"), QString());
+    status.transmit = {
+        .output = QStringLiteral("dtr:/dev/ttyUSB0"), .whyOff = QStringLiteral("STOP is latched."), .within = 2.5_deg};
+    header.showStatus(status);
+    EXPECT_EQ(shown(header, "Transmit output"), QStringLiteral("TX off"));
+    EXPECT_EQ(findNamed<ValueLabel>(header, "Transmit output")->toolTip(),
+              QStringLiteral("The output dtr:/dev/ttyUSB0 is on only while the beam is less than 2.50° from the "
+                             "target.\nSTOP is latched."));
+    status.transmit.whyOff.clear();
+    status.transmit.on = true;
+    header.showStatus(status);
+    EXPECT_EQ(shown(header, "Transmit output"), QStringLiteral("TX on"));
+    status.transmit.problem = QStringLiteral("unplugged");
+    header.showStatus(status);
+    EXPECT_EQ(shown(header, "Transmit output"), QStringLiteral("TX output failed"));
+}
+
 QImage pictureOf(const MarkerData& data)
 {
     SkyMarkers markers;

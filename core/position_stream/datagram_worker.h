@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/paced_outlet.h"
+#include "core/position_stream/position_port.h"
+
+#include <QTimer>
+#include <QUdpSocket>
+
+#include <cstdint>
+#include <deque>
+
+// The side of PositionPort that lives on the thread: the socket, and the report about it.
+namespace boresight::position {
+
+class DatagramWorker final : public QObject
+{
+    Q_OBJECT
+
+public:
+    static constexpr int kDatagramsAtOnce = 64;
+    static constexpr std::chrono::milliseconds kPause{10};  // after so many
+    static constexpr std::chrono::seconds kRetry{2};
+
+    DatagramWorker(const QString& host, std::uint16_t port);
+    ~DatagramWorker() override;
+
+    void open();
+    // The last report has been taken.
+    void taken() { m_outlet.taken(); }
+
+Q_SIGNALS:
+    void reported(const boresight::position::PortReport& report);
+
+private:
+    void readSome();
+    void report();
+
+    QString m_host;
+    std::uint16_t m_port;
+    QUdpSocket m_socket{this};
+    QTimer m_retry{this};
+    QTimer m_pause{this};
+    QString m_trouble;
+    std::deque<Result<PositionText>> m_read;  // at most PositionPort::kMost
+    PacedOutlet m_outlet;
+};
+
+}  // namespace boresight::position

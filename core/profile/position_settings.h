@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+
+#include <string>
+
+// A balloon or a rocket that reports its position. Plain values.
+namespace boresight::profile {
+
+enum class PositionSource
+{
+    None,
+    Udp,  // whoever sends to host:port, an address of this computer
+    Mqtt  // a topic of the broker
+};
+
+struct PositionSettings
+{
+    PositionSource source = PositionSource::None;
+    std::string host = "127.0.0.1";
+    int port = 55673;  // of radiosonde_auto_rx
+    std::string topic = "position";
+    std::string name;  // call sign of what flies; empty: whoever reports
+    Seconds stale{30.0};
+    double fastest = 2000.0;  // m/s
+
+    bool operator==(const PositionSettings&) const = default;
+};
+
+}  // namespace boresight::profile

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+// The output that permits a transmitter to transmit, while the beam is on its target. Plain values.
+namespace boresight::profile {
+
+enum class InSimulation
+{
+    Off,  // the antenna of a simulated mount points nowhere
+    On
+};
+
+struct TransmitSettings
+{
+    std::string output;          // "file:/run/transmit", see transmit/output_name.h; empty: none
+    double beamFraction = 0.25;  // of the beam's width: the largest error with which it is on
+    InSimulation inSimulation = InSimulation::Off;
+
+    bool operator==(const TransmitSettings&) const = default;
+};
+
+}  // namespace boresight::profile

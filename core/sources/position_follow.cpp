@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sources/position_follow.h"
+
+#include "core/alarms/catalogue.h"
+#include "core/base/text.h"
+#include "core/base/time_of_day.h"
+#include "core/orbit/topocentric.h"
+
+#include <algorithm>
+
+namespace boresight::sources {
+namespace {
+
+// The rate of a set-point is taken from where it is this much later.
+constexpr std::chrono::milliseconds kFlightApart{20};
+// Nearer to the antenna a position has no direction that means anything.
+constexpr double kNearestFlight = 0.02;  // km
+
+const Source& positionSource()
+{
+    static const Source source{.kind = SourceKind::Operator, .name = QStringLiteral("position")};
+    return source;
+}
+
+}  // namespace
+
+Result<> PositionFollow::isUsable() const
+{
+    const ControlParts view = helm().view();
+    if (!view.profile.site.known) {
+        return failure(ErrorCode::Refused, Text::tr("the site of the mount is not set"));
+    }
+    return view.positionFeed.isFresh(view.now).and_then([&] { return directionAt(view.now); }).map([](const auto&) {});
+}
+
+// Below the horizon along it, as the waves go.
+Result<SkyPointing> PositionFollow::directionAt(SteadyTime now) const
+{
+    const ControlParts view = helm().view();
+    const orbit::LookAngles seen = orbit::Observer(view.profile.site.place()).look(view.positionFeed.at(now));
+    if (seen.kilometres < kNearestFlight) {
+        return failure(ErrorCode::NoAnswer, Text::tr("the position is where the mount stands"));
+    }
+    return SkyPointing{.azimuth = seen.direction.azimuth, .elevation = std::max(seen.direction.elevation, Angle{})};
+}
+
+Result<> PositionFollow::ask(const request::FollowPosition&, const Source& by)
+{
+    const ControlParts view = helm().view();
+    return operatorOnly(by).and_then([&] { return helm().mayPoint(by); }).and_then([&]() -> Result<> {
+        if (const Result<> usable = isUsable(); !usable) {
+            return failure(ErrorCode::Refused, Text::tr("No position to track: %1").arg(usable.error().text));
+        }
+        forget();
+        m_followed = Followed{.site = view.profile.site.place()};
+        Result<> driven = follow(view.now);
+        if (driven) {
+            m_followed->errand = helm().current().errand();
+            helm().clearAlarm(alarmEntry("position.ended"));
+        } else {
+            m_followed.reset();
+        }
+        return driven;
+    });
+}
+
+void PositionFollow::step(SteadyTime now)
+{
+    if (!m_followed) {
+        return;
+    }
+    const CurrentMotion& current = helm().current();
+    if (!current.isFor(positionSource()) || !current.is(Activity::Streaming)) {
+        forget();  // somebody has ended it, or moves the mount
+        return;
+    }
+    if (current.errand() != m_followed->errand) {
+        end(Severity::Advisory, Text::tr("ends the tracking, because control was given away"));
+        return;
+    }
+    if (const QString why = whyToEnd(now); !why.isEmpty()) {
+        end(Severity::Warning, Text::tr("ends the tracking: %1").arg(why));
+        helm().raiseAlarm(alarmEntry("position.ended"), {why});
+        return;
+    }
+    if (const Result<> driven = follow(now); !driven) {
+        end(Severity::Warning, Text::tr("ends the tracking: %1").arg(driven.error().text));
+    }
+}
+
+// What is reported again soon goes on where it is. What is not there after a while is lost: the mount must not start by
+// itself later.
+QString PositionFollow::whyToEnd(SteadyTime now)
+{
+    if (helm().view().profile.site.place() != m_followed->site) {
+        return Text::tr("the site of the mount was changed");
+    }
+    const Result<> usable = isUsable();
+    if (usable) {
+        m_followed->staleSince.reset();
+        helm().clearAlarm(alarmEntry("position.stale"));
+        return {};
+    }
+    if (!m_followed->staleSince) {
+        m_followed->staleSince = now;
+        helm().raiseAlarm(alarmEntry("position.stale"),
+                          {usable.error().text, timeOfDayText(helm().view().clock.utc() + kLongestStale)});
+    }
+    return now - *m_followed->staleSince >= kLongestStale ? usable.error().text : QString();
+}
+
+// Without a fresh position: stays where it was.
+Result<> PositionFollow::follow(SteadyTime now)
+{
+    const bool isLost = m_followed->staleSince && m_followed->direction;
+    const Result<SkyPointing> here = isLost ? Result<SkyPointing>(*m_followed->direction) : directionAt(now);
+    const Result<SkyPointing> soon = isLost ? here : directionAt(now + kFlightApart);
+    if (!here || !soon) {
+        return tl::unexpected(here ? soon.error() : here.error());
+    }
+    const auto& last = helm().view().positionFeed.last();
+    const QString name = last && !last->name.isEmpty() ? last->name : Text::tr("the position");
+    return helm()
+        .lead({.now = *here, .soon = *soon, .apart = kFlightApart, .near = m_followed->place}, positionSource(),
+              Text::tr("track %1").arg(name))
+        .map([&](const AxisPosition& place) {
+            m_followed->place = place;
+            m_followed->direction = *here;
+        });
+}
+
+void PositionFollow::forget()
+{
+    m_followed.reset();
+    helm().clearAlarm(alarmEntry("position.stale"));
+}
+
+void PositionFollow::end(Severity severity, const QString& why)
+{
+    forget();
+    helm().end(severity, why);
+}
+
+void PositionFollow::describe(StationStatus& status) const
+{
+    const ControlParts view = helm().view();
+    const position::PositionFeed& feed = view.positionFeed;
+    const Result<> usable = isUsable();
+    status.position = {.problem = usable ? QString() : usable.error().text,
+                       .age = feed.age(view.now),
+                       .accepted = feed.accepted(),
+                       .refused = feed.refused(),
+                       .refusal = feed.lastRefusal()};
+    if (feed.last()) {
+        status.position.name = feed.last()->name;
+        status.position.place = feed.last()->site;
+    }
+    if (usable) {
+        const orbit::LookAngles seen = orbit::Observer(view.profile.site.place()).look(feed.at(view.now));
+        status.position.direction = seen.direction;
+        status.position.kilometres = seen.kilometres;
+    } else if (status.permissions.allows(Action::FollowPosition)) {
+        status.permissions.refuse(Action::FollowPosition,
+                                  Text::tr("No position to track: %1").arg(usable.error().text));
+    }
+    if (m_followed) {
+        status.position.phase = m_followed->staleSince ? PositionPhase::Stale : PositionPhase::Following;
+        status.tracked =
+            TrackedTarget{.name = status.position.name.isEmpty() ? Text::tr("Position") : status.position.name,
+                          .isUp = status.position.direction && status.position.direction->elevation > Angle{}};
+    }
+}
+
+}  // namespace boresight::sources

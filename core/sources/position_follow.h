@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/control/motion_source.h"
+
+#include <optional>
+
+// A balloon or a rocket that reports its position: the beam is kept on it, on the way that it had. Without a report for
+// too long the mount stands still, and goes on by itself for two minutes if one comes. It is a source of its own beside
+// the operator's hand, which ends it. Station thread only.
+namespace boresight::sources {
+
+class PositionFollow : public SourceOf<PositionFollow, request::FollowPosition>
+{
+public:
+    // Reports are waited for no longer than this. Then the tracking ends.
+    static constexpr std::chrono::minutes kLongestStale{2};
+
+    using SourceOf::SourceOf;
+
+    Result<> ask(const request::FollowPosition& wanted, const Source& by);
+    void step(SteadyTime now) override;
+    void describe(StationStatus& status) const override;
+
+private:
+    struct Followed
+    {
+        Site site;  // of the mount
+        std::uint64_t errand = 0;
+        std::optional<SkyPointing> direction = {};  // the last one
+        std::optional<AxisPosition> place = {};     // of the axes for it: chooses the turn of the next
+        std::optional<SteadyTime> staleSince = {};
+    };
+
+    [[nodiscard]] Result<> isUsable() const;
+    [[nodiscard]] Result<SkyPointing> directionAt(SteadyTime now) const;
+    [[nodiscard]] QString whyToEnd(SteadyTime now);
+    Result<> follow(SteadyTime now);
+    void forget();
+    void end(Severity severity, const QString& why);
+
+    std::optional<Followed> m_followed;
+};
+
+}  // namespace boresight::sources

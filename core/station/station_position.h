@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/log_throttle.h"
+#include "core/messages/position_status.h"
+#include "core/position_stream/position_port.h"
+#include "core/profile/in_force.h"
+#include "core/station/station_broker.h"
+
+#include <QObject>
+
+#include <memory>
+
+// Where the positions of a balloon or a rocket come from: the UDP port or the topic that the profile names, opened and
+// closed as the profile changes. Station thread. Port and broker have threads of their own.
+namespace boresight {
+
+class StationPosition : public QObject
+{
+    Q_OBJECT
+
+public:
+    // All but the parent outlive this.
+    StationPosition(const profile::InForce& profile, EventLog& log, const Clock& clock, StationBroker& broker,
+                    QObject* parent);
+
+    void open();
+    void close();
+    // What did not change goes on.
+    void profileChanged(const profile::Profile& before, const profile::Profile& after);
+    // What arrived was not believed.
+    void tellRefused(const QString& why);
+    // Where they come from, and what is wrong with that.
+    void describe(PositionStatus& status) const;
+
+Q_SIGNALS:
+    void received(const boresight::Result<boresight::position::PositionText>& read);
+
+private:
+    void takeMessage(const QString& topic, const QByteArray& payload, mqtt::Retain retain);
+
+    const profile::InForce& m_profile;
+    LogThrottle m_lines;
+    StationBroker& m_broker;
+    std::unique_ptr<position::PositionPort> m_port;  // null: the profile names none, or it is closed
+    QString m_topic;                                 // subscribed to; empty: none
+    bool m_open = false;
+};
+
+}  // namespace boresight

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/station_report.h"
+
+#include <gtest/gtest.h>
+
+namespace boresight::ctl {
+namespace {
+
+QJsonObject reportWith(const QJsonObject& transmit)
+{
+    QJsonObject report{{QStringLiteral("station"), QStringLiteral("127.0.0.1:4533")},
+                       {QStringLiteral("state"), QStringLiteral("MOVING")},
+                       {QStringLiteral("actual"), QJsonValue()}};
+    if (!transmit.isEmpty()) {
+        report[QStringLiteral("transmit")] = transmit;
+    }
+    return report;
+}
+
+// REQ-TRANSMIT-32: boresightctl status has a line about the transmit output where the station has one: whether it is
+// on, what is wrong with it, and what keeps it off.
+TEST(StationReport, HasTheTransmitOutput)
+{
+    EXPECT_EQ(reportText(reportWith({})),
+              QStringLiteral("station:  127.0.0.1:4533\nstate:    MOVING\nactual:   unknown\n"));
+    EXPECT_TRUE(reportText(reportWith({{QStringLiteral("on"), true}})).endsWith(QStringLiteral("\ntransmit: on\n")));
+    EXPECT_TRUE(reportText(reportWith({{QStringLiteral("on"), false},
+                                       {QStringLiteral("problem"), QStringLiteral("unplugged")},
+                                       {QStringLiteral("whyOff"), QStringLiteral("STOP is latched.")}}))
+                    .endsWith(QStringLiteral("\ntransmit: off. unplugged. STOP is latched.\n")));
+}
+
+}  // namespace
+}  // namespace boresight::ctl

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/position/position_text.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace boresight::position {
+namespace {
+
+using namespace std::chrono_literals;
+
+PositionText read(std::string_view text)
+{
+    const auto position = readPosition(text);
+    EXPECT_TRUE(position) << text;
+    return position.value_or(PositionText{});
+}
+
+// REQ-POSITION-01: A position is a line of degrees north, degrees east and metres, with the time of the day behind it
+// if there is one.
+TEST(PositionText, IsALine)
+{
+    const PositionText plain = read("38.757,-9.117,1200");
+    EXPECT_NEAR(plain.site.latitude.degrees(), 38.757, 1e-12);
+    EXPECT_NEAR(plain.site.longitude.degrees(), -9.117, 1e-12);
+    EXPECT_EQ(plain.site.heightMetres, 1200.0);
+    EXPECT_FALSE(plain.time);
+    EXPECT_TRUE(plain.name.isEmpty());
+    EXPECT_NEAR(read(" 38.757 ,\t350.883, 1200 \r\n").site.longitude.degrees(), -9.117, 1e-9);
+    EXPECT_EQ(read("38.757,-9.117,1200,12:06:04").time, 12h + 6min + 4s);
+    EXPECT_EQ(read("38.757,-9.117,1200,12:06:04.25Z").time, 12h + 6min + 4250ms);
+    EXPECT_EQ(read("-38.757,-9.117,-30.5,2026-11-27T23:59:59.999Z").time, 23h + 59min + 59999ms);
+}
+
+// As radiosonde_auto_rx sends it, to UDP port 55673: what is used here, and some of what is not.
+// REQ-POSITION-02: A position is a JSON object as radiosonde_auto_rx and Horus send it by UDP, with latitude,
+// longitude, altitude, and callsign and time if they are there. lat, lon and alt do as well.
+TEST(PositionText, IsAnObjectOfAutoRx)
+{
+    const PositionText sonde = read(
+        R"({"type": "PAYLOAD_SUMMARY", "station": "HOME", "callsign": "V2850795", "latitude": 46.2590563,
+            "longitude": 13.1551694, "altitude": 1001.84319, "speed": 72.185796, "heading": 124.94138,
+            "time": "12:06:04", "comment": "Radiosonde", "model": "RS41-SG", "freq": "403.9990 MHz", "temp": -65.4,
+            "frame": 6031, "sats": 9, "snr": 11.3, "fest": [-2250.0, 2625.0], "vel_v": 5.62612})");
+    EXPECT_EQ(sonde, (PositionText{.site = {.latitude = Angle::fromDegrees(46.2590563),
+                                            .longitude = Angle::fromDegrees(13.1551694),
+                                            .heightMetres = 1001.84319},
+                                   .name = QStringLiteral("V2850795"),
+                                   .time = 12h + 6min + 4s}));
+    const PositionText brief = read(R"({"lat":"46.5","lon":-13,"alt":0,"time":"soon"})");
+    EXPECT_EQ(brief, (PositionText{.site = {.latitude = 46.5_deg, .longitude = -13_deg}}));
+}
+
+// REQ-POSITION-03: What is no whole position is refused: half a line, numbers out of range, no number, another object.
+// 0, 0 is what comes without a GPS fix.
+TEST(PositionText, AllElseIsRefused)
+{
+    for (const char* const text : {"",
+                                   "\n",
+                                   "38.757",
+                                   "38.757,-9.117",
+                                   "38.757,-9.117,",
+                                   "38.757,-9.117,1200,",
+                                   "38.757,-9.117,1200,soon",
+                                   "38.757,-9.117,1200,12:06:04,1",
+                                   "38.757 -9.117 1200",
+                                   "90.001,0,0",
+                                   "-90.001,0,0",
+                                   "1,-180.001,0",
+                                   "1,360.001,0",
+                                   "1,1,2000001",
+                                   "1,1,-1001",
+                                   "nan,1,1",
+                                   "1,inf,1",
+                                   "1e400,1,1",
+                                   "0x10,1,1",
+                                   "0,0,100",
+                                   "1,1,1,24:00:00",
+                                   "1,1,1,12:60:00",
+                                   "1,1,1,12:00:60",
+                                   "{}",
+                                   "{\"latitude\":1,\"longitude\":1}",
+                                   "{\"latitude\":1,\"longitude\":1,\"altitude\":null}",
+                                   "{\"latitude\":91,\"longitude\":1,\"altitude\":1}",
+                                   "{\"latitude\":0,\"longitude\":0,\"altitude\":0}",
+                                   "[1,1,1]",
+                                   "{\"latitude\":1,",
+                                   "{\"latitude\":\"x\",\"longitude\":1,\"altitude\":1}"}) {
+        EXPECT_FALSE(readPosition(text)) << text;
+    }
+    EXPECT_FALSE(readPosition("1,1,1" + std::string(kLongestPosition, ' ')));
+}
+
+// REQ-POSITION-03
+TEST(PositionText, ANameIsOneShortLine)
+{
+    const std::string text =
+        R"({"latitude":1,"longitude":1,"altitude":1,"callsign":" a\n)" + std::string(100, 'b') + "\"}";
+    EXPECT_EQ(read(text).name, QStringLiteral("a ") + QString(38, QLatin1Char('b')));
+    EXPECT_EQ(read(R"({"latitude":1,"longitude":1,"altitude":1,"callsign":"a\u001bb"})").name, QStringLiteral("a?b"));
+}
+
+}  // namespace
+}  // namespace boresight::position

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A balloon that reports its position, and the mount that follows it.
+#include "core/sources/position_follow.h"
+
+#include "core/units/angle_between.h"
+#include "tests/core/control/station_rig.h"
+#include "tests/fakes/text_of.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace boresight {
+namespace {
+
+using testing::HasSubstr;
+
+const Site kField{.latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
+
+profile::Profile atTheField()
+{
+    profile::Profile profile;
+    profile.site = {
+        .known = true, .latitude = kField.latitude, .longitude = kField.longitude, .heightMetres = kField.heightMetres};
+    profile.position = {.source = profile::PositionSource::Udp, .stale = Seconds(10.0), .fastest = 500.0};
+    return profile;
+}
+
+class PositionFollowTest : public testing::Test
+{
+protected:
+    PositionFollowTest() { rig.run(Seconds(0.2)); }
+
+    // Rises 5 m/s and drifts 25 m/s to the north, from 12 km north and 15 km east of the mount.
+    [[nodiscard]] Site balloon(Seconds time) const
+    {
+        return {.latitude = kField.latitude + Angle::fromDegrees((12'000.0 + 25.0 * time.count()) / 111'000.0),
+                .longitude = kField.longitude + Angle::fromDegrees(15'000.0 / 86'700.0),
+                .heightMetres = 3000.0 + 5.0 * time.count()};
+    }
+    [[nodiscard]] Seconds flown() const { return rig.clock.now() - m_launched; }
+    [[nodiscard]] SkyPointing trueDirection() const
+    {
+        const orbit::Vector there = orbit::Observer(balloon(flown())).ground({}, 0.0);
+        return orbit::Observer(kField).look({.position = there, .velocity = {}}).direction;
+    }
+    void report()
+    {
+        (void)rig.control.take(position::PositionText{.site = balloon(flown()), .name = QStringLiteral("B1")});
+    }
+    // With a report each second.
+    void fly(
+        Seconds time, const std::function<void()>& each = [] {})
+    {
+        for (int i = 0; i < static_cast<int>(time / rig.step); ++i) {
+            if (isReporting && i % 50 == 0) {
+                report();
+            }
+            rig.tick();
+            each();
+        }
+    }
+    std::string ask(const Source& by = kOperator)
+    {
+        const Result<> answer = rig.ask(request::FollowPosition{}, by);
+        return answer ? std::string() : textOf(answer.error());
+    }
+    void follow()
+    {
+        fly(Seconds(3.0));
+        ASSERT_EQ(ask(), "");
+        fly(Seconds(40.0));
+        ASSERT_LT(off(), 0.05_deg);
+    }
+    // Of the beam as measured.
+    [[nodiscard]] Angle off() const
+    {
+        return angleBetween(rig.control.status().actual.value_or(SkyPointing{}), trueDirection());
+    }
+    [[nodiscard]] bool isRaised(const char* name) const
+    {
+        const auto list = rig.alarms.list();
+        return std::ranges::any_of(list,
+                                   [name](const Alarm& one) { return one.active && one.name == QLatin1String(name); });
+    }
+
+    StationRig rig{atTheField()};
+    bool isReporting = true;
+
+private:
+    SteadyTime m_launched = rig.clock.now();
+};
+
+// REQ-POSITION-30: The mount follows what reports its position, between the reports on the way that it had. With a
+// report each second the beam is within 0.05° of a balloon 19 km away.
+TEST_F(PositionFollowTest, KeepsTheBeamOnABalloon)
+{
+    follow();
+    Angle worst;
+    fly(Seconds(60.0), [&] { worst = std::max(worst, off()); });
+    EXPECT_LT(worst, 0.05_deg);
+    const StationStatus status = rig.control.status();
+    EXPECT_EQ(status.state, StationState::Track);
+    EXPECT_EQ(status.position.phase, PositionPhase::Following);
+    EXPECT_EQ(status.tracked.value().name, QStringLiteral("B1"));
+    EXPECT_TRUE(status.tracked.value().isUp);
+    EXPECT_NEAR(status.position.kilometres.value(), 21.2, 0.3);
+    EXPECT_EQ(status.targetText, QStringLiteral("track B1"));
+}
+
+// REQ-POSITION-31: Without a report for the time of the profile the mount stands still, with an alarm. It goes on by
+// itself for two minutes if one comes. Then the tracking ends.
+TEST_F(PositionFollowTest, StandsStillWithoutReports)
+{
+    follow();
+    isReporting = false;
+    fly(Seconds(10.5));
+    EXPECT_TRUE(isRaised("position.stale"));
+    EXPECT_EQ(rig.control.status().position.phase, PositionPhase::Stale);
+    fly(Seconds(3.0));
+    const auto place = rig.control.status().actual;
+    fly(Seconds(30.0));
+    EXPECT_LT(angleBetween(*place, *rig.control.status().actual), 0.02_deg);
+    isReporting = true;
+    fly(Seconds(30.0));
+    EXPECT_FALSE(isRaised("position.stale"));
+    EXPECT_LT(off(), 0.05_deg);
+    isReporting = false;
+    fly(Seconds(131.0));
+    EXPECT_TRUE(isRaised("position.ended"));
+    EXPECT_FALSE(isRaised("position.stale"));
+    isReporting = true;
+    fly(Seconds(5.0));
+    EXPECT_EQ(rig.control.status().state, StationState::Hold);
+    EXPECT_EQ(rig.control.status().position.phase, PositionPhase::Off);
+    EXPECT_EQ(ask(), "");
+    fly(Seconds(1.0));
+    EXPECT_FALSE(isRaised("position.ended"));
+}
+
+// REQ-POSITION-32: Nothing is followed without a report, without the site, while STOP is latched, or for a client.
+// STOP, Hold, a jog and another target end it.
+TEST_F(PositionFollowTest, PassesTheGatesOfAGoTo)
+{
+    EXPECT_EQ(ask(), "No position to track: no position was received");
+    EXPECT_FALSE(rig.control.status().permissions.allows(Action::FollowPosition));
+    fly(Seconds(1.0));
+    EXPECT_TRUE(rig.control.status().permissions.allows(Action::FollowPosition));
+    EXPECT_NE(ask(kClient), "");
+    EXPECT_TRUE(rig.ask(request::Stop{}));
+    fly(Seconds(1.0));
+    EXPECT_THAT(ask(), HasSubstr("STOP is latched"));
+    EXPECT_TRUE(rig.ask(request::ResetStop{}));
+    for (const Request& other : {Request(request::Hold{}), Request(request::Stop{}),
+                                 Request(request::PointSky{{.azimuth = 10_deg, .elevation = 20_deg}})}) {
+        (void)rig.ask(request::ResetStop{});
+        EXPECT_EQ(ask(), "");
+        fly(Seconds(1.0));
+        EXPECT_EQ(rig.control.status().position.phase, PositionPhase::Following);
+        EXPECT_TRUE(rig.ask(other));
+        fly(Seconds(8.0));
+        EXPECT_EQ(rig.control.status().position.phase, PositionPhase::Off);
+    }
+    profile::Profile homeless = rig.profile;
+    homeless.site.known = false;
+    rig.setProfile(homeless);
+    EXPECT_EQ(ask(), "No position to track: the site of the mount is not set");
+}
+
+// REQ-POSITION-33: A position that jumps, and one that cannot be read, move nothing and are counted.
+TEST_F(PositionFollowTest, AJumpMovesNothing)
+{
+    follow();
+    Site far = balloon(flown());
+    far.latitude = far.latitude - 1_deg;
+    EXPECT_FALSE(rig.control.take(position::PositionText{.site = far}));
+    EXPECT_FALSE(rig.control.take(position::readPosition("0,0,0")));
+    fly(Seconds(5.0));
+    EXPECT_LT(off(), 0.05_deg);
+    EXPECT_EQ(rig.control.status().position.refused, 2U);
+    EXPECT_THAT(rig.control.status().position.refusal.toStdString(), HasSubstr("GPS fix"));
+}
+
+}  // namespace
+}  // namespace boresight

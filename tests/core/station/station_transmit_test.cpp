@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/station_transmit.h"
+
+#include "core/moteus_mount/moteus_connection.h"
+#include "core/sim_bus/simulated_link.h"
+#include "core/station/station.h"
+#include "tests/fakes/manual_clock.h"
+#include "tests/fakes/wait_until.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace boresight {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+profile::Profile held(const std::string& output)
+{
+    profile::Profile profile;
+    profile.rotctld.listen.port = 0;
+    profile.mount.beamWidth = 10_deg;
+    profile.transmit.output = output;
+    profile.transmit.inSimulation = profile::InSimulation::On;
+    return profile;
+}
+
+// What the test plays for an output: it answers when the test says so.
+class PlayedOutput final : public transmit::TransmitOutput
+{
+public:
+    explicit PlayedOutput(std::vector<std::string>& calls) : m_calls(calls) {}
+    ~PlayedOutput() override { m_calls.emplace_back("gone"); }
+    PlayedOutput(const PlayedOutput&) = delete;
+    PlayedOutput& operator=(const PlayedOutput&) = delete;
+
+    void set(bool on) override
+    {
+        m_calls.emplace_back(on ? "on" : "off");
+        if (answers && !trouble.isEmpty()) {
+            Q_EMIT failed(trouble);
+        } else if (answers) {
+            Q_EMIT reached(on);
+        }
+    }
+
+    bool answers = true;
+    QString trouble;
+
+private:
+    std::vector<std::string>& m_calls;
+};
+
+// Before a control that the test plays: on its target, 40° up.
+class StationTransmitTest : public testing::Test
+{
+protected:
+    StationTransmitTest()
+    {
+        status.state = StationState::Track;
+        status.aimed = true;
+        status.target = SkyPointing{.azimuth = 120_deg, .elevation = 40_deg};
+        status.actual = status.target;
+        status.azimuth.age = status.elevation.age = std::chrono::milliseconds(20);
+        transmit.setMaker([this](const transmit::OutputName& name) {
+            auto made = name.kind == transmit::OutputKind::None ? nullptr : std::make_unique<PlayedOutput>(calls);
+            output = made.get();
+            return made;
+        });
+    }
+    void tick(int count = 1)
+    {
+        for (int i = 0; i < count; ++i) {
+            clock.advance(Seconds(0.02));
+            transmit.tick(status);
+            alarms.tick();
+        }
+    }
+    void begin()
+    {
+        transmit.open();
+        tick(30);
+        ASSERT_TRUE(transmit.status().on);
+        calls.clear();
+    }
+    [[nodiscard]] std::vector<std::string> take() { return std::exchange(calls, {}); }
+    [[nodiscard]] std::vector<std::string> alarmTexts() const
+    {
+        std::vector<std::string> texts;
+        for (const Alarm& alarm : alarms.list()) {
+            if (alarm.active) {
+                texts.push_back(alarm.what.toStdString());
+            }
+        }
+        return texts;
+    }
+
+    fakes::ManualClock clock;
+    EventLog log{clock};
+    AlarmBoard alarms{log, clock};
+    profile::InForce inForce{held("dtr:/dev/ttyUSB0")};
+    std::vector<std::string> calls;
+    PlayedOutput* output = nullptr;
+    StationTransmit transmit{inForce, false, clock, log, alarms, nullptr};
+    StationStatus status;
+};
+
+// REQ-TRANSMIT-20: The output is off from the start, and on only while the mount is aimed at a target and the beam is
+// near it. It is set again each second.
+TEST_F(StationTransmitTest, IsOffFromTheStart)
+{
+    status.aimed = false;
+    transmit.open();
+    EXPECT_THAT(take(), ElementsAre("off"));
+    tick(120);
+    EXPECT_THAT(take(), ElementsAre("off", "off"));
+    EXPECT_FALSE(transmit.status().on);
+    EXPECT_EQ(transmit.status().whyOff, QStringLiteral("The mount has no target."));
+    status.aimed = true;
+    tick(26);
+    EXPECT_THAT(take(), ElementsAre("on"));
+    tick(100);
+    EXPECT_THAT(take(), ElementsAre("on", "on"));
+    EXPECT_TRUE(transmit.status().on);
+    EXPECT_EQ(transmit.status().whyOff, QString());
+}
+
+// REQ-TRANSMIT-21: It is off in the tick in which the beam leaves, STOP is latched, a fault comes, the target sets, its
+// file is stale, or the position is older than 0.5 s.
+TEST_F(StationTransmitTest, IsOffInTheTickInWhichSomethingIsInTheWay)
+{
+    const auto whyOffWith = [this](const auto& change) {
+        const StationStatus before = status;
+        begin();
+        clock.advance(Seconds(20.0));  // the log leaves out what comes too fast
+        tick();
+        calls.clear();
+        change();
+        tick();
+        EXPECT_THAT(take(), ElementsAre("off"));
+        EXPECT_FALSE(transmit.status().on);
+        status = before;
+        return log.since(0, 1000).back().text.toStdString();
+    };
+    EXPECT_EQ(whyOffWith([this] { status.actual->elevation = 42.6_deg; }),
+              "off: The beam is 2.60° from the target. The limit is 2.50°.");
+    EXPECT_EQ(whyOffWith([this] { status.stopLatched = true; }), "off: STOP is latched.");
+    EXPECT_EQ(whyOffWith([this] { status.state = StationState::Fault; }),
+              "off: The mount has a fault or does not reply.");
+    EXPECT_EQ(whyOffWith([this] { status.state = StationState::Disconnected; }),
+              "off: The mount has a fault or does not reply.");
+    EXPECT_EQ(whyOffWith([this] { status.tracked = TrackedTarget{.name = QStringLiteral("ISS"), .isUp = false}; }),
+              "off: The target is below the horizon.");
+    EXPECT_EQ(whyOffWith([this] { status.azel.phase = AzelPhase::Stale; }), "off: The mount has no target.");
+    EXPECT_EQ(whyOffWith([this] { status.elevation.age = std::chrono::milliseconds(500); }),
+              "off: The mount reports no position.");
+    EXPECT_EQ(whyOffWith([this] { status.azimuth.age.reset(); }), "off: The mount reports no position.");
+    EXPECT_EQ(whyOffWith([this] { status.actual.reset(); }), "off: The mount reports no position.");
+}
+
+// While WSJT-X transmits and the mount stands still for it, the Moon goes on.
+// REQ-TRANSMIT-21
+TEST_F(StationTransmitTest, TheMoonGoesOnWhileTheMountStandsStill)
+{
+    begin();
+    status.azel.phase = AzelPhase::Transmitting;
+    status.azel.moon = SkyPointing{.azimuth = 120_deg, .elevation = 42.4_deg};
+    tick();
+    EXPECT_THAT(take(), IsEmpty());
+    status.azel.moon->elevation = 42.6_deg;
+    tick();
+    EXPECT_THAT(take(), ElementsAre("off"));
+}
+
+// REQ-TRANSMIT-22: An output that fails is an alarm and counts as off. It is off for 10 s, then it is tried again. The
+// alarm ends when the output is what it should be.
+TEST_F(StationTransmitTest, AnOutputThatFailsCountsAsOff)
+{
+    begin();
+    output->trouble = QStringLiteral("/dev/ttyUSB0: Input/output error");
+    tick(50);
+    EXPECT_THAT(take(), ElementsAre("on", "off"));
+    EXPECT_FALSE(transmit.status().on);
+    EXPECT_EQ(transmit.status().problem, output->trouble);
+    EXPECT_THAT(alarmTexts(), ElementsAre("The transmit output dtr:/dev/ttyUSB0 does not work: "
+                                          "/dev/ttyUSB0: Input/output error."));
+    output->trouble.clear();
+    tick(400);
+    EXPECT_THAT(take(), testing::Each("off"));
+    EXPECT_THAT(alarmTexts(), testing::SizeIs(1)) << "it should be on";
+    tick(200);
+    EXPECT_EQ(take().back(), "on");
+    EXPECT_TRUE(transmit.status().on);
+    EXPECT_EQ(transmit.status().problem, QString());
+    EXPECT_THAT(alarmTexts(), IsEmpty());
+}
+
+// REQ-TRANSMIT-22
+TEST_F(StationTransmitTest, AnOutputThatCannotBeOffIsTriedEachSecond)
+{
+    begin();
+    output->trouble = QStringLiteral("no");
+    status.aimed = false;
+    tick(1);
+    EXPECT_THAT(take(), ElementsAre("off"));
+    EXPECT_THAT(alarmTexts(), testing::SizeIs(1));
+    tick(100);
+    EXPECT_THAT(take(), ElementsAre("off", "off"));
+    output->trouble.clear();
+    tick(50);
+    EXPECT_THAT(alarmTexts(), IsEmpty());
+}
+
+// REQ-TRANSMIT-23: An output that does not answer for 5 s has failed.
+TEST_F(StationTransmitTest, AnOutputThatDoesNotAnswerHasFailed)
+{
+    begin();
+    output->answers = false;
+    tick(250);
+    EXPECT_THAT(alarmTexts(), IsEmpty());
+    tick(60);
+    EXPECT_THAT(alarmTexts(), ElementsAre(HasSubstr("no answer for 5 s")));
+    EXPECT_EQ(take().back(), "off");
+    EXPECT_FALSE(transmit.status().on);
+}
+
+// REQ-TRANSMIT-24: A change of the profile switches it off, and it settles anew. Another output begins when the one
+// before is off. At the end of the program it is off.
+TEST_F(StationTransmitTest, AChangeOfTheProfileSwitchesItOff)
+{
+    const auto apply = [this](const profile::Profile& next) {
+        const profile::Profile before = *inForce;
+        inForce.apply(next);
+        transmit.profileChanged(before, next);
+    };
+    begin();
+    profile::Profile next = *inForce;
+    next.mount.beamWidth = 8_deg;
+    apply(next);
+    EXPECT_THAT(take(), ElementsAre("off"));
+    tick(25);
+    EXPECT_THAT(take(), IsEmpty());
+    tick(2);
+    EXPECT_THAT(take(), ElementsAre("on"));
+    EXPECT_EQ(transmit.status().within, 2_deg);
+    next.mqtt.host = "elsewhere";  // which a serial port does not use
+    apply(next);
+    EXPECT_THAT(take(), ElementsAre("off"));
+
+    output->answers = false;
+    next.transmit.output = "rts:/dev/ttyUSB0";
+    apply(next);
+    tick(30);
+    EXPECT_EQ(calls.front(), "off");
+    EXPECT_EQ(std::ranges::count(take(), "gone"), 0);
+    EXPECT_EQ(transmit.status().whyOff, QStringLiteral("The output before has not answered yet."));
+    Q_EMIT output->failed(QStringLiteral("unplugged"));
+    ASSERT_TRUE(fakes::waitUntil([this] { return calls.size() >= 2; }));
+    EXPECT_THAT(take(), ElementsAre("gone", "off"));
+    next.transmit.output.clear();
+    apply(next);
+    ASSERT_TRUE(fakes::waitUntil([this] { return !calls.empty() && calls.back() == "gone"; }));
+    EXPECT_EQ(calls.front(), "off");
+}
+
+// REQ-TRANSMIT-24
+TEST_F(StationTransmitTest, TheEndSwitchesItOff)
+{
+    begin();
+    transmit.close();
+    EXPECT_THAT(take(), ElementsAre("off"));
+    tick(100);
+    EXPECT_THAT(take(), IsEmpty());
+}
+
+// REQ-TRANSMIT-25: With a simulated mount the output stays off, unless the profile permits it.
+TEST_F(StationTransmitTest, ASimulatedMountSwitchesNothing)
+{
+    profile::Profile next = *inForce;
+    next.transmit.inSimulation = profile::InSimulation::Off;
+    inForce.apply(next);
+    StationTransmit simulated(inForce, true, clock, log, alarms, nullptr);
+    simulated.setMaker([this](const transmit::OutputName&) { return std::make_unique<PlayedOutput>(calls); });
+    simulated.open();
+    for (int i = 0; i < 100; ++i) {
+        clock.advance(Seconds(0.02));
+        simulated.tick(status);
+    }
+    EXPECT_THAT(calls, testing::Each("off"));
+    EXPECT_THAT(simulated.status().whyOff.toStdString(), HasSubstr("simulated"));
+}
+
+// A whole station with the simulated mount, and a file.
+class TransmitFileTest : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        auto owned = std::make_unique<SimulatedLink>(clock);
+        link = owned.get();
+        station = std::make_unique<Station>(held("file:" + path.toStdString()),
+                                            moteusRotator(std::move(owned), {stateDir.path(), Simulation::Reference}),
+                                            stateDir.path(), clock);
+        station->openAll();
+        run(4.0);
+    }
+    void tick()
+    {
+        clock.advance(Seconds(0.02));
+        link->deliver();
+        station->tick();
+    }
+    void run(double seconds)
+    {
+        for (int i = 0; i < static_cast<int>(seconds * 50.0); ++i) {
+            tick();
+        }
+    }
+    void ask(const Request& request) { station->request({.id = 1, .request = request}); }
+    [[nodiscard]] bool fileSays(const QByteArray& line) const
+    {
+        return fakes::waitUntil([&] {
+            QFile file(path);
+            return file.open(QIODevice::ReadOnly) && file.readAll() == line;
+        });
+    }
+    // Until the decision is there, which the file then follows.
+    [[nodiscard]] bool becomes(bool on, double seconds = 60.0)
+    {
+        for (int i = 0; i < static_cast<int>(seconds * 50.0); ++i) {
+            tick();
+            if (station->status().transmit.whyOff.isEmpty() == on) {
+                return true;
+            }
+        }
+        return false;
+    }
+    [[nodiscard]] Angle error() const { return station->status().transmit.error.value_or(180_deg); }
+
+    fakes::ManualClock clock;
+    QTemporaryDir stateDir;
+    QString path = stateDir.filePath(QStringLiteral("transmit"));
+    SimulatedLink* link = nullptr;
+    std::unique_ptr<Station> station;
+};
+
+// REQ-TRANSMIT-26: With the mount: on when a go-to arrives, off as soon as it leaves. Parking, a jog, home, an
+// unwrapped cable and a held mount are no target.
+TEST_F(TransmitFileTest, FollowsTheMount)
+{
+    EXPECT_TRUE(fileSays("off\n"));
+    ask(request::PointSky{{.azimuth = 60_deg, .elevation = 30_deg}});
+    ASSERT_TRUE(becomes(true));
+    EXPECT_LT(error(), 2.25_deg);
+    EXPECT_TRUE(fileSays("on\n"));
+    run(20.0);
+    EXPECT_LT(error(), 0.1_deg);
+    ask(request::PointSky{{.azimuth = 90_deg, .elevation = 30_deg}});
+    ASSERT_TRUE(becomes(false, 0.1));
+    EXPECT_TRUE(fileSays("off\n"));
+    ASSERT_TRUE(becomes(true));
+    ask(request::Hold{});
+    ASSERT_TRUE(becomes(false, 0.04));
+    for (const Request& place : {Request(request::Park{}), Request(request::Home{}), Request(request::Unwind{})}) {
+        ask(place);
+        EXPECT_FALSE(becomes(true, 40.0));
+    }
+    EXPECT_TRUE(fileSays("off\n"));
+}
+
+// REQ-TRANSMIT-27: STOP, a silent drive, and the end of the program switch it off.
+TEST_F(TransmitFileTest, StopSwitchesItOff)
+{
+    ask(request::PointSky{{.azimuth = 60_deg, .elevation = 30_deg}});
+    ASSERT_TRUE(becomes(true));
+    ask(request::Stop{});
+    EXPECT_FALSE(station->status().transmit.whyOff.isEmpty()) << "without another tick";
+    EXPECT_TRUE(fileSays("off\n"));
+    run(20.0);
+    ask(request::ResetStop{});
+    EXPECT_FALSE(becomes(true, 5.0)) << "nothing begins by itself";
+}
+
+// REQ-TRANSMIT-27
+TEST_F(TransmitFileTest, ASilentDriveSwitchesItOff)
+{
+    ask(request::PointSky{{.azimuth = 60_deg, .elevation = 30_deg}});
+    ASSERT_TRUE(becomes(true));
+    link->inject({.kind = sim::FaultKind::Silence, .axis = Axis::Elevation});
+    ASSERT_TRUE(becomes(false, 0.6));
+    EXPECT_TRUE(fileSays("off\n"));
+}
+
+// REQ-TRANSMIT-27
+TEST_F(TransmitFileTest, TheEndOfTheProgramSwitchesItOff)
+{
+    ask(request::PointSky{{.azimuth = 60_deg, .elevation = 30_deg}});
+    ASSERT_TRUE(becomes(true));
+    ASSERT_TRUE(fileSays("on\n"));
+    station->shutDown();
+    EXPECT_TRUE(fileSays("off\n")) << "while the mount still slows down";
+    run(5.0);
+    station.reset();
+    EXPECT_TRUE(fileSays("off\n"));
+}
+
+}  // namespace
+}  // namespace boresight

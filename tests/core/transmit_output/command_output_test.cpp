@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// With real programs.
+#include "core/transmit_output/command_output.h"
+
+#include "tests/fakes/wait_until.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <gmock/gmock.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace boresight::transmit {
+namespace {
+
+using testing::ElementsAre;
+using testing::StartsWith;
+
+// On a slow machine, too.
+constexpr programs::Limits kPatient{.longest = std::chrono::minutes(1), .patience = std::chrono::minutes(1), .most = 1};
+
+class CommandOutputTest : public testing::Test
+{
+protected:
+    // A script that gets its own folder as $0, its other argument as $1, and "on" or "off" as $2.
+    void begin(const QString& script)
+    {
+        output = std::make_unique<CommandOutput>(
+            QStringLiteral("/bin/sh"),
+            QStringList{QStringLiteral("-c"), script, folder.path(), QStringLiteral("an argument")}, kPatient);
+        QObject::connect(output.get(), &TransmitOutput::reached, output.get(),
+                         [this](bool on) { told.emplace_back(on ? "on" : "off"); });
+        QObject::connect(output.get(), &TransmitOutput::failed, output.get(),
+                         [this](const QString& reason) { told.push_back(reason.toStdString()); });
+    }
+    [[nodiscard]] bool tells(std::size_t count) const
+    {
+        return fakes::waitUntil([this, count] { return told.size() >= count; });
+    }
+    [[nodiscard]] QByteArray journal() const
+    {
+        QFile file(folder.filePath(QStringLiteral("journal")));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+
+    QTemporaryDir folder;
+    std::unique_ptr<CommandOutput> output;
+    std::vector<std::string> told;
+};
+
+// REQ-TRANSMIT-16: The program runs with "on" or "off" after its arguments, when that changes. A status other than 0 is
+// a trouble, with what the program said.
+TEST_F(CommandOutputTest, RunsWhenTheStateChanges)
+{
+    begin(QStringLiteral("echo \"$1 $2\" >>\"$0/journal\""));
+    output->set(false);
+    ASSERT_TRUE(tells(1));
+    output->set(false);
+    ASSERT_EQ(told.size(), 2U) << "it is off, and says so without a program";
+    output->set(true);
+    ASSERT_TRUE(tells(3));
+    output->set(true);
+    output->set(false);
+    ASSERT_TRUE(tells(5));
+    EXPECT_THAT(told, ElementsAre("off", "off", "on", "on", "off"));
+    EXPECT_EQ(journal(), "an argument off\nan argument on\nan argument off\n");
+}
+
+// REQ-TRANSMIT-16
+TEST_F(CommandOutputTest, ATroubleIsToldAndTriedAgain)
+{
+    begin(QStringLiteral("echo no radio >&2; test $2 = off"));
+    output->set(true);
+    ASSERT_TRUE(tells(1));
+    EXPECT_THAT(told.back(), StartsWith("/bin/sh ended with status 1 after "));
+    EXPECT_THAT(told.back(), testing::EndsWith(": no radio"));
+    output->set(false);
+    ASSERT_TRUE(tells(2));
+    EXPECT_EQ(told.back(), "off");
+    output = std::make_unique<CommandOutput>(QStringLiteral("/no/such/program"), QStringList{});
+    std::string reason;
+    QObject::connect(output.get(), &TransmitOutput::failed, output.get(),
+                     [&reason](const QString& text) { reason = text.toStdString(); });
+    output->set(false);
+    EXPECT_TRUE(fakes::waitUntil([&] { return !reason.empty(); }));
+    EXPECT_EQ(reason, "/no/such/program could not be started: No such file or directory");
+}
+
+// REQ-TRANSMIT-17: "off" does not wait for an "on" that hangs, and runs once more after that has ended.
+TEST_F(CommandOutputTest, OffDoesNotWaitForOn)
+{
+    begin(QStringLiteral(
+        "echo $2 >>\"$0/journal\"; test $2 = off && exit; while [ ! -e \"$0/go\" ]; do sleep 0.05; done; "
+        "echo late >>\"$0/journal\""));
+    output->set(true);
+    ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\n"; }));
+    output->set(false);
+    ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\noff\n"; }));
+    QFile go(folder.filePath(QStringLiteral("go")));
+    ASSERT_TRUE(go.open(QIODevice::WriteOnly));
+    ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\noff\nlate\noff\n"; }));
+    ASSERT_TRUE(tells(2));
+    EXPECT_EQ(told.back(), "off");
+}
+
+// REQ-TRANSMIT-17
+TEST_F(CommandOutputTest, TheLastWordAtItsEndIsOff)
+{
+    begin(QStringLiteral("echo $2 >>\"$0/journal\""));
+    output->set(true);
+    ASSERT_TRUE(tells(1));
+    output->set(false);
+    output.reset();
+    EXPECT_EQ(journal(), "on\noff\n");
+}
+
+}  // namespace
+}  // namespace boresight::transmit

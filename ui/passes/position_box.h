@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/messages/station_status.h"
+
+#include <QWidget>
+
+// A balloon or rocket that reports its position: where it is, how old that is, and the button that has the mount follow
+// it. Hidden while the profile names no source of positions. Gui thread.
+namespace boresight::ui {
+
+class CommandButton;
+class RequestDesk;
+class ValueLabel;
+
+class PositionBox : public QWidget
+{
+    Q_OBJECT
+
+public:
+    PositionBox(RequestDesk& desk, QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+
+private:
+    void build();
+    void followOrHold();
+
+    ValueLabel* m_place;
+    ValueLabel* m_state;
+    ValueLabel* m_refused;
+    CommandButton* m_follow;
+    bool m_isFollowed = false;
+};
+
+}  // namespace boresight::ui
