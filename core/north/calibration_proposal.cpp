@@ -175,6 +175,19 @@ void setZero(Proposal& proposal, calibration::SensorMounting& mounting, const ca
                          .arg(degreesText(zero.value, 2), degreesText(zero.sigma, 1), verdict);
 }
 
+// What a level set, points check. Once points have told the zero it is no level's any more.
+QString levelText(const calibration::FittedTerm& zero, Angle present, const std::optional<Angle>& told)
+{
+    if (told || zero.state != calibration::TermState::Fitted) {
+        return {};
+    }
+    const Angle off = abs(zero.estimate.value - present);
+    return off < zero.estimate.sigma * kSignificant
+               ? Text::tr(". Your level is right to %1").arg(degreesText(zero.estimate.sigma, 2))
+               : Text::tr(". Your level is off by %1 ± %2")
+                     .arg(degreesText(off, 2), degreesText(zero.estimate.sigma, 2));
+}
+
 }  // namespace
 
 Proposal proposalOf(const calibration::SensorOffset& offset, const profile::Profile& profile, const TermSigmas& told)
@@ -223,13 +236,15 @@ Proposal proposalOf(const SwingOutcome& swing, const profile::Profile& profile, 
 }
 
 Proposal proposalOf(const calibration::PointingFit& fit, std::span<const calibration::CalibrationPoint> points,
-                    const profile::Profile& profile)
+                    const profile::Profile& profile, const TermSigmas& told)
 {
     const auto used = std::ranges::count_if(points, &calibration::CalibrationPoint::isUsed);
     Proposal proposal{.title = used == 1 ? Text::tr("Pointing model from 1 point")
                                          : Text::tr("Pointing model from %1 points").arg(used),
                       .reason = Text::tr("points"),
-                      .text = changeText(profile.pointing, fit.terms),
+                      .text = changeText(profile.pointing, fit.terms) + levelText(fit.of(Term::ElevationOffset),
+                                                                                  profile.pointing.elevationOffset,
+                                                                                  told[indexOf(Term::ElevationOffset)]),
                       .terms = fit.terms,
                       .points = {points.begin(), points.end()}};
     proposal.terms.azimuthOffset = nearestOffset(fit.terms.azimuthOffset, profile);

@@ -40,7 +40,7 @@ struct Proposal
                                   const TermSigmas& told = {});
 [[nodiscard]] Proposal proposalOf(const calibration::PointingFit& fit,
                                   std::span<const calibration::CalibrationPoint> points,
-                                  const profile::Profile& profile);
+                                  const profile::Profile& profile, const TermSigmas& told = {});
 
 // Terms as an operator gives them, and where from. Sigmas only where they were told. Nothing else of the profile
 // changes.

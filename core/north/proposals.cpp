@@ -173,7 +173,8 @@ std::optional<Proposal> Proposals::made() const
             return madeOfSwing();
         case From::Points:
             return m_points.book().fitted() && !m_fitDiscarded
-                       ? std::optional(proposalOf(*m_points.book().fitted(), m_points.book().points(), *m_profile))
+                       ? std::optional(proposalOf(*m_points.book().fitted(), m_points.book().points(), *m_profile,
+                                                  m_model.toldByPoints()))
                        : std::nullopt;
         case From::Entered:
             return proposalOf(m_given, *m_profile);

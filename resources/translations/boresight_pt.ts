@@ -8883,6 +8883,14 @@ até %1</translation>
         <source>This is not a file.</source>
         <translation>Isto não é um ficheiro.</translation>
     </message>
+    <message>
+        <source>. Your level is right to %1</source>
+        <translation>. O seu nivelamento está certo até %1</translation>
+    </message>
+    <message>
+        <source>. Your level is off by %1 ± %2</source>
+        <translation>. O seu nivelamento está errado em %1 ± %2</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

@@ -226,5 +226,29 @@ TEST(SensorProposal, ANorthThatPointsHaveToldBetterStays)
     EXPECT_FALSE(before.sensor);
 }
 
+// REQ-NORTH-39a: Points check the zero of elevation that a level has set: the proposal says by how much the level is
+// off, or to what it is right. A zero that points have told is no level's.
+TEST(PointsProposal, SunAndMoonCheckTheLevel)
+{
+    profile::Profile profile;
+    profile.pointing.elevationOffset = 1_deg;
+    calibration::PointingFit fit{.terms = profile.pointing};
+    calibration::FittedTerm& zero = fit.fitted[indexOf(Term::ElevationOffset)];
+    zero = {.estimate = {1.4_deg, 0.05_deg}, .state = calibration::TermState::Fitted};
+    const auto ends = [&](const char* words, const TermSigmas& told = {}) {
+        return proposalOf(fit, {}, profile, told).text.endsWith(QString::fromUtf8(words));
+    };
+    EXPECT_TRUE(ends(". Your level is off by 0.40° ± 0.05°")) << qPrintable(proposalOf(fit, {}, profile).text);
+    zero.estimate.value = 0.6_deg;
+    EXPECT_TRUE(ends(". Your level is off by 0.40° ± 0.05°"));
+    zero.estimate.value = 1.09_deg;
+    EXPECT_TRUE(ends(". Your level is right to 0.05°"));
+    TermSigmas told;
+    told[indexOf(Term::ElevationOffset)] = 0.1_deg;
+    EXPECT_FALSE(proposalOf(fit, {}, profile, told).text.contains(QStringLiteral("level")));
+    zero.state = calibration::TermState::Held;
+    EXPECT_FALSE(proposalOf(fit, {}, profile).text.contains(QStringLiteral("level"))) << "one point tells north only";
+}
+
 }  // namespace
 }  // namespace boresight
