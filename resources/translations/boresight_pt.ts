@@ -518,6 +518,14 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <source>%1, from %2 to %3</source>
         <translation>%1, de %2 a %3</translation>
     </message>
+    <message>
+        <source>elements %1 days old, more than half the beam off</source>
+        <translation>elementos com %1 dias, mais de meio feixe de erro</translation>
+    </message>
+    <message>
+        <source>elements %1 days old, %2 off</source>
+        <translation>elementos com %1 dias, %2 de erro</translation>
+    </message>
 </context>
 <context>
     <name>PlotPicture</name>

@@ -22,7 +22,7 @@ namespace boresight::ui {
 namespace {
 
 constexpr int kFactLines = 7;
-constexpr int kBriefLines = 3;  // as high as the buttons beside them
+constexpr int kBriefLines = 4;
 
 }  // namespace
 
@@ -149,7 +149,8 @@ void SelectedPass::showFacts()
     const QString light = QLatin1Char('\n') + m_light;
     const QString note = m_noteText.isEmpty() ? QString() : m_noteText + QLatin1Char('\n');
     const QString all = factsOf(*m_pass, *m_book, m_now) + light;
-    const QString brief = (m_note->isHidden() ? note : QString()) + briefFactsOf(*m_pass, *m_book, m_isNamed) + light;
+    const QString brief =
+        (m_note->isHidden() ? note : QString()) + briefFactsOf(*m_pass, *m_book, m_now, m_isNamed) + light;
     m_facts->setValue(m_isBrief ? brief : all);
     m_facts->setToolTip(m_isBrief ? note + all : QString());
 }

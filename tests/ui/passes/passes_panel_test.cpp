@@ -88,6 +88,9 @@ TEST_F(PassesPanelTest, JudgesTheAgeOfTheElements)
     status.profile = std::make_shared<const profile::Profile>(profile);
     give(samples::update(status));
     ASSERT_TRUE(fakes::waitUntil([&] { return facts().contains(u"° off, more than half the beam"); }));
+    EXPECT_THAT(text("The selected pass").toStdString(),
+                HasSubstr("elements 0.0 days old, more than half the beam off"));
+    EXPECT_FALSE(named<ValueLabel>("The selected pass")->isElided());
 }
 
 // REQ-PASSES-957: What is wrong with the elements stands above the passes of those that are good, a download without a
@@ -128,12 +131,14 @@ TEST_F(PassesPanelTest, TrackAsksForTheSelectedSatellite)
 }
 
 // REQ-PASSES-979: In a low window the table of the passes has the room: the facts of the selected pass fold to what the
-// table does not show.
+// table does not show. The age of the elements stays on the page.
 // Story: at 1024×700 with an alarm one pass was to be seen.
 TEST_F(PassesPanelTest, TheFactsFoldWhereTheWindowIsLow)
 {
     giveFound(withSatellites());
-    EXPECT_LE(text("The selected pass").count(QLatin1Char('\n')), 2);
+    EXPECT_LE(text("The selected pass").count(QLatin1Char('\n')), 3);
+    EXPECT_THAT(text("The selected pass").toStdString(), HasSubstr("\nelements 0.0 days old, 0."));
+    EXPECT_FALSE(named<ValueLabel>("The selected pass")->isElided());
     EXPECT_TRUE(text("The selected pass").startsWith(QStringLiteral("number ")));
     EXPECT_GE(table().viewport()->height(), 3 * table().rowHeight(0));
     window.resize(1280, 1000);
