@@ -55,6 +55,11 @@ PassChoice PassFilter::choice() const
             .onlyFavourites = m_favourites->isChecked()};
 }
 
+void PassFilter::setOnlyFavourites(bool on)
+{
+    m_favourites->setChecked(on);
+}
+
 }  // namespace boresight::ui
 
 #include "moc_pass_filter.cpp"

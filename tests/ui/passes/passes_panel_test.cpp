@@ -6,6 +6,7 @@
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
 #include "ui/passes/note_line.h"
+#include "ui/passes/pass_views.h"
 #include "ui/passes/pass_words.h"
 #include "ui/sky/polar_plot.h"
 
@@ -91,6 +92,24 @@ TEST_F(PassesPanelTest, JudgesTheAgeOfTheElements)
     EXPECT_THAT(text("The selected pass").toStdString(),
                 HasSubstr("elements 0.0 days old, more than half the beam off"));
     EXPECT_FALSE(named<ValueLabel>("The selected pass")->isElided());
+}
+
+// REQ-PASSES-967: The chosen view and "Favourites only" are there again at the next start.
+TEST_F(PassesPanelTest, TheViewAndFavouritesOnlyAreRemembered)
+{
+    giveFound(withSatellites());
+    QTest::mouseClick(named<QToolButton>("The way of the selected satellite over the Earth"), Qt::LeftButton);
+    QTest::mouseClick(named<QToolButton>("Favourites only"), Qt::LeftButton);
+    WindowSettings next = settings();
+    next.layout = window.arrangement();
+    EXPECT_EQ(next.layout.passes, (PassesLayout{.view = PassViews::Map, .onlyFavourites = true}));
+    MainWindow again(clock, next);
+    EXPECT_EQ(again.arrangement().passes, next.layout.passes);
+    EXPECT_TRUE(findNamed<QToolButton>(again, "The way of the selected satellite over the Earth")->isChecked());
+    EXPECT_TRUE(findNamed<QToolButton>(again, "Favourites only")->isChecked());
+    next.layout.passes.view = 77;  // of a file that somebody has edited
+    const MainWindow wrong(clock, next);
+    EXPECT_EQ(wrong.arrangement().passes.view, PassViews::List);
 }
 
 // REQ-PASSES-957: What is wrong with the elements stands above the passes of those that are good, a download without a
