@@ -8585,6 +8585,10 @@ SDL 2, toml++</translation>
         <source>Do not unwrap. The mount waits at the cable end until it can reach the target again. Clients keep control</source>
         <translation>Não desenrolar. A montagem espera no fim do cabo até poder alcançar o alvo de novo. Os clientes mantêm o controlo</translation>
     </message>
+    <message>
+        <source>Unwrapping loses the target for %1. Holding at the end loses it for %2.</source>
+        <translation>Desenrolar perde o alvo durante %1. Ficar no fim perde-o durante %2.</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::AlarmModel</name>

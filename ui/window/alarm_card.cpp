@@ -2,6 +2,7 @@
 #include "ui/window/alarm_card.h"
 
 #include "core/alarms/catalogue.h"
+#include "core/units/duration_text.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
 #include "ui/kit/push_button.h"
@@ -92,6 +93,16 @@ QString linesOf(QStringList sentences)
 {
     sentences.removeAll(QString());
     return sentences.join(QLatin1Char('\n'));
+}
+
+// What the two choices at the end of the cable cost, where that is known.
+QString costOf(const StationStatus& status)
+{
+    const std::optional<CableEnd>& end = status.cableEnd;
+    return end && end->turningBack && end->lostByHolding
+               ? AlarmCard::tr("Unwrapping loses the target for %1. Holding at the end loses it for %2.")
+                     .arg(durationText(*end->turningBack), durationText(*end->lostByHolding))
+               : QString();
 }
 
 QString listOf(const std::vector<Alarm>& alarms)
@@ -187,8 +198,10 @@ void AlarmCard::showAlarm(const StationStatus& status)
     }
     const Alarm& alarm = *m_shown;
     m_what->setValue(alarm.active ? alarm.what : tr("Cleared: %1").arg(alarm.what));
-    m_advice->setValue(linesOf({alarm.action, alarm.remedy}));
-    m_advice->setVisible(!alarm.acknowledged);  // who acknowledged it has read it. A click opens it in the log
+    const QString cost = alarm.active && alarm.help == AlarmHelp::Unwind ? costOf(status) : QString();
+    // Who acknowledged it has read it. A click opens it in the log. The choice is still open.
+    m_advice->setValue(alarm.acknowledged ? cost : linesOf({alarm.action, alarm.remedy, cost}));
+    m_advice->setVisible(!m_advice->text().isEmpty());
     m_since->setValue(clockText(alarm.since) + QLatin1Char('Z'), Tone::Secondary);
     m_what->setToolTip(listOf(status.alarms));
     m_advice->setToolTip(m_what->toolTip());

@@ -78,6 +78,24 @@ TEST_F(AlarmCardTest, StopBesideAnotherAlarmCanBeReset)
     EXPECT_TRUE(seen("Reset stop"));
 }
 
+// REQ-CONTROL-31c
+TEST_F(AlarmCardTest, BothChoicesAtTheCableEndSayWhatTheyLose)
+{
+    StationStatus status = samples::cableEnding();
+    give(samples::update(status));
+    EXPECT_FALSE(text("What was done and what to do").contains(QStringLiteral("Holding at the end loses")))
+        << "of a stream nobody knows where it goes";
+    status.cableEnd->lostByHolding = Seconds(192.4);
+    give(samples::update(status));
+    const QString cost =
+        QStringLiteral("Unwrapping loses the target for 37 s. Holding at the end loses it for 3 min 12 s.");
+    EXPECT_TRUE(text("What was done and what to do").endsWith(QLatin1Char('\n') + cost));
+    status.alarms.front().acknowledged = true;
+    give(samples::update(status));
+    EXPECT_EQ(text("What was done and what to do"), cost) << "the choice is open";
+    EXPECT_TRUE(named<ValueLabel>("What was done and what to do")->isVisible());
+}
+
 TEST_F(AlarmCardTest, TheButtonDoesWhatHelps)
 {
     give(samples::update(samples::cableEnding()));
