@@ -198,7 +198,7 @@ inline constexpr std::array kAxisAlarms{
         .severity = Severity::Alarm,
         .what = "%1",
         .action = QT_TRANSLATE_NOOP("Text", "Boresight stopped the mount and holds it"),
-        .remedy = QT_TRANSLATE_NOOP("Text", "Look whether the cable is wrapped around the mount. Jog the other way."),
+        .remedy = QT_TRANSLATE_NOOP("Text", "Check whether the cable is wrapped around the mount. Jog the other way."),
         .thenRearm = true,
         .help = AlarmHelp::Rearm,
         .kin = AlarmKin::Drive,

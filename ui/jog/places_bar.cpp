@@ -30,8 +30,8 @@ PlacesBar::PlacesBar(ProfileDraft& draft, RequestDesk& desk, const QStringList& 
       m_presets(new PresetBar(draft, desk, *m_notice, this)),
       m_home(new CommandButton(tr("Home"), tr("Go to azimuth 0° and the lowest elevation"), desk, *m_notice, this)),
       m_horizon(new CommandButton(tr("Horizon"),
-                                  tr("Go to elevation 0°, or to the lowest permitted one. The azimuth is the entered "
-                                     "one. Without an entry it stays."),
+                                  tr("Go to elevation 0°, or to the lowest permitted elevation. If an azimuth is "
+                                     "entered, go there. If not, the azimuth stays."),
                                   desk, *m_notice, this)),
       m_unwrap(new CommandButton(
           tr("Unwrap"),

@@ -32,7 +32,7 @@ PassFilter::PassFilter(QWidget* parent)
     m_lowest->setDecimals(0);
     m_lowest->setSuffix(QStringLiteral("°"));
     m_lowest->setAccessibleName(tr("Least height of a listed pass"));
-    m_lowest->setToolTip(tr("Passes that do not come higher are not listed"));
+    m_lowest->setToolTip(tr("Passes that stay lower are not listed"));
     m_lowest->setMinimumHeight(kRowHeight);
     m_favourites->setIcon(glyphIcon(Glyph::Favourite));
     m_favourites->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);

@@ -32,7 +32,7 @@ SelectedPass::SelectedPass(ProfileDraft& draft, RequestDesk& desk, QWidget* pare
       m_refused(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_buttons(new QBoxLayout(QBoxLayout::TopToBottom)),
       m_track(new CommandButton(tr("Track"),
-                                tr("Go to where the satellite rises and follow it until it sets. Then the mount holds"),
+                                tr("Go to where the satellite rises and track it until it sets. Then the mount holds"),
                                 desk, *m_refused, this)),
       m_watch(new WatchButton(draft, desk, *m_refused, this)),
       m_favourite(new FavouriteButton(draft, desk, *m_refused, this)),
