@@ -45,7 +45,7 @@ inline constexpr std::array kAxisAlarms{
                .thenRearm = true,
                .help = AlarmHelp::Rearm,
                .kin = AlarmKin::Drive,
-               .examples = {"the azimuth does not move: 2.4° at 3.0°/s commanded in 0.80 s, 0.1° moved"}},
+               .examples = {"the azimuth does not move: it moved 0.1° in 0.80 s instead of 2.4° (at 3.0°/s)"}},
     AlarmEntry{.id = "axis.wrong-way",
                .source = "%1",
                .severity = Severity::Alarm,
@@ -55,7 +55,7 @@ inline constexpr std::array kAxisAlarms{
                .thenRearm = true,
                .help = AlarmHelp::Rearm,
                .kin = AlarmKin::Drive,
-               .examples = {"the azimuth moves the wrong way: 2.4° at 3.0°/s commanded in 0.80 s, -0.6° moved"}},
+               .examples = {"the azimuth moves the wrong way: it moved -0.6° in 0.80 s instead of 2.4° (at 3.0°/s)"}},
     AlarmEntry{
         .id = "axis.moves-uncommanded",
         .source = "%1",

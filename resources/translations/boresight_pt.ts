@@ -2207,14 +2207,6 @@ até %1</translation>
         <translation>eixo de elevação</translation>
     </message>
     <message>
-        <source>%1 moves the wrong way: %2 at %3 commanded in %4, %5 moved</source>
-        <translation>o %1 move-se para o lado errado: %2 a %3 comandados em %4, %5 movidos</translation>
-    </message>
-    <message>
-        <source>%1 does not move: %2 at %3 commanded in %4, %5 moved</source>
-        <translation>o %1 não se move: %2 a %3 comandados em %4, %5 movidos</translation>
-    </message>
-    <message>
         <source>%1 is at %2, %3 beyond its travel %4…%5, and moves farther out</source>
         <translation>o %1 está em %2, %3 além do seu curso %4…%5, e afasta-se mais</translation>
     </message>
@@ -3037,10 +3029,6 @@ até %1</translation>
     <message>
         <source>%1 stands and needs %2 Nm, %3 % of the %4 Nm allowed: more than the %5 Nm of weight and friction</source>
         <translation>o %1 está parado e precisa de %2 Nm, %3 % dos %4 Nm permitidos: mais do que os %5 Nm do peso e do atrito</translation>
-    </message>
-    <message>
-        <source>%1 does not move: %2 from its set-point with %3 Nm of the %4 Nm allowed, for %5</source>
-        <translation>o %1 não se move: está a %2 da sua referência com %3 Nm dos %4 Nm permitidos, há %5</translation>
     </message>
     <message>
         <source>%1 lines were lost: the disk did not store them in time</source>
@@ -8335,6 +8323,18 @@ até %1</translation>
         <source>%1 is the site of the mount, so it has no direction.</source>
         <translation>%1 é o local da montagem, por isso não tem direção.</translation>
     </message>
+    <message>
+        <source>%1 moves the wrong way: it moved %5 in %4 instead of %2 (at %3)</source>
+        <translation>%1 move-se no sentido errado: moveu-se %5 em %4 em vez de %2 (a %3)</translation>
+    </message>
+    <message>
+        <source>%1 does not move: it moved %5 in %4 instead of %2 (at %3)</source>
+        <translation>%1 não se move: moveu-se %5 em %4 em vez de %2 (a %3)</translation>
+    </message>
+    <message>
+        <source>%1 does not move: it is %2 away from its set-point for %5, with %3 Nm of the %4 Nm allowed</source>
+        <translation>%1 não se move: está a %2 do valor pedido há %5, com %3 Nm dos %4 Nm permitidos</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -10549,10 +10549,6 @@ trocar os motores</translation>
         <translation>Voltar</translation>
     </message>
     <message>
-        <source>To the step before (Alt+Left)</source>
-        <translation>Para o passo anterior (Alt+Esquerda)</translation>
-    </message>
-    <message>
         <source>Next</source>
         <translation>Seguinte</translation>
     </message>
@@ -10607,6 +10603,10 @@ trocar os motores</translation>
     <message>
         <source>The cable wrap of the %1 is unknown. Press Ctrl+9 to enter it, and F3 to return</source>
         <translation>A volta do cabo do %1 é desconhecida. Prima Ctrl+9 para a indicar e F3 para voltar</translation>
+    </message>
+    <message>
+        <source>To the previous step (Alt+Left)</source>
+        <translation>Para o passo anterior (Alt+Esquerda)</translation>
     </message>
 </context>
 <context>
@@ -12174,12 +12174,12 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Voltar</translation>
     </message>
     <message>
-        <source>Go back to the page before</source>
-        <translation>Voltar à página anterior</translation>
-    </message>
-    <message>
         <source>Not in this page</source>
         <translation>Não está nesta página</translation>
+    </message>
+    <message>
+        <source>Go back to the previous page</source>
+        <translation>Voltar à página anterior</translation>
     </message>
 </context>
 <context>

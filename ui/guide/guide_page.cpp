@@ -64,7 +64,7 @@ GuidePage::GuidePage(ProfileDraft& draft, RequestDesk& desk, HostDesk& host, con
     // Tab goes in the order in which they are made.
     makeSteps();
     makePages(desk, host);
-    m_back = makeButton(tr("Back"), tr("To the step before (Alt+Left)"), &GuidePage::back);
+    m_back = makeButton(tr("Back"), tr("To the previous step (Alt+Left)"), &GuidePage::back);
     m_next = makeButton(tr("Next"), {}, &GuidePage::next);
     m_confirm = makeButton(tr("Confirm"), {}, &GuidePage::confirm);
     m_finish = makeButton(tr("Finish later"), tr("Show the panels. F3 returns to this step."), &GuidePage::finishLater);
