@@ -26,6 +26,7 @@ constexpr std::chrono::seconds kSaidFor{10};  // time enough to read a path
 constexpr int kCardMargin = 12;               // px
 constexpr int kCardSymbol = 12;               // px
 constexpr double kCardRadius = 6.0;           // px
+constexpr int kBeforeButtons = 2;             // px
 constexpr double kCardTint = 0.09;            // of the alarm's colour in the ground
 
 QFont boldOf(QFont font)
@@ -155,7 +156,6 @@ void AlarmCard::build()
     m_notice->setCollapsing(true);
     m_count->setFlat(true);
     m_since->setFixedHeight(kTouchSize);
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     auto* const buttons = new FlowRow;
     for (QWidget* const part :
          {static_cast<QWidget*>(m_help), static_cast<QWidget*>(m_holdAtEnd), static_cast<QWidget*>(m_recover),
@@ -168,8 +168,16 @@ void AlarmCard::build()
     column->addWidget(m_what);
     column->addWidget(m_advice);
     column->addWidget(m_notice);
-    column->addSpacing(2);
+    column->addSpacing(kBeforeButtons);
     column->addLayout(buttons);
+}
+
+int AlarmCard::heightWith(int linesOfAdvice) const
+{
+    const QMargins margins = layout()->contentsMargins();
+    return margins.top() + margins.bottom() + 2 * m_what->fontMetrics().lineSpacing() +
+           linesOfAdvice * m_advice->fontMetrics().lineSpacing() + m_acknowledge->sizeHint().height() + kBeforeButtons +
+           3 * layout()->spacing();
 }
 
 void AlarmCard::showStatus(const StationStatus& status)

@@ -5,9 +5,11 @@
 
 #include <QWidget>
 
-// What stands above the tabs: the alarm card while there is one, the readouts of the axes and of the sensor. An alarm
-// takes its room from the readouts, which get smaller, so that tabs and buttons stay where the operator's hand is. Only
-// an alarm for which that is not enough moves them. Gui thread.
+class QScrollArea;
+
+// What stands above the tabs: the alarm card while there is one, the readouts of the axes and of the sensor. Its height
+// depends on the window alone, so that tabs and buttons stay where the operator's hand is. There is room for an alarm
+// of usual length: it takes it from the readouts, which get smaller. A longer one scrolls. Gui thread.
 namespace boresight::ui {
 
 class AlarmCard;
@@ -24,11 +26,14 @@ public:
     void showStatus(const StationStatus& status);
     void setRoom(QSize window);
 
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void arrange();
     [[nodiscard]] int heightOfAlarm() const;
 
     AlarmCard& m_alarms;
+    QScrollArea* m_alarmRoom;
     AxisReadout* m_axes;
     SensorReadout* m_sensor;
     QSize m_window;
