@@ -157,10 +157,13 @@ void AlarmCard::build()
     m_count->setFlat(true);
     m_since->setFixedHeight(kTouchSize);
     auto* const buttons = new FlowRow;
-    for (QWidget* const part :
-         {static_cast<QWidget*>(m_help), static_cast<QWidget*>(m_holdAtEnd), static_cast<QWidget*>(m_recover),
-          static_cast<QWidget*>(m_acknowledge), static_cast<QWidget*>(m_count), static_cast<QWidget*>(m_since)}) {
+    for (QWidget* const part : std::initializer_list<QWidget*>{m_help, m_holdAtEnd, m_recover}) {
         buttons->addWidget(part);
+    }
+    // At the other end: a second press on a button that has just gone does not acknowledge.
+    for (QWidget* const part : std::initializer_list<QWidget*>{m_since, m_count, m_acknowledge}) {
+        buttons->addWidget(part);
+        buttons->setAlignment(part, Qt::AlignRight);
     }
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(2 * kCardMargin + kCardSymbol, kCardMargin - 4, kCardMargin, kCardMargin - 4);

@@ -68,6 +68,28 @@ TEST_F(AlarmCardTest, StopInAFaultLeavesBothWaysBackOneAfterTheOther)
     EXPECT_EQ(asked<request::ResetStop>().size(), 1u);
 }
 
+// Story: a second click on Re-arm hit Acknowledge, which had moved under the pointer.
+// REQ-UI-1006: No button of the alarm card moves into the place of another one that has just gone.
+TEST_F(AlarmCardTest, ASecondClickOnAButtonThatIsGoneHitsNoOther)
+{
+    for (const QSize size : {QSize(1024, 700), QSize(1280, 800)}) {
+        window.resize(size);
+        StationStatus status = samples::faulted();
+        give(samples::update(status));
+        settle();
+        const QPoint place = named<CommandButton>("Re-arm")->mapTo(&card(), QPoint(20, 20));
+        ASSERT_EQ(card().childAt(place), named<CommandButton>("Re-arm"));
+        status.state = StationState::Standby;
+        for (Alarm& alarm : status.alarms) {
+            alarm.active = false;
+        }
+        give(samples::update(status));
+        settle();
+        ASSERT_TRUE(seen("Acknowledge"));
+        EXPECT_EQ(qobject_cast<QPushButton*>(card().childAt(place)), nullptr) << size.width();
+    }
+}
+
 TEST_F(AlarmCardTest, StopBesideAnotherAlarmCanBeReset)
 {
     StationStatus status = samples::cableEnding();
