@@ -6584,10 +6584,6 @@ até %1</translation>
         <translation>a montagem segue: %1; retenha-a primeiro</translation>
     </message>
     <message>
-        <source>%1 points from before are loaded. They count when every drive has reported its identity</source>
-        <translation>%1 pontos tomados antes estão de novo aqui; contam quando todos os acionamentos tiverem indicado a sua identidade</translation>
-    </message>
-    <message>
         <source>There are already %1 points. Drop some.</source>
         <translation>já há %1 pontos: descarte alguns</translation>
     </message>
@@ -8334,6 +8330,10 @@ até %1</translation>
     <message>
         <source>%1 does not move: it is %2 away from its set-point for %5, with %3 Nm of the %4 Nm allowed</source>
         <translation>%1 não se move: está a %2 do valor pedido há %5, com %3 Nm dos %4 Nm permitidos</translation>
+    </message>
+    <message>
+        <source>%1 earlier points are loaded. They count when every drive has reported its identity</source>
+        <translation>%1 pontos anteriores foram lidos. Contam quando todos os acionamentos tiverem comunicado a sua identidade</translation>
     </message>
 </context>
 <context>
