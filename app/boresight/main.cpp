@@ -39,6 +39,8 @@ const QString kMountPanelKey = QStringLiteral("mount_panel");
 const QString kChartWindowKey = QStringLiteral("chart_seconds");
 const QString kChartAxisKey = QStringLiteral("chart_axis");
 const QString kChartQuantityKey = QStringLiteral("chart_quantity");
+const QString kPassesViewKey = QStringLiteral("passes_view");
+const QString kFavouritesKey = QStringLiteral("passes_favourites_only");
 const QString kGuideKey = QStringLiteral("guide");
 
 constexpr int kFailed = 2;       // what the program ends with
@@ -58,7 +60,9 @@ ui::WindowLayout readLayout(const QSettings& kept)
             .mountPanel = number(kMountPanelKey, usual.mountPanel),
             .charts = {.axis = static_cast<Axis>(number(kChartAxisKey, 0)),
                        .window = std::chrono::seconds(number(kChartWindowKey, int(usual.charts.window.count()))),
-                       .quantity = static_cast<ui::DriveQuantity>(number(kChartQuantityKey, 0))}};
+                       .quantity = static_cast<ui::DriveQuantity>(number(kChartQuantityKey, 0))},
+            .passes = {.view = number(kPassesViewKey, usual.passes.view),
+                       .onlyFavourites = kept.value(kFavouritesKey, usual.passes.onlyFavourites).toBool()}};
 }
 
 void keepLayout(const ui::WindowLayout& layout, QSettings& kept)
@@ -68,6 +72,8 @@ void keepLayout(const ui::WindowLayout& layout, QSettings& kept)
     kept.setValue(kChartWindowKey, int(layout.charts.window.count()));
     kept.setValue(kChartAxisKey, static_cast<int>(layout.charts.axis));
     kept.setValue(kChartQuantityKey, static_cast<int>(layout.charts.quantity));
+    kept.setValue(kPassesViewKey, layout.passes.view);
+    kept.setValue(kFavouritesKey, layout.passes.onlyFavourites);
 }
 
 // Opens by itself at the first start, and wherever it was open when the program ended.

@@ -139,7 +139,8 @@ inline constexpr std::array kPointingAlarms{
     AlarmEntry{.id = "azel.differs",
                .source = "azel.dat",
                .severity = Severity::Advisory,
-               .what = QT_TRANSLATE_NOOP("Text", "The Moon of azel.dat is %1 from where the Moon is over the site"),
+               .what = QT_TRANSLATE_NOOP(
+                   "Text", "The Moon of azel.dat is %1 away from the Moon that Boresight computes for the site"),
                .action = QT_TRANSLATE_NOOP("Text", "The mount follows the file, in its steps of 0.1°"),
                .remedy = QT_TRANSLATE_NOOP(
                    "Text", "Enter the same locator in WSJT-X and in the profile, with at least six characters"),

@@ -72,7 +72,7 @@ inline constexpr std::array kStationAlarms{
                .source = "station",
                .severity = Severity::Warning,
                .what = QT_TRANSLATE_NOOP("Text", "The clock of this computer was set by %1 s"),
-               .action = QT_TRANSLATE_NOOP("Text", "Boresight computes satellites, Sun and Moon by the new time"),
+               .action = QT_TRANSLATE_NOOP("Text", "Boresight computes satellites, Sun and Moon with the new time"),
                .remedy = QT_TRANSLATE_NOOP("Text", "Check the time source if this was not expected"),
                .examples = {"+90.0"}},
     AlarmEntry{.id = "rotctld.not-listening",

@@ -142,7 +142,7 @@ tl::unexpected<Error> noMoon(const std::vector<Fields>& lines)
 {
     const bool isPair =
         lines.size() == 1 && lines[0].size() == 2 && plainNumber(lines[0][0]) && plainNumber(lines[0][1]);
-    return failure(ErrorCode::Protocol, isPair ? Text::tr("the file is that of AirScout, which has another form")
+    return failure(ErrorCode::Protocol, isPair ? Text::tr("the file is from AirScout and has another form")
                                                : Text::tr("The file has no line for the Moon."));
 }
 

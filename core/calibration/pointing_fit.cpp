@@ -67,7 +67,7 @@ private:
             }
         }
         if (m_used.empty()) {
-            return failure(ErrorCode::Refused, Text::tr("There is no point."));
+            return failure(ErrorCode::Refused, Text::tr("There are no points."));
         }
         return {};
     }

@@ -130,7 +130,7 @@ std::vector<ElementSet> theNewest(std::vector<FileSet> found, QStringList& probl
         const double apart = isReported ? 0.0 : disagreement(newest.back(), one.set);
         if (apart > 0.0) {
             isReported = true;
-            problems.append(Text::tr("%1: Satellite %2 is %3 km away from where %4 places it. Boresight uses %4.")
+            problems.append(Text::tr("%1: This file and %4 place satellite %2 %3 km apart. Boresight uses %4.")
                                 .arg(one.file)
                                 .arg(one.set.number)
                                 .arg(std::llround(apart))

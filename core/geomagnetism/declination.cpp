@@ -54,7 +54,8 @@ QString describe(const Declination& declination)
                               : Text::tr("Boresight cannot apply the declination. %1").arg(correction.error().text);
         }
         case DeclinationBy::None:
-            return Text::tr("Nothing corrects the declination. The heading contains %1 of the sensor.").arg(inSensor);
+            return Text::tr("Nothing corrects the declination. The heading contains the %1 that the sensor adds.")
+                .arg(inSensor);
     }
     return {};
 }

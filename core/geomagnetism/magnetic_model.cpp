@@ -143,7 +143,7 @@ QString MagneticModel::expiry(double year) const
                    "World Magnetic Model (.COF).")
             .arg(toQString(name()), yearText(validTo()));
     }
-    return Text::tr("The magnetic model %1 ends with %2. Look for the next one.")
+    return Text::tr("The magnetic model %1 ends with %2. Get the next one before that.")
         .arg(toQString(name()), yearText(validTo()));
 }
 

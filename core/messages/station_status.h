@@ -79,6 +79,9 @@ struct CableEnd
     Seconds in;
     // How long it takes to turn back by 360° and go on; empty: there is no other turn, the mount waits at the end.
     std::optional<Seconds> turningBack;
+    // How much of the target is lost if the mount holds there instead of turning back; empty: there is no such choice,
+    // or nobody knows where the target goes.
+    std::optional<Seconds> lostByHolding = {};
 };
 
 // Who may move the mount.

@@ -17,7 +17,7 @@ struct FaultRow
 
 constexpr std::string_view kUartWires = QT_TRANSLATE_NOOP("Text", "Disturbed or wrong wiring at an aux port");
 constexpr std::string_view kUartSpeed =
-    QT_TRANSLATE_NOOP("Text", "A device at an aux port sends more, or at another speed, than configured");
+    QT_TRANSLATE_NOOP("Text", "A device at an aux port sends more data than configured, or at another speed");
 constexpr std::string_view kCheckUart =
     QT_TRANSLATE_NOOP("Text", "Power-cycle the drive. Check the wiring and configuration of its aux ports");
 constexpr std::string_view kWhileDemanded =
@@ -179,7 +179,7 @@ constexpr std::array kRows{
     FaultRow{104,
              {"limit: flux braking",
               QT_TRANSLATE_NOOP("Text", "Braking energy is burnt in the motor to hold the bus voltage"),
-              QT_TRANSLATE_NOOP("Text", "The supply does not take back what braking feeds it"),
+              QT_TRANSLATE_NOOP("Text", "The supply does not absorb the braking energy"),
               QT_TRANSLATE_NOOP("Text", "Nothing to clear. Lower the acceleration if it comes often")}},
     FaultRow{105,
              {"limit: field weakening", QT_TRANSLATE_NOOP("Text", "The drive weakens the field to reach the speed"),

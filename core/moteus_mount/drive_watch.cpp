@@ -85,7 +85,7 @@ std::optional<DriveWatch::Trouble> DriveWatch::watchLoss(Drive& drive)
     if (*loss == DriveLoss::Silent) {
         beginSilence(drive, Silence::Kind::Lost, true);
         // The reason of a latch outlasts the silence itself.
-        return Trouble{.what = Text::tr("the %1 fell silent").arg(drive.label()),
+        return Trouble{.what = Text::tr("the %1 stopped replying").arg(drive.label()),
                        .loss = classOf(*loss, code),
                        .fellSilent = true};
     }

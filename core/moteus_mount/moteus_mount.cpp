@@ -46,7 +46,7 @@ MoteusMount::MoteusMount(const profile::InForce& profile, const Clock& clock, Ev
       m_turnWatch(m_turns, m_drives, m_watches, alarms),
       m_stall(m_drives, m_watches, m_turns, alarms, log),
       m_proof(m_drives, m_turns, m_turnWatch, log),
-      m_fitness(failure(ErrorCode::Refused, Text::tr("the drives have not been looked at yet"))),
+      m_fitness(failure(ErrorCode::Refused, Text::tr("the drives have not been checked yet"))),
       m_started(clock.now()),
       m_now(m_started)
 {}
@@ -254,7 +254,7 @@ void MoteusMount::watchDrives(const MountSituation& known, MountFindings& found)
     m_silences.show(m_now);
     for (const std::size_t one : silent) {
         found.troubles[one].what =
-            m_silences.isOfBoth() ? Text::tr("both drives fell silent") : found.troubles[one].what;
+            m_silences.isOfBoth() ? Text::tr("both drives stopped replying") : found.troubles[one].what;
     }
 }
 
@@ -430,7 +430,7 @@ Result<> MoteusMount::chooseWrap(Axis axis, Angle angle, const QString& source)
 Result<> MoteusMount::mayProve(AngularRate rate, const TravelRange& azimuths, const TravelRange& elevations)
 {
     if (rate < kSlowestProof || rate > kFastestProof) {
-        return failure(ErrorCode::OutOfRange, Text::tr("a crash stop is proven at %1 to %2°/s")
+        return failure(ErrorCode::OutOfRange, Text::tr("the rate of a crash-stop test must be %1 to %2°/s")
                                                   .arg(toQString(formatFixed(kSlowestProof.degrees(), 1)),
                                                        toQString(formatFixed(kFastestProof.degrees(), 1))));
     }

@@ -54,7 +54,7 @@ void ProofRun::keepStop(Axis axis, UtcTime utc)
                             .time = stop->time,
                             .when = utc});
         m_log.add(Severity::Advisory, toQString(m_drives.drive(axis).name()),
-                  Text::tr("crash stop from %1°/s: stood after %2° and %3 ms")
+                  Text::tr("crash stop from %1°/s: stopped after %2° and %3 ms")
                       .arg(stop->rate.degrees(), 0, 'f', 1)
                       .arg(stop->angle.degrees(), 0, 'f', 2)
                       .arg(stop->time.count()));

@@ -19,7 +19,7 @@ PassMoments::PassMoments(EventLog& log, const Clock& clock, Tell tell)
 void PassMoments::expect(const WatchedPass* next, Seconds before)
 {
     if (m_pass && (next == nullptr || !isSamePass(*m_pass, *next))) {
-        end(PassEnd::Refused, Text::tr("another plan has no such pass"));
+        end(PassEnd::Refused, Text::tr("the new plan does not contain this pass"));
     }
     if (next != nullptr && Seconds(next->begins() - m_clock.utc()) <= before) {
         announce(*next);

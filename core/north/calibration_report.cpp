@@ -148,7 +148,7 @@ std::vector<CalibrationHistoryEntry> CalibrationReport::historyEntries() const
     if (const QString since = m_of.model.changedSince(); !since.isEmpty()) {
         CalibrationHistoryEntry& last = list[history.inForce() - 1];
         last.title = Text::tr("%1, changed by hand since").arg(last.title);
-        last.change = Text::tr("%1; since then by hand: %2").arg(last.change, since);
+        last.change = Text::tr("%1. Changed by hand after that: %2").arg(last.change, since);
     }
     for (const calibration::CalibrationRecord& record : history.superseded()) {
         const auto later = std::ranges::find_if(list, [&](const auto& entry) { return entry.when > record.when; });

@@ -47,7 +47,7 @@ void KeptPoints::restore()
         return;
     }
     m_log.add(Severity::Advisory, kPointsSource,
-              Text::tr("%1 points from before are loaded. They count when every drive has reported its identity")
+              Text::tr("%1 earlier points are loaded. They count when every drive has reported its identity")
                   .arg(m_book.points().size()));
     m_pointsMount = m_file.pointsMount();
     m_book.setWaiting(true);

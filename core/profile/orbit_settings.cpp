@@ -76,7 +76,8 @@ std::vector<SettingOf<orbit::SatelliteMark>> makeSatelliteSettings()
         choice<SatelliteMark>(
             "favourite", {"off", "on"}, kNow,
             {QT_TRANSLATE_NOOP("Text", "Favourite"),
-             QT_TRANSLATE_NOOP("Text", "Whether it has a star and a place in the timeline.")},
+             QT_TRANSLATE_NOOP("Text",
+                               "Whether the satellite is a favourite, with a star and a place in the timeline.")},
             [](auto& row) -> auto& { return row.favourite; }),
         textual<SatelliteMark>(
             "note", kNow,
@@ -110,7 +111,7 @@ void addOrbit(std::vector<Setting>& list)
     list.push_back(number(
         "orbit.lead_s", "s", {-1.0, 1.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Lead of the set-points"),
-         QT_TRANSLATE_NOOP("Text", "A tracked satellite is aimed at where it is this much later.")},
+         QT_TRANSLATE_NOOP("Text", "The mount aims at where the tracked satellite is this much later.")},
         [](auto& p) -> auto& { return p.orbit.lead; }));
     list.push_back(choice(
         "orbit.refraction", {"by_kind", "none", "light", "radio"}, kNow,
@@ -150,9 +151,9 @@ void addAzel(std::vector<Setting>& list)
     list.push_back(choice(
         "azel.only_while_receiving", {"off", "on"}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Move only while receiving"),
-         QT_TRANSLATE_NOOP("Text",
-                           "Whether the mount stands still while WSJT-X transmits. The way that is saved up is driven "
-                           "in the next receive period.")},
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "Whether the mount stands still while WSJT-X transmits. It catches up in the next receive period.")},
         [](auto& p) -> auto& { return p.azel.onlyWhileReceiving; }));
 }
 

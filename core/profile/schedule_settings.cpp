@@ -26,7 +26,7 @@ std::vector<SettingOf<schedule::WatchEntry>> makeWatchSettings()
             number<WatchEntry>(
                 "min_elevation_deg", "°", {0.0, 89.0}, kNow,
                 {QT_TRANSLATE_NOOP("Text", "Lowest elevation"),
-                 QT_TRANSLATE_NOOP("Text", "Its passes count from this elevation on.")},
+                 QT_TRANSLATE_NOOP("Text", "Only the part of its passes above this elevation counts.")},
                 [](auto& row) -> auto& { return row.leastElevation; })};
 }
 
@@ -65,23 +65,30 @@ void addPassHooks(std::vector<Setting>& list)
     list.push_back(number(
         "schedule.hook_before_aos_s", "s", {10.0, 900.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Time before AOS"),
-         QT_TRANSLATE_NOOP("Text",
-                           "The program before AOS runs this long before it, or after LOS of the pass before.")},
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "The program before AOS runs this long before AOS. It never runs before LOS of the previous pass.")},
         [](auto& p) -> auto& { return p.schedule.hooks.before; }));
     list.push_back(command(
         "schedule.hook_aos",
         {QT_TRANSLATE_NOOP("Text", "Program at AOS"),
-         QT_TRANSLATE_NOOP("Text", "The same when a pass begins that the schedule tracks.")},
+         QT_TRANSLATE_NOOP("Text",
+                           "A program that runs when a pass of the armed schedule begins. Its form is that of "
+                           "\"Program before AOS\".")},
         [](auto& p) -> auto& { return p.schedule.hooks.aos; }));
     list.push_back(command(
         "schedule.hook_los",
         {QT_TRANSLATE_NOOP("Text", "Program at LOS"),
-         QT_TRANSLATE_NOOP("Text", "The same when such a pass ends, also before its time.")},
+         QT_TRANSLATE_NOOP("Text",
+                           "A program that runs when a pass of the armed schedule ends, also when it ends early. Its "
+                           "form is that of \"Program before AOS\".")},
         [](auto& p) -> auto& { return p.schedule.hooks.los; }));
     list.push_back(command(
         "schedule.hook_fault",
         {QT_TRANSLATE_NOOP("Text", "Program at a fault"),
-         QT_TRANSLATE_NOOP("Text", "The same when a fault ends the armed schedule.")},
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "A program that runs when a fault ends the armed schedule. Its form is that of \"Program before AOS\".")},
         [](auto& p) -> auto& { return p.schedule.hooks.fault; }));
 }
 
@@ -93,8 +100,8 @@ void addSchedule(std::vector<Setting>& list)
         "schedule.policy", {"priority", "longest", "first"}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Passes that overlap"),
          QT_TRANSLATE_NOOP("Text",
-                           "Which one is tracked: that of the more important satellite, the longer one, or the "
-                           "one that begins first.")},
+                           "Which of two overlapping passes is tracked: the pass of the more important satellite, the "
+                           "longer pass, or the pass that begins first.")},
         [](auto& p) -> auto& { return p.schedule.policy; }));
     list.push_back(number(
         "schedule.lead_s", "s", {60.0, 900.0}, kNow,
@@ -115,8 +122,8 @@ void addSchedule(std::vector<Setting>& list)
         "schedule.unattended", {"off", "on"}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Unattended"),
          QT_TRANSLATE_NOOP("Text",
-                           "With \"off\" nothing moves after a start until a person arms the schedule. With "
-                           "\"on\" it arms itself once after each start, and the mount moves without anybody.")},
+                           "With \"off\" nothing moves after a start until a person arms the schedule. With \"on\" it "
+                           "arms itself once after each start, and the mount moves with nobody present.")},
         [](auto& p) -> auto& { return p.schedule.unattended; }));
     addPassHooks(list);
 }

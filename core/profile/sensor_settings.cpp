@@ -120,13 +120,13 @@ void addTrust(std::vector<Setting>& list)
     list.push_back(number(
         "sensor.deviation_sigma_deg", "°", {0.0, 90.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Uncertainty of north"),
-         QT_TRANSLATE_NOOP("Text", "1 sigma of the north that was found with the compass error. 0: unknown.")},
+         QT_TRANSLATE_NOOP("Text", "Uncertainty (1 sigma) of the north that the swing found. 0: unknown.")},
         [](auto& p) -> auto& { return p.sensor.deviation.sigma; }));
     list.push_back(number(
         "sensor.deviation_elevation_deg", "°", {-90.0, 180.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Elevation of the swing"),
          QT_TRANSLATE_NOOP("Text",
-                           "Elevation of the boom during the compass swing. The measured error holds best there.")},
+                           "Elevation of the boom during the compass swing. The measured error is most exact there.")},
         [](auto& p) -> auto& { return p.sensor.deviation.elevation; }));
     list.push_back(textual(
         "sensor.deviation_unreliable", kNow,

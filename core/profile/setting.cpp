@@ -135,7 +135,7 @@ void addLimits(std::vector<Setting>& list, const std::string& table, AxisSetting
     list.push_back(number(
         table + ".max_torque_nm", "Nm", {0.01, 10000.0}, Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "Largest torque"),
-         QT_TRANSLATE_NOOP("Text", "The drive uses no more torque, as its controller measures it.")},
+         QT_TRANSLATE_NOOP("Text", "The largest torque that the drive uses, as its controller measures it.")},
         [axis](auto& p) -> auto& { return (p.*axis).maxTorque; }));
     list.push_back(choice(
         table + ".power_up_position", {"ambiguous", "trusted"}, Applies::OnReconnect,
@@ -178,8 +178,8 @@ void addControl(std::vector<Setting>& list)
         "control.after_stall", {"resume", "wait"}, Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "After a stall"),
          QT_TRANSLATE_NOOP("Text",
-                           "What follows when this computer stalled for up to 2 s and the watchdogs stopped the "
-                           "drives: resume the motion, or wait for a re-arm.")},
+                           "What Boresight does after this computer stalled for up to 2 s and the watchdogs stopped "
+                           "the drives: resume the motion, or wait for a re-arm.")},
         [](auto& p) -> auto& { return p.control.afterStall; }));
     list.push_back(choice(
         "control.on_exit", {"hold", "brake", "off"}, Applies::Now,
@@ -280,8 +280,8 @@ void addClients(std::vector<Setting>& list)
         "rotctld.dump_state", {"old_and_new", "as_hamlib"}, Applies::OnReconnect,
         {QT_TRANSLATE_NOOP("Text", "Form of the state dump"),
          QT_TRANSLATE_NOOP("Text",
-                           "Form of the \\dump_state reply: readable for Hamlib clients of every age, or exactly as "
-                           "Hamlib 4.5.1 and later.")},
+                           "Form of the \\dump_state reply. Every version of Hamlib reads \"old_and_new\". "
+                           "\"as_hamlib\" is exactly the reply of Hamlib 4.5.1 and later.")},
         [](auto& p) -> auto& { return p.rotctld.dumpState; }));
     list.push_back(integer(
         "rotctld.max_clients", "", {1, 5000}, Applies::Now,

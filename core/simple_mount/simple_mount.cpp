@@ -91,7 +91,7 @@ MountFindings SimpleMount::supervise(const MountSituation& /*known*/)
             if (m_capabilities.has(axis)) {
                 found.troubles.push_back({.axis = axis,
                                           .loss = supervision::LossClass::Bus,
-                                          .what = Text::tr("the %1 fell silent").arg(label(axis))});
+                                          .what = Text::tr("the %1 stopped replying").arg(label(axis))});
             }
         }
     }

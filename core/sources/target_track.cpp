@@ -6,6 +6,7 @@
 #include "core/base/time_of_day.h"
 #include "core/elements/julian_date.h"
 #include "core/profile/clear_sky.h"
+#include "core/tracking/cable_forecast.h"
 #include "core/units/duration_text.h"
 
 #include <algorithm>
@@ -224,6 +225,22 @@ std::optional<AxisPosition> TargetTrack::roomyStart(const targets::SkyWay& way) 
     return best;
 }
 
+// If the mount waits at the end of the cable on the wrap that it has now.
+Seconds TargetTrack::lostByHolding() const
+{
+    const ControlParts view = helm().view();
+    const UtcTime now = view.clock.utc();
+    Angle last = m_tracked->place->azimuth;
+    std::vector<tracking::PathMoment> path{{.in = Seconds(0.0), .azimuth = last}};
+    for (const targets::SkyMoment& moment : *m_tracked->way) {
+        if (moment.utc > now) {
+            last = view.model.pointing().toAxes(moment.direction).axes.azimuth.nearestTo(last);
+            path.push_back({.in = moment.utc - now, .azimuth = last, .isReachable = !moment.isHidden});
+        }
+    }
+    return tracking::timeBeyond(path, view.motion.region().ranges().azimuth);
+}
+
 Result<AxisPosition> TargetTrack::follow(Tracked& tracked, UtcTime utc)
 {
     const bool waits = utc <= tracked.up.rises;  // where it rises, standing
@@ -330,6 +347,9 @@ void TargetTrack::describe(StationStatus& status) const
                                    .next = m_tracked->isUp ? m_tracked->up.sets : std::optional(m_tracked->up.rises),
                                    .way = m_tracked->way};
     status.tracked->number = numberOf(m_tracked->target);
+    if (status.cableEnd && status.cableEnd->turningBack && m_tracked->place) {
+        status.cableEnd->lostByHolding = lostByHolding();
+    }
 }
 
 }  // namespace boresight::sources

@@ -45,6 +45,7 @@ private:
     [[nodiscard]] Result<> reaches(Tracked& tracked, UtcTime now) const;
     [[nodiscard]] Result<Tracked> plan(const targets::Target& target, const Source& by) const;
     [[nodiscard]] targets::SkyWay wayOf(Tracked& tracked, UtcTime from) const;
+    [[nodiscard]] Seconds lostByHolding() const;
     [[nodiscard]] std::optional<AxisPosition> roomyStart(const targets::SkyWay& way) const;
     [[nodiscard]] UtcTime aimed(UtcTime utc) const;
     [[nodiscard]] Result<> mayGoOn() const;

@@ -104,7 +104,7 @@ std::vector<Adapter> adaptersOf(const std::vector<SerialPortFacts>& ports,
     all.insert(others.begin(), can.begin(), can.end());
     all.push_back({.bus = QStringLiteral("simulated"),
                    .name = Text::tr("Simulated mount"),
-                   .detail = Text::tr("built in, to try everything without a mount"),
+                   .detail = Text::tr("built in, for trying Boresight without a mount"),
                    .recognised = true,
                    .simulated = true});
     return all;

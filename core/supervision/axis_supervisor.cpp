@@ -150,12 +150,13 @@ void AxisSupervisor::judgeProgress(const AxisObservation& seen)
     // Told to turn round, an axis runs on for as long as its drive, which gives all it may, needs to stop it.
     const bool runsOn = !limit(seen.now).isEmpty() && m_progress.slowsDown();
     const double against = runsOn ? 0.0 : m_progress.against().degrees();
-    m_wrongWay.update(seen.now, against, {.stop = kAgainst.degrees(), .release = kAgainst.degrees()},
-                      [&] { return motion(Text::tr("%1 moves the wrong way: %2 at %3 commanded in %4, %5 moved")); });
+    m_wrongWay.update(seen.now, against, {.stop = kAgainst.degrees(), .release = kAgainst.degrees()}, [&] {
+        return motion(Text::tr("%1 moves the wrong way: it moved %5 in %4 instead of %2 (at %3)"));
+    });
     const double missing = m_progress.missing() ? m_progress.underCommand().count() : 0.0;
     const double longest = m_profile->supervision.stallTime.count();
     m_stalled.update(seen.now, missing, {.stop = longest, .release = longest}, [&] {
-        return motion(Text::tr("%1 does not move: %2 at %3 commanded in %4, %5 moved")) + limit(seen.now);
+        return motion(Text::tr("%1 does not move: it moved %5 in %4 instead of %2 (at %3)")) + limit(seen.now);
     });
 }
 
@@ -268,7 +269,7 @@ void AxisSupervisor::judgePush(const AxisObservation& seen, double share)
     const Angle apart = abs(seen.commanded - seen.actual);
     const bool pushes = share >= kAllTorque && apart > kNotThere;
     m_pushes.update(seen.now, pushes ? 1.0 : 0.0, {.stop = 1.0, .release = 1.0, .after = kTorqueLasts}, [&] {
-        return Text::tr("%1 does not move: %2 from its set-point with %3 Nm of the %4 Nm allowed, for %5")
+        return Text::tr("%1 does not move: it is %2 away from its set-point for %5, with %3 Nm of the %4 Nm allowed")
                    .arg(m_names.axis, words(apart), words(std::abs(seen.torque.value_or(0.0)), 1),
                         words(m_profile->axis(m_axis).maxTorque, 1), words(kTorqueLasts)) +
                limit(seen.now);

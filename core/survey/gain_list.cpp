@@ -49,7 +49,7 @@ Bounds filterBounds(double stored, double stiffness, double damping)
     return {.least = stored > 0.0 ? std::min(least, stored) : least,
             .most = std::max(kHighestFilter, stored),
             .why = Text::tr("Set at least ten times the bandwidth of the position control. With less, the measured "
-                            "speed is too late for the damping.")};
+                            "speed lags too much for the damping.")};
 }
 
 Bounds boundsOf(Gain gain, const GainValues& stored)

@@ -20,7 +20,8 @@ Result<SkyPointing> directionOf(const EarthPosition& position, const QString& na
     const orbit::Vector ground = orbit::Observer(position.site).ground({}, 0.0);
     const orbit::LookAngles seen = observer.look({.position = ground, .velocity = {}});
     if (seen.kilometres < kNearest) {
-        return failure(ErrorCode::NotAvailable, Text::tr("%1 is where the mount stands.").arg(name));
+        return failure(ErrorCode::NotAvailable,
+                       Text::tr("%1 is the site of the mount, so it has no direction.").arg(name));
     }
     if (position.path == GreatCircle::Long) {
         return SkyPointing{.azimuth = (seen.direction.azimuth + 180_deg).wrapped360(), .elevation = {}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/cable_forecast.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -56,6 +57,17 @@ Angle azimuthOf(const Vector& direction)
     return Angle::fromRadians(std::atan2(direction[1], direction[0]));
 }
 
+// Of the way from one azimuth to the other, from 0 to 1.
+double partBeyond(Angle from, Angle to, const TravelRange& azimuths)
+{
+    const auto [low, high] = std::minmax(from, to);
+    if (low == high) {
+        return azimuths.contains(low) ? 0.0 : 1.0;
+    }
+    const Angle inside = std::min(high, azimuths.max) - std::max(low, azimuths.min);
+    return 1.0 - std::max(inside, Angle{}) / (high - low);
+}
+
 }  // namespace
 
 std::optional<CableForecast> forecastCableEnd(const MovingTarget& target, const TravelRange& azimuths)
@@ -83,6 +95,19 @@ std::optional<CableForecast> forecastCableEnd(const MovingTarget& target, const 
         direction = next;
     }
     return std::nullopt;
+}
+
+Seconds timeBeyond(const std::vector<PathMoment>& path, const TravelRange& azimuths)
+{
+    Seconds lost{};
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const PathMoment& from = path[i - 1];
+        const PathMoment& to = path[i];
+        if (from.isReachable && to.isReachable) {
+            lost += (to.in - from.in) * partBeyond(from.azimuth, to.azimuth, azimuths);
+        }
+    }
+    return lost;
 }
 
 }  // namespace boresight::tracking

@@ -4,6 +4,7 @@
 #include "core/tracking/target_stream.h"
 
 #include <optional>
+#include <vector>
 
 // Where a path that is followed will lead beyond the range of the azimuth, told in time. The path is taken to go on as
 // a great circle through the sky with its present speed: near the zenith an azimuth rate of this moment says nothing
@@ -19,5 +20,17 @@ struct CableForecast
 
 // Empty: the target sets, or turns back, before it comes there; or it stands.
 [[nodiscard]] std::optional<CableForecast> forecastCableEnd(const MovingTarget& target, const TravelRange& azimuths);
+
+// A path that is known ahead, as a satellite's is. The azimuth is counted beyond 360°.
+struct PathMoment
+{
+    Seconds in;  // from now
+    Angle azimuth;
+    bool isReachable = true;  // the limits do not hide it
+};
+
+// How much of the path the mount loses if it waits at the end of the range until the path comes back. What the limits
+// hide is lost anyway, and does not count. Between two moments the azimuth is taken to run evenly.
+[[nodiscard]] Seconds timeBeyond(const std::vector<PathMoment>& path, const TravelRange& azimuths);
 
 }  // namespace boresight::tracking

@@ -134,10 +134,6 @@
         <translation>Sem ajuste destes pontos</translation>
     </message>
     <message>
-        <source>, each by the others %1</source>
-        <translation>, cada um pelos outros %1</translation>
-    </message>
-    <message>
         <source>, χ² %1</source>
         <translation>, χ² %1</translation>
     </message>
@@ -174,24 +170,12 @@
         <translation>o norte mantém-se</translation>
     </message>
     <message>
-        <source>%1: rms %2, as proposed %3; their own fit, %4: %5</source>
-        <translation>%1: rms %2, como proposto %3; o ajuste deles, %4: %5</translation>
-    </message>
-    <message>
-        <source>%1: rms %2; their own fit, %3: %4</source>
-        <translation>%1: rms %2; o ajuste deles, %3: %4</translation>
-    </message>
-    <message>
         <source>Nothing proposed yet</source>
         <translation>Ainda não há proposta</translation>
     </message>
     <message>
         <source>No fit: %1</source>
         <translation>Sem ajuste: %1</translation>
-    </message>
-    <message>
-        <source>North %1. Of the uncertainty %2 are from the readings, %3 are invisible to a swing.</source>
-        <translation>Norte %1: %2 vêm das leituras, %3 que nenhum giro vê.</translation>
     </message>
     <message>
         <source>The azimuth axis leans by %1 ± %2 towards %3. At 0° of the elevation axis the sensor reports %4.</source>
@@ -208,6 +192,22 @@
     <message>
         <source>Never look into the Sun or along a sight tube. The Sun can burn the feed of a dish. Use the shadow and be quick.</source>
         <translation>Nunca olhe para o Sol, nem por um tubo de mira. Um prato queima o alimentador: siga a sombra, seja rápido.</translation>
+    </message>
+    <message>
+        <source>North %1. The readings cause %2 of the uncertainty. A swing cannot show the other %3.</source>
+        <translation>Norte %1. As leituras causam %2 da incerteza. Um giro não mostra os outros %3.</translation>
+    </message>
+    <message>
+        <source>%1: rms %2 now, %3 with the proposal, %5 with their own fit (%4)</source>
+        <translation>%1: rms %2 agora, %3 com a proposta, %5 com o ajuste próprio (%4)</translation>
+    </message>
+    <message>
+        <source>%1: rms %2 now, %4 with their own fit (%3)</source>
+        <translation>%1: rms %2 agora, %4 com o ajuste próprio (%3)</translation>
+    </message>
+    <message>
+        <source>, each predicted from the others %1</source>
+        <translation>, cada um previsto pelos outros %1</translation>
     </message>
 </context>
 <context>
@@ -326,10 +326,6 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>Local: onde está a montagem?</translation>
     </message>
     <message>
-        <source>Client: which program follows the satellites?</source>
-        <translation>Cliente: que programa segue os satélites?</translation>
-    </message>
-    <message>
         <source>The drives have not been read.</source>
         <translation>Os acionamentos não foram lidos.</translation>
     </message>
@@ -425,6 +421,10 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <source>Protect: are the safety settings of each drive right?</source>
         <translation>Proteção: as definições de segurança de cada acionamento estão certas?</translation>
     </message>
+    <message>
+        <source>Client: which program tracks the satellites?</source>
+        <translation>Cliente: que programa segue os satélites?</translation>
+    </message>
 </context>
 <context>
     <name>HorizonFiles</name>
@@ -517,6 +517,14 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <message>
         <source>%1, from %2 to %3</source>
         <translation>%1, de %2 a %3</translation>
+    </message>
+    <message>
+        <source>elements %1 days old, more than half the beam off</source>
+        <translation>elementos com %1 dias, mais de meio feixe de erro</translation>
+    </message>
+    <message>
+        <source>elements %1 days old, %2 off</source>
+        <translation>elementos com %1 dias, %2 de erro</translation>
     </message>
 </context>
 <context>
@@ -899,16 +907,16 @@ até %1</translation>
         <translation>Temperatura</translation>
     </message>
     <message>
-        <source>%1 %2%3, in between %4%3</source>
-        <translation>%1 %2%3, entretanto %4%3</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
         <source>no data</source>
         <translation>sem dados</translation>
+    </message>
+    <message>
+        <source>%1 %2%3, range %4%3</source>
+        <translation>%1 %2%3, intervalo %4%3</translation>
     </message>
 </context>
 <context>
@@ -1151,10 +1159,6 @@ até %1</translation>
     <message>
         <source>Disturbed or wrong wiring at an aux port</source>
         <translation>Fiação perturbada ou errada numa porta aux</translation>
-    </message>
-    <message>
-        <source>A device at an aux port sends more, or at another speed, than configured</source>
-        <translation>Um dispositivo numa porta aux envia mais, ou a outra velocidade, do que o configurado</translation>
     </message>
     <message>
         <source>A blocked axis, wrong gains, or a trajectory too fast for the torque allowed</source>
@@ -1427,10 +1431,6 @@ até %1</translation>
     <message>
         <source>Braking energy is burnt in the motor to hold the bus voltage</source>
         <translation>A energia da frenagem é dissipada no motor para manter a tensão do barramento</translation>
-    </message>
-    <message>
-        <source>The supply does not take back what braking feeds it</source>
-        <translation>A alimentação não absorve o que a frenagem lhe devolve</translation>
     </message>
     <message>
         <source>The drive reports a code that register map 5 does not define</source>
@@ -1733,10 +1733,6 @@ até %1</translation>
         <translation>Os acionamentos param por si após este tempo sem comando.</translation>
     </message>
     <message>
-        <source>Form of the \dump_state reply: readable for Hamlib clients of every age, or exactly as Hamlib 4.5.1 and later.</source>
-        <translation>Forma da resposta a \dump_state: legível para clientes Hamlib de todas as idades, ou exatamente como Hamlib 4.5.1 e posteriores.</translation>
-    </message>
-    <message>
         <source>a finite number is expected</source>
         <translation>espera-se um número finito</translation>
     </message>
@@ -1901,10 +1897,6 @@ até %1</translation>
         <translation>todos os acionamentos têm de responder antes de rearmar</translation>
     </message>
     <message>
-        <source>the drives have not been looked at yet</source>
-        <translation>os acionamentos ainda não foram examinados</translation>
-    </message>
-    <message>
         <source>a moment ago</source>
         <translation>há um momento</translation>
     </message>
@@ -1959,10 +1951,6 @@ até %1</translation>
     <message>
         <source>elevation drive</source>
         <translation>acionamento de elevação</translation>
-    </message>
-    <message>
-        <source>the %1 fell silent</source>
-        <translation>o %1 ficou mudo</translation>
     </message>
     <message>
         <source>cannot write %1: %2</source>
@@ -2093,20 +2081,12 @@ até %1</translation>
         <translation>todos os acionamentos têm de responder</translation>
     </message>
     <message>
-        <source>a crash stop is proven at %1 to %2°/s</source>
-        <translation>uma parada brusca ensaia-se a %1 até %2°/s</translation>
-    </message>
-    <message>
         <source>ended by the %1</source>
         <translation>terminado por: %1</translation>
     </message>
     <message>
         <source>done</source>
         <translation>concluído</translation>
-    </message>
-    <message>
-        <source>crash stop from %1°/s: stood after %2° and %3 ms</source>
-        <translation>parada brusca desde %1°/s: parou após %2° e %3 ms</translation>
     </message>
     <message>
         <source>command line</source>
@@ -2237,14 +2217,6 @@ até %1</translation>
     <message>
         <source>the elevation</source>
         <translation>eixo de elevação</translation>
-    </message>
-    <message>
-        <source>%1 moves the wrong way: %2 at %3 commanded in %4, %5 moved</source>
-        <translation>o %1 move-se para o lado errado: %2 a %3 comandados em %4, %5 movidos</translation>
-    </message>
-    <message>
-        <source>%1 does not move: %2 at %3 commanded in %4, %5 moved</source>
-        <translation>o %1 não se move: %2 a %3 comandados em %4, %5 movidos</translation>
     </message>
     <message>
         <source>%1 is at %2, %3 beyond its travel %4…%5, and moves farther out</source>
@@ -2507,10 +2479,6 @@ até %1</translation>
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>the drive&apos;s direction contradicts %1: the nearest it can be at is %2 (if that is wrong, another tool has set its position: switch its power off and on)</source>
-        <translation>a direção do acionamento contradiz %1: o mais próximo onde pode estar é %2 (se isso está errado, outra ferramenta definiu a sua posição: desligue e ligue a alimentação)</translation>
-    </message>
-    <message>
         <source>chosen</source>
         <translation>escolhido</translation>
     </message>
@@ -2533,10 +2501,6 @@ até %1</translation>
     <message>
         <source>Simulated mount</source>
         <translation>Montagem simulada</translation>
-    </message>
-    <message>
-        <source>built in, to try everything without a mount</source>
-        <translation>embutida, para experimentar tudo sem montagem</translation>
     </message>
     <message>
         <source>The drive&apos;s position was set by another tool</source>
@@ -2939,10 +2903,6 @@ até %1</translation>
         <translation>%1, alterado à mão depois</translation>
     </message>
     <message>
-        <source>%1; since then by hand: %2</source>
-        <translation>%1; depois disso, à mão: %2</translation>
-    </message>
-    <message>
         <source>from a file</source>
         <translation>de um arquivo</translation>
     </message>
@@ -3083,16 +3043,8 @@ até %1</translation>
         <translation>o %1 está parado e precisa de %2 Nm, %3 % dos %4 Nm permitidos: mais do que os %5 Nm do peso e do atrito</translation>
     </message>
     <message>
-        <source>%1 does not move: %2 from its set-point with %3 Nm of the %4 Nm allowed, for %5</source>
-        <translation>o %1 não se move: está a %2 da sua referência com %3 Nm dos %4 Nm permitidos, há %5</translation>
-    </message>
-    <message>
         <source>%1 lines were lost: the disk did not store them in time</source>
         <translation>perderam-se %1 linhas: o disco não as guardou a tempo</translation>
-    </message>
-    <message>
-        <source>Real-time scheduling: given back after 0.1 s of work without a pause.</source>
-        <translation>Escalonamento em tempo real: devolvido após 0.1 s de trabalho sem pausa.</translation>
     </message>
     <message>
         <source>With &quot;synchronised&quot; Boresight computes the Sun only from a clock that NTP or GPS set in the last 24 h. With &quot;trusted&quot; it uses the clock of this computer without that check.</source>
@@ -3184,20 +3136,12 @@ até %1</translation>
         <translation>O Boresight não consegue aplicar a declinação. %1</translation>
     </message>
     <message>
-        <source>Nothing corrects the declination. The heading contains %1 of the sensor.</source>
-        <translation>Nada corrige a declinação. O rumo contém %1 do sensor.</translation>
-    </message>
-    <message>
         <source>The declination here is %1, but the sensor added %2. Its headings are off by %3.</source>
         <translation>A declinação aqui é %1, mas o sensor somou %2. Os rumos dele têm um erro de %3.</translation>
     </message>
     <message>
         <source>The magnetic model %1 ended with %2. Its declination is less exact each year. Get the present World Magnetic Model (.COF).</source>
         <translation>O modelo magnético %1 terminou em %2. A sua declinação é menos exata a cada ano. Obtenha o World Magnetic Model atual (.COF).</translation>
-    </message>
-    <message>
-        <source>The magnetic model %1 ends with %2. Look for the next one.</source>
-        <translation>O modelo magnético %1 termina em %2. Procure o seguinte.</translation>
     </message>
     <message>
         <source>This calibration belongs to the mount at %2, but the bus of the profile is now %1. Set the bus back, or press Reconnect and calibrate again.</source>
@@ -3984,10 +3928,6 @@ até %1</translation>
         <translation>%1: O ficheiro tem mais de %2 MB.</translation>
     </message>
     <message>
-        <source>%1: Satellite %2 is %3 km away from where %4 places it. Boresight uses %4.</source>
-        <translation>%1: O satélite %2 está a %3 km do lugar que %4 lhe dá. O Boresight usa %4.</translation>
-    </message>
-    <message>
         <source>%1: There are no elements of satellite %2 in %3. Update them in Gpredict.</source>
         <translation>%1: Não há elementos do satélite %2 em %3. Atualize-os no Gpredict.</translation>
     </message>
@@ -4066,10 +4006,6 @@ até %1</translation>
     <message>
         <source>Cool and shade the board, or move less. At its limit the drive switches itself off.</source>
         <translation>Arrefeça e proteja a placa do sol, ou mova menos. No seu limite o acionamento desliga-se.</translation>
-    </message>
-    <message>
-        <source>Look whether the cable is wrapped around the mount. Jog the other way.</source>
-        <translation>Veja se o cabo está enrolado na montagem. Mova à mão no outro sentido.</translation>
     </message>
     <message>
         <source>The %1 reports fault %2: %3</source>
@@ -4784,16 +4720,8 @@ até %1</translation>
         <translation>Incerteza do norte</translation>
     </message>
     <message>
-        <source>1 sigma of the north that was found with the compass error. 0: unknown.</source>
-        <translation>1 sigma do norte achado com o erro da bússola. 0: desconhecido.</translation>
-    </message>
-    <message>
         <source>Elevation of the swing</source>
         <translation>Elevação do giro</translation>
-    </message>
-    <message>
-        <source>Elevation of the boom during the compass swing. The measured error holds best there.</source>
-        <translation>Elevação da lança durante o giro da bússola. É aí que o erro medido é mais exato.</translation>
     </message>
     <message>
         <source>Unreliable headings</source>
@@ -5024,10 +4952,6 @@ até %1</translation>
         <translation>Torque máximo</translation>
     </message>
     <message>
-        <source>The drive uses no more torque, as its controller measures it.</source>
-        <translation>O acionamento não usa mais torque, medido pelo seu controlador.</translation>
-    </message>
-    <message>
         <source>Position after power-up</source>
         <translation>Posição após ligar</translation>
     </message>
@@ -5054,10 +4978,6 @@ até %1</translation>
     <message>
         <source>After a stall</source>
         <translation>Após bloqueio do PC</translation>
-    </message>
-    <message>
-        <source>What follows when this computer stalled for up to 2 s and the watchdogs stopped the drives: resume the motion, or wait for a re-arm.</source>
-        <translation>O que se segue quando este computador esteve bloqueado até 2 s e os watchdogs pararam os acionamentos: retomar o movimento, ou esperar que se rearme.</translation>
     </message>
     <message>
         <source>At program end</source>
@@ -6028,10 +5948,6 @@ até %1</translation>
         <translation>o ponto %1 não é um número, ou não tem sigma</translation>
     </message>
     <message>
-        <source>There is no point.</source>
-        <translation>não há nenhum ponto</translation>
-    </message>
-    <message>
         <source>kept near its known value until there are %1 points</source>
         <translation>perto do que dele se sabia, até haver %1 pontos</translation>
     </message>
@@ -6680,10 +6596,6 @@ até %1</translation>
         <translation>a montagem segue: %1; retenha-a primeiro</translation>
     </message>
     <message>
-        <source>%1 points from before are loaded. They count when every drive has reported its identity</source>
-        <translation>%1 pontos tomados antes estão de novo aqui; contam quando todos os acionamentos tiverem indicado a sua identidade</translation>
-    </message>
-    <message>
         <source>There are already %1 points. Drop some.</source>
         <translation>já há %1 pontos: descarte alguns</translation>
     </message>
@@ -7056,10 +6968,6 @@ até %1</translation>
         <translation>Os ganhos estão guardados. O acionamento mantém-nos depois de desligado e ligado.</translation>
     </message>
     <message>
-        <source>Set at least ten times the bandwidth of the position control. With less, the measured speed is too late for the damping.</source>
-        <translation>Defina pelo menos dez vezes a largura de banda do controlo de posição. Com menos, a velocidade medida chega tarde demais para o amortecimento.</translation>
-    </message>
-    <message>
         <source>The gear ratio of the profile (gear_ratio, gear_in). With another ratio every angle is wrong. Press Set gear to write the ratio of the profile. Boresight also changes the gains.</source>
         <translation>A relação de transmissão do perfil (gear_ratio, gear_in). Com outra relação todos os ângulos estão errados. Prima Definir redução para escrever a relação do perfil. O Boresight altera também os ganhos.</translation>
     </message>
@@ -7182,10 +7090,6 @@ até %1</translation>
     <message>
         <source>Lead of the set-points</source>
         <translation>Avanço das referências</translation>
-    </message>
-    <message>
-        <source>A tracked satellite is aimed at where it is this much later.</source>
-        <translation>Um satélite seguido é apontado para onde estará após este tempo.</translation>
     </message>
     <message>
         <source>The elements of %1 are %2 days old. The setting oldest_days permits %3. Load newer elements.</source>
@@ -7320,10 +7224,6 @@ até %1</translation>
         <translation>A Lua já não é seguida pelo azel.dat: %1</translation>
     </message>
     <message>
-        <source>The Moon of azel.dat is %1 from where the Moon is over the site</source>
-        <translation>A Lua do azel.dat está a %1 de onde a Lua está sobre o local</translation>
-    </message>
-    <message>
         <source>The mount follows the file, in its steps of 0.1°</source>
         <translation>A montagem segue o ficheiro, nos seus passos de 0,1°</translation>
     </message>
@@ -7346,10 +7246,6 @@ até %1</translation>
     <message>
         <source>the file is empty</source>
         <translation>o ficheiro está vazio</translation>
-    </message>
-    <message>
-        <source>the file is that of AirScout, which has another form</source>
-        <translation>o ficheiro é do AirScout, que tem outro formato</translation>
     </message>
     <message>
         <source>the file is cut: the line of the Sun or of the Doppler is missing</source>
@@ -7424,10 +7320,6 @@ até %1</translation>
         <translation>Mover só na receção</translation>
     </message>
     <message>
-        <source>Whether the mount stands still while WSJT-X transmits. The way that is saved up is driven in the next receive period.</source>
-        <translation>Se a montagem fica parada enquanto o WSJT-X transmite. O caminho acumulado é percorrido no período de receção seguinte.</translation>
-    </message>
-    <message>
         <source>its Moon is %1 off: the locator in WSJT-X or the site is wrong</source>
         <translation>a sua Lua está desviada %1: o localizador no WSJT-X ou o local está errado</translation>
     </message>
@@ -7450,10 +7342,6 @@ até %1</translation>
     <message>
         <source>Moon (WSJT-X)</source>
         <translation>Lua (WSJT-X)</translation>
-    </message>
-    <message>
-        <source>%1 is where the mount stands.</source>
-        <translation>%1 está onde está a montagem.</translation>
     </message>
     <message>
         <source>A direction is &quot;azel AZIMUTH,ELEVATION&quot; in degrees, like &quot;azel 120.5,30&quot;.</source>
@@ -7580,16 +7468,8 @@ até %1</translation>
         <translation>1 é a mais importante.</translation>
     </message>
     <message>
-        <source>Its passes count from this elevation on.</source>
-        <translation>As suas passagens contam a partir desta elevação.</translation>
-    </message>
-    <message>
         <source>Passes that overlap</source>
         <translation>Passagens sobrepostas</translation>
-    </message>
-    <message>
-        <source>Which one is tracked: that of the more important satellite, the longer one, or the one that begins first.</source>
-        <translation>Qual delas é seguida: a do satélite mais importante, a mais longa, ou a que começa primeiro.</translation>
     </message>
     <message>
         <source>In place before a pass</source>
@@ -7618,10 +7498,6 @@ até %1</translation>
     <message>
         <source>Unattended</source>
         <translation>Sem operador</translation>
-    </message>
-    <message>
-        <source>With &quot;off&quot; nothing moves after a start until a person arms the schedule. With &quot;on&quot; it arms itself once after each start, and the mount moves without anybody.</source>
-        <translation>Com &quot;off&quot; nada se move depois de um arranque até uma pessoa armar a agenda. Com &quot;on&quot; ela arma-se sozinha uma vez depois de cada arranque, e a montagem move-se sem ninguém.</translation>
     </message>
     <message>
         <source>is needed</source>
@@ -7704,10 +7580,6 @@ até %1</translation>
         <translation>O relógio deste computador foi acertado em %1 s</translation>
     </message>
     <message>
-        <source>Boresight computes satellites, Sun and Moon by the new time</source>
-        <translation>O Boresight calcula satélites, Sol e Lua pela nova hora</translation>
-    </message>
-    <message>
         <source>Check the time source if this was not expected</source>
         <translation>Verifique a fonte de tempo se isto não era esperado</translation>
     </message>
@@ -7722,10 +7594,6 @@ até %1</translation>
     <message>
         <source>the clock of this computer was set back</source>
         <translation>o relógio deste computador foi atrasado</translation>
-    </message>
-    <message>
-        <source>another plan has no such pass</source>
-        <translation>outro plano não tem esta passagem</translation>
     </message>
     <message>
         <source>AOS of %1</source>
@@ -7764,16 +7632,8 @@ até %1</translation>
         <translation>Tempo antes do AOS</translation>
     </message>
     <message>
-        <source>The program before AOS runs this long before it, or after LOS of the pass before.</source>
-        <translation>O programa antes do AOS corre este tempo antes dele, ou depois do LOS da passagem anterior.</translation>
-    </message>
-    <message>
         <source>Program at AOS</source>
         <translation>Programa no AOS</translation>
-    </message>
-    <message>
-        <source>The same when a pass begins that the schedule tracks.</source>
-        <translation>O mesmo quando começa uma passagem que a agenda segue.</translation>
     </message>
     <message>
         <source>Program at LOS</source>
@@ -7782,10 +7642,6 @@ até %1</translation>
     <message>
         <source>Program at a fault</source>
         <translation>Programa numa falha</translation>
-    </message>
-    <message>
-        <source>The same when a fault ends the armed schedule.</source>
-        <translation>O mesmo quando uma falha termina a agenda armada.</translation>
     </message>
     <message>
         <source>%1 was not started: %2 programs run already</source>
@@ -7810,10 +7666,6 @@ até %1</translation>
     <message>
         <source>ended with status %1 after %2 s</source>
         <translation>acabou com o estado %1 ao fim de %2 s</translation>
-    </message>
-    <message>
-        <source>The same when such a pass ends, also before its time.</source>
-        <translation>O mesmo quando uma tal passagem acaba, também antes do tempo.</translation>
     </message>
     <message>
         <source>%1: this folder cannot be made</source>
@@ -7986,10 +7838,6 @@ até %1</translation>
     <message>
         <source>Azimuth moved %1 and elevation %2 while no reply came. The position is continuous</source>
         <translation>O azimute moveu-se %1 e a elevação %2 enquanto não houve resposta. A posição é contínua</translation>
-    </message>
-    <message>
-        <source>both drives fell silent</source>
-        <translation>os dois acionamentos deixaram de responder</translation>
     </message>
     <message>
         <source>compass swing, to a heading</source>
@@ -8326,10 +8174,6 @@ até %1</translation>
     <message>
         <source>Favourite</source>
         <translation>Favorito</translation>
-    </message>
-    <message>
-        <source>Whether it has a star and a place in the timeline.</source>
-        <translation>Se tem uma estrela e um lugar na linha do tempo.</translation>
     </message>
     <message>
         <source>Note</source>
@@ -8891,6 +8735,166 @@ até %1</translation>
         <source>. Your level is off by %1 ± %2</source>
         <translation>. O seu nivelamento está errado em %1 ± %2</translation>
     </message>
+    <message>
+        <source>Check whether the cable is wrapped around the mount. Jog the other way.</source>
+        <translation>Verifique se o cabo está enrolado à volta da montagem. Mova para o outro lado.</translation>
+    </message>
+    <message>
+        <source>The Moon of azel.dat is %1 away from the Moon that Boresight computes for the site</source>
+        <translation>A Lua de azel.dat está a %1 da Lua que o Boresight calcula para o local</translation>
+    </message>
+    <message>
+        <source>Boresight computes satellites, Sun and Moon with the new time</source>
+        <translation>O Boresight calcula satélites, Sol e Lua com a nova hora</translation>
+    </message>
+    <message>
+        <source>the file is from AirScout and has another form</source>
+        <translation>o ficheiro é do AirScout e tem outra forma</translation>
+    </message>
+    <message>
+        <source>%1: This file and %4 place satellite %2 %3 km apart. Boresight uses %4.</source>
+        <translation>%1: Este ficheiro e %4 colocam o satélite %2 a %3 km um do outro. O Boresight usa %4.</translation>
+    </message>
+    <message>
+        <source>Nothing corrects the declination. The heading contains the %1 that the sensor adds.</source>
+        <translation>Nada corrige a declinação. O rumo contém os %1 que o sensor soma.</translation>
+    </message>
+    <message>
+        <source>The magnetic model %1 ends with %2. Get the next one before that.</source>
+        <translation>O modelo magnético %1 termina com %2. Obtenha o seguinte antes disso.</translation>
+    </message>
+    <message>
+        <source>A device at an aux port sends more data than configured, or at another speed</source>
+        <translation>Um dispositivo numa porta aux envia mais dados do que o configurado, ou a outra velocidade</translation>
+    </message>
+    <message>
+        <source>The supply does not absorb the braking energy</source>
+        <translation>A fonte não absorve a energia de travagem</translation>
+    </message>
+    <message>
+        <source>the %1 stopped replying</source>
+        <translation>o %1 deixou de responder</translation>
+    </message>
+    <message>
+        <source>the drives have not been checked yet</source>
+        <translation>os acionamentos ainda não foram verificados</translation>
+    </message>
+    <message>
+        <source>both drives stopped replying</source>
+        <translation>ambos os acionamentos deixaram de responder</translation>
+    </message>
+    <message>
+        <source>the rate of a crash-stop test must be %1 to %2°/s</source>
+        <translation>a velocidade de uma prova de paragem tem de ser de %1 a %2°/s</translation>
+    </message>
+    <message>
+        <source>crash stop from %1°/s: stopped after %2° and %3 ms</source>
+        <translation>prova de paragem a partir de %1°/s: parou após %2° e %3 ms</translation>
+    </message>
+    <message>
+        <source>the drive contradicts %1. The nearest place that it permits is %2. If that place is wrong, another tool has set the position of the drive. Then switch its power off and on</source>
+        <translation>o acionamento contradiz %1. A posição mais próxima que ele permite é %2. Se essa posição estiver errada, outra ferramenta definiu a posição do acionamento. Nesse caso desligue e volte a ligar a sua alimentação</translation>
+    </message>
+    <message>
+        <source>the new plan does not contain this pass</source>
+        <translation>o novo plano não contém esta passagem</translation>
+    </message>
+    <message>
+        <source>%1. Changed by hand after that: %2</source>
+        <translation>%1. Alterado à mão depois disso: %2</translation>
+    </message>
+    <message>
+        <source>%1 earlier points are loaded. They count when every drive has reported its identity</source>
+        <translation>%1 pontos anteriores foram lidos. Contam quando todos os acionamentos tiverem comunicado a sua identidade</translation>
+    </message>
+    <message>
+        <source>Whether the satellite is a favourite, with a star and a place in the timeline.</source>
+        <translation>Se o satélite é um favorito, com uma estrela e um lugar na linha do tempo.</translation>
+    </message>
+    <message>
+        <source>The mount aims at where the tracked satellite is this much later.</source>
+        <translation>A montagem aponta para onde o satélite seguido está este tempo mais tarde.</translation>
+    </message>
+    <message>
+        <source>Whether the mount stands still while WSJT-X transmits. It catches up in the next receive period.</source>
+        <translation>Se a montagem fica parada enquanto o WSJT-X emite. Recupera no período de receção seguinte.</translation>
+    </message>
+    <message>
+        <source>Only the part of its passes above this elevation counts.</source>
+        <translation>Só conta a parte das passagens acima desta elevação.</translation>
+    </message>
+    <message>
+        <source>The program before AOS runs this long before AOS. It never runs before LOS of the previous pass.</source>
+        <translation>O programa antes de AOS corre este tempo antes de AOS. Nunca corre antes de LOS da passagem anterior.</translation>
+    </message>
+    <message>
+        <source>A program that runs when a pass of the armed schedule begins. Its form is that of &quot;Program before AOS&quot;.</source>
+        <translation>Um programa que corre quando começa uma passagem da agenda armada. A forma é a de &quot;Programa antes do AOS&quot;.</translation>
+    </message>
+    <message>
+        <source>A program that runs when a pass of the armed schedule ends, also when it ends early. Its form is that of &quot;Program before AOS&quot;.</source>
+        <translation>Um programa que corre quando termina uma passagem da agenda armada, mesmo antes do tempo. A forma é a de &quot;Programa antes do AOS&quot;.</translation>
+    </message>
+    <message>
+        <source>A program that runs when a fault ends the armed schedule. Its form is that of &quot;Program before AOS&quot;.</source>
+        <translation>Um programa que corre quando uma falha termina a agenda armada. A forma é a de &quot;Programa antes do AOS&quot;.</translation>
+    </message>
+    <message>
+        <source>Which of two overlapping passes is tracked: the pass of the more important satellite, the longer pass, or the pass that begins first.</source>
+        <translation>Qual de duas passagens sobrepostas é seguida: a do satélite mais importante, a mais longa, ou a que começa primeiro.</translation>
+    </message>
+    <message>
+        <source>With &quot;off&quot; nothing moves after a start until a person arms the schedule. With &quot;on&quot; it arms itself once after each start, and the mount moves with nobody present.</source>
+        <translation>Com &quot;off&quot; nada se move depois de um arranque até que alguém arme a agenda. Com &quot;on&quot; ela arma-se uma vez depois de cada arranque, e a montagem move-se sem ninguém presente.</translation>
+    </message>
+    <message>
+        <source>Uncertainty (1 sigma) of the north that the swing found. 0: unknown.</source>
+        <translation>Incerteza (1 sigma) do norte que o giro encontrou. 0: desconhecida.</translation>
+    </message>
+    <message>
+        <source>Elevation of the boom during the compass swing. The measured error is most exact there.</source>
+        <translation>Elevação da lança durante o giro da bússola. Aí o erro medido é mais exato.</translation>
+    </message>
+    <message>
+        <source>The largest torque that the drive uses, as its controller measures it.</source>
+        <translation>O maior binário que o acionamento usa, tal como o controlador o mede.</translation>
+    </message>
+    <message>
+        <source>What Boresight does after this computer stalled for up to 2 s and the watchdogs stopped the drives: resume the motion, or wait for a re-arm.</source>
+        <translation>O que o Boresight faz depois de este computador ter parado até 2 s e os watchdogs terem parado os acionamentos: retomar o movimento, ou esperar por um rearme.</translation>
+    </message>
+    <message>
+        <source>Form of the \dump_state reply. Every version of Hamlib reads &quot;old_and_new&quot;. &quot;as_hamlib&quot; is exactly the reply of Hamlib 4.5.1 and later.</source>
+        <translation>Forma da resposta \dump_state. Todas as versões de Hamlib leem &quot;old_and_new&quot;. &quot;as_hamlib&quot; é exatamente a resposta de Hamlib 4.5.1 e posteriores.</translation>
+    </message>
+    <message>
+        <source>built in, for trying Boresight without a mount</source>
+        <translation>incluído, para experimentar o Boresight sem montagem</translation>
+    </message>
+    <message>
+        <source>Real-time scheduling: off. Boresight worked for 0.1 s without a pause, and gave it back.</source>
+        <translation>Escalonamento em tempo real: desligado. O Boresight trabalhou 0,1 s sem pausa e devolveu-o.</translation>
+    </message>
+    <message>
+        <source>%1 moves the wrong way: it moved %5 in %4 instead of %2 (at %3)</source>
+        <translation>%1 move-se no sentido errado: moveu-se %5 em %4 em vez de %2 (a %3)</translation>
+    </message>
+    <message>
+        <source>%1 does not move: it moved %5 in %4 instead of %2 (at %3)</source>
+        <translation>%1 não se move: moveu-se %5 em %4 em vez de %2 (a %3)</translation>
+    </message>
+    <message>
+        <source>%1 does not move: it is %2 away from its set-point for %5, with %3 Nm of the %4 Nm allowed</source>
+        <translation>%1 não se move: está a %2 do valor pedido há %5, com %3 Nm dos %4 Nm permitidos</translation>
+    </message>
+    <message>
+        <source>Set at least ten times the bandwidth of the position control. With less, the measured speed lags too much for the damping.</source>
+        <translation>Defina pelo menos dez vezes a largura de banda do controlo de posição. Com menos, a velocidade medida atrasa-se demasiado para o amortecimento.</translation>
+    </message>
+    <message>
+        <source>%1 is the site of the mount, so it has no direction.</source>
+        <translation>%1 é o local da montagem, por isso não tem direção.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -9136,6 +9140,10 @@ SDL 2, toml++</translation>
     <message>
         <source>Do not unwrap. The mount waits at the cable end until it can reach the target again. Clients keep control</source>
         <translation>Não desenrolar. A montagem espera no fim do cabo até poder alcançar o alvo de novo. Os clientes mantêm o controlo</translation>
+    </message>
+    <message>
+        <source>Unwrapping loses the target for %1. Holding at the end loses it for %2.</source>
+        <translation>Desenrolar perde o alvo durante %1. Ficar no fim perde-o durante %2.</translation>
     </message>
 </context>
 <context>
@@ -10356,10 +10364,6 @@ velocidade %1</translation>
         <translation>Retomar barramento</translation>
     </message>
     <message>
-        <source>Open the adapter again and read the drives anew</source>
-        <translation>Abrir de novo o adaptador e ler de novo os acionamentos</translation>
-    </message>
-    <message>
         <source>Leave the adapter to other tools (tview, moteus_tool). Nothing moves until it is taken back.</source>
         <translation>Deixar o adaptador a outras ferramentas (tview, moteus_tool). Nada se move até ser retomado.</translation>
     </message>
@@ -10378,10 +10382,6 @@ velocidade %1</translation>
     <message>
         <source>Leave the bus</source>
         <translation>Deixar o barramento</translation>
-    </message>
-    <message>
-        <source>Move the mount at %1 and let it run out?</source>
-        <translation>Mover a montagem a %1 e deixá-la correr?</translation>
     </message>
     <message>
         <source>Move the mount</source>
@@ -10451,6 +10451,14 @@ Mantenha pessoas e cordas longe da antena. STOP termina a prova.</translation>
         <source>Send commands to the drives again and hold</source>
         <translation>Enviar de novo comandos aos acionamentos e segurar</translation>
     </message>
+    <message>
+        <source>Open the adapter again and read the drives again</source>
+        <translation>Abrir de novo o adaptador e ler de novo os acionamentos</translation>
+    </message>
+    <message>
+        <source>Move the mount at %1 and stop the commands?</source>
+        <translation>Mover a montagem a %1 e cortar as ordens?</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::ErrorBar</name>
@@ -10474,16 +10482,16 @@ Mantenha pessoas e cordas longe da antena. STOP termina a prova.</translation>
         <translation>Tirar dos favoritos</translation>
     </message>
     <message>
-        <source>Take the star of this satellite away (Space in the table)</source>
-        <translation>Tirar a estrela a este satélite (Espaço na tabela)</translation>
-    </message>
-    <message>
         <source>Give this satellite a star and a place in the timeline (Space in the table)</source>
         <translation>Dar a este satélite uma estrela e um lugar na linha do tempo (Espaço na tabela)</translation>
     </message>
     <message>
         <source>Select a pass first.</source>
         <translation>Escolha primeiro uma passagem.</translation>
+    </message>
+    <message>
+        <source>Remove the star of this satellite (Space in the table)</source>
+        <translation>Retirar a estrela deste satélite (Espaço na tabela)</translation>
     </message>
 </context>
 <context>
@@ -10690,12 +10698,12 @@ O acionamento mantém estes ganhos depois de desligado e ligado. Guarda também 
         <translation>Percurso do satélite sobre a Terra</translation>
     </message>
     <message>
-        <source>Thick line: the pass. Thin line: the orbit after it. The dashed circle sees the satellite now.</source>
-        <translation>Linha grossa: a passagem. Linha fina: a órbita seguinte. O círculo tracejado vê o satélite agora.</translation>
-    </message>
-    <message>
         <source>Over latitude %1, longitude %2, %3 km high</source>
         <translation>Sobre a latitude %1, longitude %2, a %3 km de altura</translation>
+    </message>
+    <message>
+        <source>Thick line: the pass. Thin line: the orbit after it. Places inside the dashed circle see the satellite now.</source>
+        <translation>Linha grossa: a passagem. Linha fina: a órbita depois dela. Os lugares dentro do círculo tracejado veem o satélite agora.</translation>
     </message>
 </context>
 <context>
@@ -10906,10 +10914,6 @@ swap the motors</source>
 trocar os motores</translation>
     </message>
     <message>
-        <source>From now on the mount may be moved faster and farther</source>
-        <translation>A partir de agora a montagem pode mover-se mais depressa e mais longe</translation>
-    </message>
-    <message>
         <source>Test move</source>
         <translation>Movimento de teste</translation>
     </message>
@@ -11005,6 +11009,10 @@ trocar os motores</translation>
         <source>The motor of the %1 counts the other way. Boresight connects again.</source>
         <translation>O motor do %1 conta para o outro lado. O Boresight liga-se de novo.</translation>
     </message>
+    <message>
+        <source>From now on the mount may move faster and farther</source>
+        <translation>A partir de agora a montagem pode mover-se mais depressa e mais longe</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::GuideNorth</name>
@@ -11069,14 +11077,6 @@ trocar os motores</translation>
         <translation>Substituir o norte conhecido</translation>
     </message>
     <message>
-        <source>type where it really points first</source>
-        <translation>escreva primeiro para onde ela realmente aponta</translation>
-    </message>
-    <message>
-        <source>north is known: tick that it shall be replaced first</source>
-        <translation>o norte é conhecido: marque primeiro que deve ser substituído</translation>
-    </message>
-    <message>
         <source>Sun, Moon (Ctrl+9)</source>
         <translation>Sol, Lua (Ctrl+9)</translation>
     </message>
@@ -11108,6 +11108,14 @@ trocar os motores</translation>
         <source>The mount reports %1</source>
         <translation>A montagem indica %1</translation>
     </message>
+    <message>
+        <source>type the true azimuth first</source>
+        <translation>escreva primeiro o azimute verdadeiro</translation>
+    </message>
+    <message>
+        <source>north is known: first tick &quot;Replace the known north&quot;</source>
+        <translation>o norte é conhecido: marque primeiro &quot;Substituir o norte conhecido&quot;</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::GuidePage</name>
@@ -11124,10 +11132,6 @@ trocar os motores</translation>
         <translation>Voltar</translation>
     </message>
     <message>
-        <source>To the step before (Alt+Left)</source>
-        <translation>Para o passo anterior (Alt+Esquerda)</translation>
-    </message>
-    <message>
         <source>Next</source>
         <translation>Seguinte</translation>
     </message>
@@ -11142,10 +11146,6 @@ trocar os motores</translation>
     <message>
         <source>Finish</source>
         <translation>Terminar</translation>
-    </message>
-    <message>
-        <source>Boresight asks which turn the %1 is on: press Ctrl+9 to answer, F3 to come back</source>
-        <translation>O Boresight pergunta em que volta está o eixo de %1: Ctrl+9 para responder, F3 para voltar</translation>
     </message>
     <message>
         <source>Nothing may move before step 2, Protect, is done: %1</source>
@@ -11182,6 +11182,14 @@ trocar os motores</translation>
     <message>
         <source>Show the panels. F3 returns to this step.</source>
         <translation>Mostrar os painéis. F3 volta a este passo.</translation>
+    </message>
+    <message>
+        <source>The cable wrap of the %1 is unknown. Press Ctrl+9 to enter it, and F3 to return</source>
+        <translation>A volta do cabo do %1 é desconhecida. Prima Ctrl+9 para a indicar e F3 para voltar</translation>
+    </message>
+    <message>
+        <source>To the previous step (Alt+Left)</source>
+        <translation>Para o passo anterior (Alt+Esquerda)</translation>
     </message>
 </context>
 <context>
@@ -12769,12 +12777,12 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Voltar</translation>
     </message>
     <message>
-        <source>Go back to the page before</source>
-        <translation>Voltar à página anterior</translation>
-    </message>
-    <message>
         <source>Not in this page</source>
         <translation>Não está nesta página</translation>
+    </message>
+    <message>
+        <source>Go back to the previous page</source>
+        <translation>Voltar à página anterior</translation>
     </message>
 </context>
 <context>
@@ -13186,12 +13194,12 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Altura mínima de uma passagem listada</translation>
     </message>
     <message>
-        <source>Passes that do not come higher are not listed</source>
-        <translation>As passagens que não sobem mais não são listadas</translation>
-    </message>
-    <message>
         <source>at least</source>
         <translation>pelo menos</translation>
+    </message>
+    <message>
+        <source>Passes that stay lower are not listed</source>
+        <translation>As passagens que ficam mais baixas não são listadas</translation>
     </message>
 </context>
 <context>
@@ -13229,12 +13237,12 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Não é favorito</translation>
     </message>
     <message>
-        <source>A favourite. A click takes the star away</source>
-        <translation>Um favorito. Um clique tira a estrela</translation>
-    </message>
-    <message>
         <source>A click makes this satellite a favourite</source>
         <translation>Um clique torna este satélite favorito</translation>
+    </message>
+    <message>
+        <source>A favourite. A click removes the star</source>
+        <translation>Um favorito. Um clique retira a estrela</translation>
     </message>
 </context>
 <context>
@@ -13436,12 +13444,12 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Estacionar: %1</translation>
     </message>
     <message>
-        <source>Go to elevation 0°, or to the lowest permitted one. The azimuth is the entered one. Without an entry it stays.</source>
-        <translation>Ir para a elevação 0°, ou para a mais baixa permitida. O azimute é o introduzido. Sem valor introduzido, mantém-se.</translation>
-    </message>
-    <message>
         <source>Go back by whole turns. The mount then points to the same direction with the cable least wound.</source>
         <translation>Recuar voltas inteiras. A montagem aponta depois para a mesma direção com o cabo o menos enrolado possível.</translation>
+    </message>
+    <message>
+        <source>Go to elevation 0°, or to the lowest permitted elevation. If an azimuth is entered, go there. If not, the azimuth stays.</source>
+        <translation>Ir para a elevação 0°, ou para a mais baixa permitida. Se houver um azimute escrito, ir para lá. Se não, o azimute fica.</translation>
     </message>
 </context>
 <context>
@@ -14186,10 +14194,6 @@ el %2</translation>
         <translation>Ler de novo</translation>
     </message>
     <message>
-        <source>Look who is on the bus and read all settings anew</source>
-        <translation>Ver quem está no barramento e ler de novo todos os parâmetros</translation>
-    </message>
-    <message>
         <source>Fix …</source>
         <translation>Corrigir …</translation>
     </message>
@@ -14214,16 +14218,6 @@ Written, read back, and kept in the drives&apos; memory. Nothing moves.</source>
 Escrito, lido de volta e guardado na memória dos acionamentos. Nada se move.</translation>
     </message>
     <message>
-        <source>
-
-Left for you, because only the builder of the mount can know it:
-</source>
-        <translation>
-
-Fica para si, porque só quem construiu a montagem o pode saber:
-</translation>
-    </message>
-    <message>
         <source>Write these settings into the drives?</source>
         <translation>Escrever estes parâmetros nos acionamentos?</translation>
     </message>
@@ -14234,10 +14228,6 @@ Fica para si, porque só quem construiu a montagem o pode saber:
     <message>
         <source>Switch the drives off?</source>
         <translation>Desligar os acionamentos?</translation>
-    </message>
-    <message>
-        <source>The mount is let go at once. An unbalanced elevation falls, and wind may turn the azimuth. Keep people away from the antenna, or support it first.</source>
-        <translation>A montagem é solta de imediato. Uma elevação desequilibrada cai, e o vento pode girar o azimute. Mantenha pessoas longe da antena, ou apoie-a primeiro.</translation>
     </message>
     <message>
         <source>Switch off</source>
@@ -14322,6 +14312,24 @@ O Boresight escreve a relação, volta a lê-la e guarda-a no acionamento. Nada 
     <message>
         <source>The drives store the settings that are already in force. Nothing moves.</source>
         <translation>Os acionamentos guardam as definições já em vigor. Nada se move.</translation>
+    </message>
+    <message>
+        <source>Find the boards on the bus and read all settings again</source>
+        <translation>Procurar as placas no barramento e ler de novo todos os parâmetros</translation>
+    </message>
+    <message>
+        <source>
+
+Set these yourself, because only the builder of the mount knows the values:
+</source>
+        <translation>
+
+Defina estes à mão, porque só o construtor da montagem conhece os valores:
+</translation>
+    </message>
+    <message>
+        <source>Nothing holds the mount from then on. An unbalanced elevation falls, and wind may turn the azimuth. Keep people away from the antenna, or support it first.</source>
+        <translation>A partir daí nada segura a montagem. Uma elevação desequilibrada cai, e o vento pode rodar o azimute. Mantenha as pessoas longe da antena, ou apoie-a primeiro.</translation>
     </message>
 </context>
 <context>
@@ -14977,12 +14985,12 @@ Erro máximo: %6</translation>
         <translation>Seguir</translation>
     </message>
     <message>
-        <source>Go to where the satellite rises and follow it until it sets. Then the mount holds</source>
-        <translation>Ir para onde o satélite nasce e segui-lo até se pôr. Depois a montagem mantém a posição</translation>
-    </message>
-    <message>
         <source>Select a pass first.</source>
         <translation>Escolha primeiro uma passagem.</translation>
+    </message>
+    <message>
+        <source>Go to where the satellite rises and track it until it sets. Then the mount holds</source>
+        <translation>Ir para onde o satélite nasce e segui-lo até se pôr. Depois a montagem fica parada</translation>
     </message>
 </context>
 <context>
@@ -15742,10 +15750,6 @@ This is a function of the program. It does not replace the hard-wired emergency 
         <translation>Barramento: simulado, porque o Boresight foi iniciado com --simulate. O barramento desta montagem, %1, não é usado.</translation>
     </message>
     <message>
-        <source>Boresight leaves the present mount as at the end of the program. Then it connects the other mount as at a start. Nothing moves. The window stays open.</source>
-        <translation>O Boresight deixa a montagem presente como no fim do programa. Depois conecta a outra montagem como no início. Nada se move. A janela fica aberta.</translation>
-    </message>
-    <message>
         <source>The simulated mount has no profile to duplicate.</source>
         <translation>A montagem simulada não tem perfil para duplicar.</translation>
     </message>
@@ -15810,14 +15814,6 @@ Em comparação com a montagem em uso:
         <translation>Copiar valores</translation>
     </message>
     <message>
-        <source>The present version is kept as the version before.
-
-%1</source>
-        <translation>A versão presente fica guardada como a anterior.
-
-%1</translation>
-    </message>
-    <message>
         <source>The mount &quot;%1&quot; is overwritten.</source>
         <translation>A montagem &quot;%1&quot; foi sobrescrita.</translation>
     </message>
@@ -15860,6 +15856,18 @@ Em comparação com a montagem em uso:
     <message>
         <source>The last change is undone.</source>
         <translation>A última alteração foi anulada.</translation>
+    </message>
+    <message>
+        <source>Boresight disconnects from the present mount, as when the program ends. Then it connects to the other mount, as at a start. Nothing moves. The window stays open.</source>
+        <translation>O Boresight desliga-se da montagem atual, como quando o programa termina. Depois liga-se à outra montagem, como num arranque. Nada se move. A janela fica aberta.</translation>
+    </message>
+    <message>
+        <source>Undo restores the present version.
+
+%1</source>
+        <translation>Anular repõe a versão atual.
+
+%1</translation>
     </message>
 </context>
 <context>
@@ -16050,16 +16058,8 @@ Em comparação com a montagem em uso:
         <translation>Seguir o escolhido</translation>
     </message>
     <message>
-        <source>Follow the selected target until it sets</source>
-        <translation>Segue o alvo escolhido até se pôr</translation>
-    </message>
-    <message>
         <source>Track</source>
         <translation>Seguir</translation>
-    </message>
-    <message>
-        <source>Follow the typed target, or go there if it stays</source>
-        <translation>Segue o alvo escrito, ou vai até ele se estiver parado</translation>
     </message>
     <message>
         <source>Another target</source>
@@ -16110,6 +16110,14 @@ Um ficheiro com uma tabela, ou com um OEM: table /home/me/pass.csv</translation>
     <message>
         <source>All files (*)</source>
         <translation>Todos os ficheiros (*)</translation>
+    </message>
+    <message>
+        <source>Track the selected target until it sets</source>
+        <translation>Seguir o alvo selecionado até se pôr</translation>
+    </message>
+    <message>
+        <source>Track the typed target, or go there if it does not move</source>
+        <translation>Seguir o alvo escrito, ou ir para lá se não se mover</translation>
     </message>
 </context>
 <context>
@@ -16326,10 +16334,6 @@ Um ficheiro com uma tabela, ou com um OEM: table /home/me/pass.csv</translation>
         <translation>O eixo está perto de</translation>
     </message>
     <message>
-        <source>So %1 is proposed. Look at the mount before you confirm it.</source>
-        <translation>Por isso propõe-se %1. Observe a montagem antes de confirmar.</translation>
-    </message>
-    <message>
         <source>The axis stands at %1</source>
         <translation>O eixo está em %1</translation>
     </message>
@@ -16376,6 +16380,10 @@ Um ficheiro com uma tabela, ou com um OEM: table /home/me/pass.csv</translation>
     <message>
         <source>Not enough evidence. Look at the mount.</source>
         <translation>Indícios insuficientes. Olhe para a montagem.</translation>
+    </message>
+    <message>
+        <source>Boresight proposes %1. Look at the mount before you confirm it.</source>
+        <translation>O Boresight propõe %1. Olhe para a montagem antes de confirmar.</translation>
     </message>
 </context>
 <context>
@@ -16463,10 +16471,6 @@ Um ficheiro com uma tabela, ou com um OEM: table /home/me/pass.csv</translation>
         <translation>Tirar</translation>
     </message>
     <message>
-        <source>Take this satellite out of the schedule</source>
-        <translation>Tira este satélite da agenda</translation>
-    </message>
-    <message>
         <source>Watched satellite</source>
         <translation>Satélite da agenda</translation>
     </message>
@@ -16483,10 +16487,6 @@ Um ficheiro com uma tabela, ou com um OEM: table /home/me/pass.csv</translation>
         <translation>Elevação mínima do satélite</translation>
     </message>
     <message>
-        <source>Its passes count from this elevation on.</source>
-        <translation>As passagens contam a partir desta elevação.</translation>
-    </message>
-    <message>
         <source>priority</source>
         <translation>prioridade</translation>
     </message>
@@ -16501,6 +16501,14 @@ Um ficheiro com uma tabela, ou com um OEM: table /home/me/pass.csv</translation>
     <message>
         <source>Store priority and lowest elevation of this satellite</source>
         <translation>Guarda a prioridade e a elevação mínima deste satélite</translation>
+    </message>
+    <message>
+        <source>Remove this satellite from the schedule</source>
+        <translation>Retirar este satélite da agenda</translation>
+    </message>
+    <message>
+        <source>Only the part of its passes above this elevation counts.</source>
+        <translation>Só conta a parte das passagens acima desta elevação.</translation>
     </message>
 </context>
 </TS>

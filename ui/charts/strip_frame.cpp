@@ -183,7 +183,7 @@ QString describe(const StripForm& form, const StripFrame& frame)
             whole->include(column.range);
         }
         if (whole) {
-            parts << StripTexts::tr("%1 %2%3, in between %4%3")
+            parts << StripTexts::tr("%1 %2%3, range %4%3")
                          .arg(trace.word, valueText(trace.value, form.decimals), form.unit,
                               valueText(whole, form.decimals))
                          .trimmed();

@@ -204,7 +204,7 @@ void DrivesPanel::showStatus(const StationStatus& status)
     m_arming->setValue(arming.text, arming.tone, arming.symbol);
     const bool released = drivesOf(status).released;
     m_release->setCommand(released ? tr("Take bus back") : tr("Release bus"),
-                          released ? tr("Open the adapter again and read the drives anew")
+                          released ? tr("Open the adapter again and read the drives again")
                                    : tr("Leave the adapter to other tools (tview, moteus_tool). Nothing moves until it "
                                         "is taken back."));
     m_release->setBlocked(status.permissions.reason(released ? Action::TakeBus : Action::ReleaseBus));
@@ -274,7 +274,7 @@ void DrivesPanel::prove()
         return;
     }
     const AngularRate rate = Angle::fromDegrees(m_rate->value()) / Seconds(1.0);
-    askFirst({.title = tr("Move the mount at %1 and let it run out?").arg(rateText(rate)),
+    askFirst({.title = tr("Move the mount at %1 and stop the commands?").arg(rateText(rate)),
               .text = tr("Boresight moves one axis after the other at %1. It stops the commands to the drive, as if "
                          "the cable were cut. It measures how far and how long the axis goes on.\n\nA drive gives no "
                          "torque for 53 ms when it is switched on again. An unbalanced elevation then drops a "

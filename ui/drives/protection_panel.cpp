@@ -32,7 +32,7 @@ ProtectionPanel::ProtectionPanel(RequestDesk& desk, QWidget* parent)
       m_survey(new ValueLabel(tr("Drive check"), fonts::label(), {}, this)),
       m_reason(new ValueLabel(tr("Why the selected setting matters"), fonts::label(), {}, this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
-      m_read(new CommandButton(tr("Read again"), tr("Look who is on the bus and read all settings anew"), desk,
+      m_read(new CommandButton(tr("Read again"), tr("Find the boards on the bus and read all settings again"), desk,
                                *m_notice, this)),
       m_fix(new CommandButton(tr("Fix …"), tr("Write the settings that differ. Boresight asks first."), desk, *m_notice,
                               this)),
@@ -167,8 +167,8 @@ void ProtectionPanel::fix()
                                      : changes.join(QLatin1Char('\n')) +
                                            tr("\n\nWritten, read back, and kept in the drives' memory. Nothing moves.");
     if (const QStringList left = m_model->leftAlone(); !left.isEmpty()) {
-        text +=
-            tr("\n\nLeft for you, because only the builder of the mount can know it:\n") + left.join(QLatin1Char('\n'));
+        text += tr("\n\nSet these yourself, because only the builder of the mount knows the values:\n") +
+                left.join(QLatin1Char('\n'));
     }
     askFirst({.title = tr("Write these settings into the drives?"),
               .text = text,
@@ -200,8 +200,8 @@ void ProtectionPanel::setGear()
 void ProtectionPanel::switchOff()
 {
     askFirst({.title = tr("Switch the drives off?"),
-              .text = tr("The mount is let go at once. An unbalanced elevation falls, and wind may turn the azimuth. "
-                         "Keep people away from the antenna, or support it first."),
+              .text = tr("Nothing holds the mount from then on. An unbalanced elevation falls, and wind may turn the "
+                         "azimuth. Keep people away from the antenna, or support it first."),
               .act = tr("Switch off"),
               .request = request::SwitchOff{},
               .action = Action::SwitchOff},

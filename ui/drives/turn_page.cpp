@@ -166,7 +166,7 @@ void TurnPage::showQuestion(const TurnQuestion& question)
     for (const QString& sentence : question.evidence) {
         evidence << QStringLiteral("• ") + sentence;
     }
-    evidence << (question.proposed ? tr("So %1 is proposed. Look at the mount before you confirm it.")
+    evidence << (question.proposed ? tr("Boresight proposes %1. Look at the mount before you confirm it.")
                                          .arg(angleText(*question.proposed, 1))
                                    : tr("Not enough evidence. Look at the mount."));
     const QString text = evidence.join(QLatin1Char('\n'));

@@ -160,7 +160,7 @@ void GuideDirections::showButtons()
     const bool confirmed = m_status.profile->mount.directions == profile::Directions::Confirmed;
     const auto confirm = [](profile::Profile& p) { p.mount.directions = profile::Directions::Confirmed; };
     m_confirm->setCommand(single ? tr("The direction is right") : tr("Both directions are right"),
-                          tr("From now on the mount may be moved faster and farther"));
+                          tr("From now on the mount may move faster and farther"));
     m_confirm->setBlocked(confirmed               ? tr("it is confirmed already")
                           : unseen != kAxes.end() ? tr("move the %1 a little first, and look at it").arg(name(*unseen))
                                                   : m_change.whyNot(m_status, confirm));

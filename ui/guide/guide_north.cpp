@@ -210,10 +210,10 @@ QString GuideNorth::whyNot() const
         return tr("the antenna looks up: lower it first");
     }
     if (!m_typed) {
-        return tr("type where it really points first");
+        return tr("type the true azimuth first");
     }
     if (m_known && !m_replace->isChecked()) {
-        return tr("north is known: tick that it shall be replaced first");
+        return tr("north is known: first tick \"Replace the known north\"");
     }
     return m_change.whyNot(m_status, edit());
 }

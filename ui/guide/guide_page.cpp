@@ -64,7 +64,7 @@ GuidePage::GuidePage(ProfileDraft& draft, RequestDesk& desk, HostDesk& host, con
     // Tab goes in the order in which they are made.
     makeSteps();
     makePages(desk, host);
-    m_back = makeButton(tr("Back"), tr("To the step before (Alt+Left)"), &GuidePage::back);
+    m_back = makeButton(tr("Back"), tr("To the previous step (Alt+Left)"), &GuidePage::back);
     m_next = makeButton(tr("Next"), {}, &GuidePage::next);
     m_confirm = makeButton(tr("Confirm"), {}, &GuidePage::confirm);
     m_finish = makeButton(tr("Finish later"), tr("Show the panels. F3 returns to this step."), &GuidePage::finishLater);
@@ -312,7 +312,7 @@ void GuidePage::showHint()
     const bool full = step == GuideStep::Protection;
     QString hint;
     if (const auto axis = askingAxis(m_status); axis && !full) {
-        hint = tr("Boresight asks which turn the %1 is on: press Ctrl+9 to answer, F3 to come back").arg(name(*axis));
+        hint = tr("The cable wrap of the %1 is unknown. Press Ctrl+9 to enter it, and F3 to return").arg(name(*axis));
     } else if (moves(step) && !drivesOf(m_status).armingObstacle.isEmpty() &&
                drivesOf(m_status).survey == SurveyState::Done) {
         hint = tr("Nothing may move before step 2, Protect, is done: %1").arg(drivesOf(m_status).armingObstacle);

@@ -168,7 +168,7 @@ QString title(GuideStep step)
                             GuideWords::tr("Level: where is elevation 0°?"),
                             GuideWords::tr("North: where is azimuth 0°?"),
                             GuideWords::tr("Site: where does the mount stand?"),
-                            GuideWords::tr("Client: which program follows the satellites?"),
+                            GuideWords::tr("Client: which program tracks the satellites?"),
                             GuideWords::tr("Ready: first pass")};
     return titles.at(indexOf(step));
 }

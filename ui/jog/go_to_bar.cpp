@@ -77,11 +77,7 @@ GoToBar::GoToBar(RequestDesk& desk, ValueLabel& notice, NearestOffer& offer, con
     connect(m_go, &QPushButton::clicked, this, &GoToBar::go);
     connect(m_go, &CommandButton::accepted, this, &GoToBar::leaveFields);
     connect(m_go, &CommandButton::accepted, this, &GoToBar::remember);
-    connect(m_go, &CommandButton::refused, this, [this] {
-        if (m_asked) {
-            m_offer.offerFor(*m_asked);
-        }
-    });
+    connect(m_go, &CommandButton::refused, this, &GoToBar::offerNearest);
     connect(m_azimuth, &QLineEdit::returnPressed, this, &GoToBar::go);
     connect(m_elevation, &QLineEdit::returnPressed, this, &GoToBar::go);
     for (const QLineEdit* const field : {m_azimuth, m_elevation}) {
@@ -152,13 +148,22 @@ void GoToBar::go()
         complain(*m_azimuth, tr("Go: Enter an azimuth, an elevation or both."));
         return;
     }
-    m_asked.reset();
+    m_asked = {azimuth, elevation};
     if (azimuth && elevation) {
-        m_asked = {*azimuth, *elevation};
-        m_go->ask(request::PointSky{*m_asked});
+        m_go->ask(request::PointSky{{*azimuth, *elevation}});
     } else {
         m_go->ask(azimuth ? request::PointAxis{Axis::Azimuth, *azimuth}
                           : request::PointAxis{Axis::Elevation, *elevation});
+    }
+}
+
+// An axis that was not typed stays where it is, so it is a part of the refused direction.
+void GoToBar::offerNearest()
+{
+    const bool isWhole = m_asked.azimuth && m_asked.elevation;
+    if (isWhole || m_present) {
+        const SkyPointing present = m_present.value_or(SkyPointing{});
+        m_offer.offerFor({m_asked.azimuth.value_or(present.azimuth), m_asked.elevation.value_or(present.elevation)});
     }
 }
 
@@ -187,10 +192,10 @@ void GoToBar::leaveFields()
 
 void GoToBar::remember()
 {
-    if (!m_asked) {
+    if (!m_asked.azimuth || !m_asked.elevation) {
         return;  // one axis alone is no direction
     }
-    const QString line = fixed(m_asked->azimuth) + QLatin1Char(' ') + fixed(m_asked->elevation);
+    const QString line = fixed(*m_asked.azimuth) + QLatin1Char(' ') + fixed(*m_asked.elevation);
     m_recent.removeAll(line);
     m_recent.prepend(line);
     m_recent = m_recent.mid(0, kRecent);

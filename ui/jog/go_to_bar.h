@@ -11,8 +11,8 @@
 class QLineEdit;
 
 // Go to a typed direction. An axis whose field is empty stays where it is. Typing and selecting move nothing; a refusal
-// is shown in the notice with the nearest allowed direction, and the typed value stays for correction. The last
-// directions that the station accepted are kept for choosing them again.
+// is shown in the notice with the nearest allowed direction, also where one axis alone was typed. The typed value stays
+// for correction. The last directions that the station accepted are kept for choosing them again.
 namespace boresight::ui {
 
 class CommandButton;
@@ -30,7 +30,8 @@ public:
     GoToBar(RequestDesk& desk, ValueLabel& notice, NearestOffer& offer, const QStringList& recent,
             QWidget* parent = nullptr);
 
-    void setBlocked(const QString& reason);  // empty: can act
+    void setBlocked(const QString& reason);                                                  // empty: can act
+    void setPresent(const std::optional<SkyPointing>& direction) { m_present = direction; }  // of the beam
     void focusFields();
     [[nodiscard]] std::optional<Angle> azimuth() const;  // as typed; empty: none is
 
@@ -40,6 +41,7 @@ Q_SIGNALS:
 private:
     void build();
     void go();
+    void offerNearest();
     bool isNumber(QLineEdit& field, const QString& otherwise);
     void complain(QLineEdit& field, const QString& text);
     void forgetRefusal();
@@ -55,7 +57,14 @@ private:
     CommandButton* m_go;
     TouchCombo* m_recentBox;
     QStringList m_recent;  // "113.50 10.00"
-    std::optional<SkyPointing> m_asked;
+    // The last direction asked for. Empty: that axis stays.
+    struct Asked
+    {
+        std::optional<Angle> azimuth;
+        std::optional<Angle> elevation;
+    };
+    Asked m_asked;
+    std::optional<SkyPointing> m_present;
 };
 
 }  // namespace boresight::ui

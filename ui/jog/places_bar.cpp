@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/jog/places_bar.h"
 
+#include "core/pointing/pointing_model.h"
 #include "ui/jog/go_to_bar.h"
 #include "ui/jog/nearest_offer.h"
 #include "ui/jog/preset_bar.h"
@@ -29,8 +30,8 @@ PlacesBar::PlacesBar(ProfileDraft& draft, RequestDesk& desk, const QStringList& 
       m_presets(new PresetBar(draft, desk, *m_notice, this)),
       m_home(new CommandButton(tr("Home"), tr("Go to azimuth 0° and the lowest elevation"), desk, *m_notice, this)),
       m_horizon(new CommandButton(tr("Horizon"),
-                                  tr("Go to elevation 0°, or to the lowest permitted one. The azimuth is the entered "
-                                     "one. Without an entry it stays."),
+                                  tr("Go to elevation 0°, or to the lowest permitted elevation. If an azimuth is "
+                                     "entered, go there. If not, the azimuth stays."),
                                   desk, *m_notice, this)),
       m_unwrap(new CommandButton(
           tr("Unwrap"),
@@ -43,6 +44,8 @@ PlacesBar::PlacesBar(ProfileDraft& draft, RequestDesk& desk, const QStringList& 
     connect(m_home, &QPushButton::clicked, this, [this] { m_home->ask(request::Home{}); });
     connect(m_unwrap, &QPushButton::clicked, this, [this] { m_unwrap->ask(request::Unwind{}); });
     connect(m_park, &QPushButton::clicked, this, &PlacesBar::parkOrUnpark);
+    connect(m_park, &CommandButton::refused, this, &PlacesBar::offerBesidePark);
+    connect(m_park, &CommandButton::accepted, m_offer, &NearestOffer::drop);
     connect(m_more, &QPushButton::toggled, m_rare, &QWidget::setVisible);
 }
 
@@ -99,6 +102,7 @@ void PlacesBar::showStatus(const StationStatus& status)
     m_presets->showStatus(status);
     const QString reason = status.permissions.reason(Action::Point);
     m_goTo->setBlocked(reason);
+    m_goTo->setPresent(status.actual);
     m_horizon->setBlocked(reason);
     m_home->setBlocked(status.permissions.reason(Action::Home));
     m_unwrap->setBlocked(status.permissions.reason(Action::Unwind));
@@ -126,6 +130,15 @@ void PlacesBar::parkOrUnpark()
     m_status.state == StationState::Parked ? m_park->ask(request::Hold{}) : m_park->ask(request::Park{});
 }
 
+// The park position may lie where the mount may not be, since a horizon or a keep-out was added.
+void PlacesBar::offerBesidePark()
+{
+    if (m_status.state != StationState::Parked) {
+        const profile::Profile& profile = *m_status.profile;
+        m_offer->offerFor(pointing::PointingModel(profile.pointing).toSky(profile.park));
+    }
+}
+
 void PlacesBar::park()
 {
     const QString obstacle = m_status.permissions.reason(Action::Park);
@@ -135,6 +148,7 @@ void PlacesBar::park()
         m_park->ask(request::Park{});
     } else {
         m_notice->setValue(tr("Park: %1").arg(reason), Tone::Warning, Symbol::Warning);
+        offerBesidePark();
     }
 }
 

@@ -44,6 +44,7 @@ private:
     void fillRare();
     void showPark();
     void parkOrUnpark();
+    void offerBesidePark();
 
     ValueLabel* m_notice;
     NearestOffer* m_offer;

@@ -24,8 +24,9 @@ PromptBar::PromptBar(const QString& accessibleName, const QStringList& texts, in
     m_notice->setLines(2);
     m_notice->setCollapsing(true);
     auto* const grid = new QGridLayout(this);
-    grid->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
+    grid->setContentsMargins(kGrid / 2, kGrid, kGrid / 2, kGrid);
     grid->setVerticalSpacing(2);
+    m_buttons->setSpacing(kGrid);
     grid->addWidget(m_text, 0, 0);
     grid->addLayout(m_buttons, 0, 1);
     grid->addWidget(m_notice, 1, 0, 1, 2);

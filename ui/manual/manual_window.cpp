@@ -52,7 +52,7 @@ ManualWindow::ManualWindow(QWidget* parent)
     auto* const next = new QPushButton(tr("Find next"), this);
     next->setDefault(true);
     auto* const back = new QPushButton(tr("Back"), this);
-    back->setToolTip(tr("Go back to the page before"));
+    back->setToolTip(tr("Go back to the previous page"));
     back->setAutoDefault(false);
     back->setEnabled(false);
     auto* const above = new QHBoxLayout;

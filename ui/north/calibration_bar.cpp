@@ -67,7 +67,7 @@ void CalibrationBar::showStatus(const StationStatus& status)
     m_undo->setBlocked(status.permissions.reason(Action::UndoCalibration));
 }
 
-// A warning comes first.
+// Every warning comes before what changes. One that is not seen here could be applied unread.
 void CalibrationBar::showChange(const std::optional<CalibrationProposal>& proposal)
 {
     if (!proposal) {
@@ -75,8 +75,8 @@ void CalibrationBar::showChange(const std::optional<CalibrationProposal>& propos
     } else if (proposal->warnings.empty()) {
         m_change->setValue(changeText(*proposal), Tone::Secondary);
     } else {
-        m_change->setValue(QStringLiteral("%1; %2").arg(proposal->warnings.front(), changeText(*proposal)),
-                           Tone::Warning);
+        const QStringList warnings(proposal->warnings.begin(), proposal->warnings.end());
+        m_change->setValue(warnings.join(QLatin1Char(' ')) + QLatin1Char('\n') + changeText(*proposal), Tone::Warning);
     }
 }
 

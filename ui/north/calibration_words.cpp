@@ -29,7 +29,7 @@ QString northLine(const SwingOutcome& swing)
 {
     const calibration::CompassSwing& fit = swing.fit;
     QString text =
-        CalibrationWords::tr("North %1. Of the uncertainty %2 are from the readings, %3 are invisible to a swing.")
+        CalibrationWords::tr("North %1. The readings cause %2 of the uncertainty. A swing cannot show the other %3.")
             .arg(offsetText(fit.north), angleText(fit.statistical), angleText(fit.systematic));
     if (fit.harmonics != calibration::Harmonics::None) {
         text += QLatin1Char(' ') + CalibrationWords::tr("Hard iron %1, soft iron %2, readings scatter by %3.")
@@ -253,13 +253,13 @@ QString fitText(const CalibrationStatus& calibration)
     if (proposesFit(calibration)) {
         text = QStringLiteral("%1, %2: ").arg(points, terms) + CalibrationWords::tr("rms %1 → %2").arg(before, after);
     } else if (calibration.proposal && calibration.proposal->residuals) {
-        text = CalibrationWords::tr("%1: rms %2, as proposed %3; their own fit, %4: %5")
+        text = CalibrationWords::tr("%1: rms %2 now, %3 with the proposal, %5 with their own fit (%4)")
                    .arg(points, before, angleText(calibration.proposal->residuals->after, 3), terms, after);
     } else {
-        text = CalibrationWords::tr("%1: rms %2; their own fit, %3: %4").arg(points, before, terms, after);
+        text = CalibrationWords::tr("%1: rms %2 now, %4 with their own fit (%3)").arg(points, before, terms, after);
     }
     if (const auto leftOut = leftOutRms(calibration.points)) {
-        text += CalibrationWords::tr(", each by the others %1").arg(angleText(*leftOut, 3));
+        text += CalibrationWords::tr(", each predicted from the others %1").arg(angleText(*leftOut, 3));
     }
     if (fit.reducedChiSquare) {
         text += CalibrationWords::tr(", χ² %1").arg(twoDigits(*fit.reducedChiSquare));

@@ -16,7 +16,7 @@ void FavouriteButton::show(const std::optional<int>& satellite, const orbit::Sat
     m_satellite = satellite;
     const bool isOne = satellite && orbit::isFavourite(marks, *satellite);
     setCommand(isOne ? tr("Remove from favourites") : tr("Add to favourites"),
-               isOne ? tr("Take the star of this satellite away (Space in the table)")
+               isOne ? tr("Remove the star of this satellite (Space in the table)")
                      : tr("Give this satellite a star and a place in the timeline (Space in the table)"));
     setBlocked(satellite ? QString() : tr("Select a pass first."));
 }

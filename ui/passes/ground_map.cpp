@@ -26,7 +26,8 @@ GroundMap::GroundMap(QWidget* parent) : QWidget(parent)
 {
     setFont(fonts::label());
     setAccessibleName(tr("Ground track of the satellite"));
-    setToolTip(tr("Thick line: the pass. Thin line: the orbit after it. The dashed circle sees the satellite now."));
+    setToolTip(tr(
+        "Thick line: the pass. Thin line: the orbit after it. Places inside the dashed circle see the satellite now."));
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);
 }
 

@@ -32,7 +32,7 @@ PassFilter::PassFilter(QWidget* parent)
     m_lowest->setDecimals(0);
     m_lowest->setSuffix(QStringLiteral("°"));
     m_lowest->setAccessibleName(tr("Least height of a listed pass"));
-    m_lowest->setToolTip(tr("Passes that do not come higher are not listed"));
+    m_lowest->setToolTip(tr("Passes that stay lower are not listed"));
     m_lowest->setMinimumHeight(kRowHeight);
     m_favourites->setIcon(glyphIcon(Glyph::Favourite));
     m_favourites->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
@@ -53,6 +53,11 @@ PassChoice PassFilter::choice() const
     return {.words = m_words->text(),
             .lowest = Angle::fromDegrees(m_lowest->value()),
             .onlyFavourites = m_favourites->isChecked()};
+}
+
+void PassFilter::setOnlyFavourites(bool on)
+{
+    m_favourites->setChecked(on);
 }
 
 }  // namespace boresight::ui

@@ -32,6 +32,7 @@ public:
     explicit PassFilter(QWidget* parent = nullptr);
 
     [[nodiscard]] PassChoice choice() const;
+    void setOnlyFavourites(bool on);
 
 Q_SIGNALS:
     void changed();

@@ -106,7 +106,7 @@ QVariant PassTable::star(const BookedPass& one, int role) const
         case Qt::AccessibleTextRole:
             return isFavourite(one) ? tr("Favourite") : tr("No favourite");
         case Qt::ToolTipRole:
-            return isFavourite(one) ? tr("A favourite. A click takes the star away")
+            return isFavourite(one) ? tr("A favourite. A click removes the star")
                                     : tr("A click makes this satellite a favourite");
         default:
             return {};

@@ -45,16 +45,38 @@ Angle shiftOf(const BookedPass& one, const PassBook& book, Seconds late)
 }
 
 // How old the elements are, and what that means for this beam.
-QString ageText(const BookedPass& one, const PassBook& book, UtcTime now)
+struct ElementAge
+{
+    QString days;
+    Seconds late;
+    Angle shift;
+    bool isTooOld = false;  // more than half the beam
+};
+
+ElementAge ageOf(const BookedPass& one, const PassBook& book, UtcTime now)
 {
     const orbit::ElementSet& elements = book.elementsOf(one);
     const double days = Seconds(now - orbit::utcTime(elements.epoch)).count() / kSecondsPerDay;
     const orbit::AgeError error = orbit::expectedError(elements, one.pass.tca.utc);
     const Angle shift = shiftOf(one, book, error.time);
-    const QString words = 2.0 * shift > book.beamWidthOf(one)
+    return {.days = QString::number(std::max(0.0, days), 'f', 1),
+            .late = error.time,
+            .shift = shift,
+            .isTooOld = 2.0 * shift > book.beamWidthOf(one)};
+}
+
+QString ageText(const ElementAge& age)
+{
+    const QString words = age.isTooOld
                               ? PassWords::tr("elements %1 days old: about %2 s or %3 off, more than half the beam")
                               : PassWords::tr("elements %1 days old: about %2 s or %3 off");
-    return words.arg(std::max(0.0, days), 0, 'f', 1).arg(error.time.count(), 0, 'f', 1).arg(angleText(shift, 1));
+    return words.arg(age.days).arg(age.late.count(), 0, 'f', 1).arg(angleText(age.shift, 1));
+}
+
+QString briefAgeText(const ElementAge& age)
+{
+    return age.isTooOld ? PassWords::tr("elements %1 days old, more than half the beam off").arg(age.days)
+                        : PassWords::tr("elements %1 days old, %2 off").arg(age.days, angleText(age.shift, 1));
 }
 
 }  // namespace
@@ -97,11 +119,11 @@ QString factsOf(const BookedPass& one, const PassBook& book, UtcTime now)
     if (const Seconds hidden = hiddenTime(pass); hidden >= Seconds(1.0)) {
         lines << PassWords::tr("hidden for %1 by the limits").arg(lengthText(hidden));
     }
-    lines << ageText(one, book, now);
+    lines << ageText(ageOf(one, book, now));
     return lines.join(QLatin1Char('\n'));
 }
 
-QString briefFactsOf(const BookedPass& one, const PassBook& book, bool isNamed)
+QString briefFactsOf(const BookedPass& one, const PassBook& book, UtcTime now, bool isNamed)
 {
     const passes::Pass& pass = one.pass;
     const orbit::ElementSet& elements = book.elementsOf(one);
@@ -112,6 +134,7 @@ QString briefFactsOf(const BookedPass& one, const PassBook& book, bool isNamed)
     if (const Seconds hidden = hiddenTime(pass); hidden >= Seconds(1.0)) {
         lines << PassWords::tr("hidden for %1 by the limits").arg(lengthText(hidden));
     }
+    lines << briefAgeText(ageOf(one, book, now));
     return lines.join(QLatin1Char('\n'));
 }
 

@@ -23,9 +23,9 @@ struct PassWords
 [[nodiscard]] Seconds hiddenTime(const passes::Pass& pass);              // by horizon, keep-outs or limits
 // A line for each fact.
 [[nodiscard]] QString factsOf(const BookedPass& one, const PassBook& book, UtcTime now);
-// What the table does not show of it: where it rises and sets, and what the limits hide.
+// What the table does not show of it: where it rises and sets, what the limits hide, and how old the elements are.
 // Its name is in the table, too, but in no picture.
-[[nodiscard]] QString briefFactsOf(const BookedPass& one, const PassBook& book, bool isNamed);
+[[nodiscard]] QString briefFactsOf(const BookedPass& one, const PassBook& book, UtcTime now, bool isNamed);
 
 // One line: "in sunlight", "enters the shadow 17:05:59Z".
 [[nodiscard]] QString lightText(const passes::PassLight& light);

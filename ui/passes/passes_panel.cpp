@@ -136,6 +136,19 @@ void PassesPanel::fitHeight()
     m_selection->setNoteShown(!isLow || isPicture);
 }
 
+PassesLayout PassesPanel::arrangement() const
+{
+    return {.view = m_views->view(), .onlyFavourites = m_filter->choice().onlyFavourites};
+}
+
+// A file that was edited by hand may name a view that is not there.
+void PassesPanel::arrange(const PassesLayout& layout)
+{
+    const bool isThere = layout.view >= 0 && layout.view < m_views->count();
+    m_views->showView(isThere ? static_cast<PassViews::View>(layout.view) : PassViews::List);
+    m_filter->setOnlyFavourites(layout.onlyFavourites);
+}
+
 // A menu by the right button, and keys: Space ticks and F2 edits, as everywhere.
 void PassesPanel::addActions()
 {

@@ -4,6 +4,7 @@
 #include "core/messages/station_status.h"
 #include "ui/passes/favourite_places.h"
 #include "ui/passes/pass_searcher.h"
+#include "ui/passes/passes_layout.h"
 
 #include <QWidget>
 
@@ -35,6 +36,8 @@ public:
     PassesPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
+    [[nodiscard]] PassesLayout arrangement() const;
+    void arrange(const PassesLayout& layout);
 
 Q_SIGNALS:
     void settingsWanted(const QString& words);  // of the page Profile

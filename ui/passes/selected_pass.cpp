@@ -23,7 +23,7 @@ namespace boresight::ui {
 namespace {
 
 constexpr int kFactLines = 7;
-constexpr int kBriefLines = 3;  // as high as the buttons beside them
+constexpr int kBriefLines = 4;
 
 }  // namespace
 
@@ -33,7 +33,7 @@ SelectedPass::SelectedPass(ProfileDraft& draft, RequestDesk& desk, QWidget* pare
       m_refused(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_buttons(new QBoxLayout(QBoxLayout::TopToBottom)),
       m_track(new CommandButton(tr("Track"),
-                                tr("Go to where the satellite rises and follow it until it sets. Then the mount holds"),
+                                tr("Go to where the satellite rises and track it until it sets. Then the mount holds"),
                                 desk, *m_refused, this)),
       m_watch(new WatchButton(draft, desk, *m_refused, this)),
       m_favourite(new FavouriteButton(draft, desk, *m_refused, this)),
@@ -158,7 +158,8 @@ void SelectedPass::showFacts()
     const QString light = QLatin1Char('\n') + m_light;
     const QString note = m_noteText.isEmpty() ? QString() : m_noteText + QLatin1Char('\n');
     const QString all = factsOf(*m_pass, *m_book, m_now) + light;
-    const QString brief = (m_note->isHidden() ? note : QString()) + briefFactsOf(*m_pass, *m_book, m_isNamed) + light;
+    const QString brief =
+        (m_note->isHidden() ? note : QString()) + briefFactsOf(*m_pass, *m_book, m_now, m_isNamed) + light;
     m_facts->setValue(m_isBrief ? brief : all);
     m_facts->setToolTip(m_isBrief ? note + all : QString());
 }

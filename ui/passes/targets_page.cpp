@@ -28,9 +28,9 @@ TargetsPage::TargetsPage(RequestDesk& desk, QWidget* parent)
       m_table(makeReadTable(tr("Targets in the sky"), *m_targets, this)),
       m_typed(new QLineEdit(this)),
       m_refused(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
-      m_trackChosen(new CommandButton(tr("Track selected"), tr("Follow the selected target until it sets"), desk,
+      m_trackChosen(new CommandButton(tr("Track selected"), tr("Track the selected target until it sets"), desk,
                                       *m_refused, this)),
-      m_trackTyped(new CommandButton(tr("Track"), tr("Follow the typed target, or go there if it stays"), desk,
+      m_trackTyped(new CommandButton(tr("Track"), tr("Track the typed target, or go there if it does not move"), desk,
                                      *m_refused, this)),
       m_trackFile(new CommandButton(tr("Track file…"),
                                     tr("Follow the way that a file describes: a table with a time, an azimuth and an "

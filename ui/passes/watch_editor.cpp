@@ -43,7 +43,7 @@ WatchEditor::WatchEditor(ProfileDraft& draft, RequestDesk& desk, QWidget* parent
       m_refused(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_set(new CommandButton(tr("Set"), tr("Store priority and lowest elevation of this satellite"), desk, *m_refused,
                               this)),
-      m_remove(new CommandButton(tr("Remove"), tr("Take this satellite out of the schedule"), desk, *m_refused, this))
+      m_remove(new CommandButton(tr("Remove"), tr("Remove this satellite from the schedule"), desk, *m_refused, this))
 {
     build();
     connect(m_satellite, &QComboBox::currentIndexChanged, this, &WatchEditor::showChosen);
@@ -63,7 +63,7 @@ void WatchEditor::build()
     m_lowest->setDecimals(0);
     m_lowest->setSuffix(QStringLiteral("°"));
     m_lowest->setAccessibleName(tr("Lowest elevation of the satellite"));
-    m_lowest->setToolTip(tr("Its passes count from this elevation on."));
+    m_lowest->setToolTip(tr("Only the part of its passes above this elevation counts."));
     m_refused->setLines(2);
     m_refused->setStretching(true);
     m_refused->setCollapsing(true);

@@ -136,9 +136,8 @@ void StoredMounts::switchTo(const profile::StoredProfile& mount)
                                       : tr("Bus: %1"))
                 .arg(bus) +
             QLatin1Char('\n') +
-            tr("Boresight leaves the present mount as at the end of the program. Then it connects the other mount as "
-               "at a "
-               "start. Nothing moves. The window stays open.") +
+            tr("Boresight disconnects from the present mount, as when the program ends. Then it connects to the other "
+               "mount, as at a start. Nothing moves. The window stays open.") +
             QStringLiteral("\n\n") + differences(m_draft.applied(), other);
         Q_EMIT asked({.title = tr("Switch to the mount \"%1\"?").arg(nameOf(other)),
                       .text = lines,
@@ -261,7 +260,7 @@ void StoredMounts::askOverwrite(const profile::Profile& read, const profile::Sto
         return;
     }
     ask(tr("Overwrite the mount \"%1\"?").arg(nameOf(read)),
-        tr("The present version is kept as the version before.\n\n%1").arg(differences(kept, read)), tr("Overwrite"),
+        tr("Undo restores the present version.\n\n%1").arg(differences(kept, read)), tr("Overwrite"),
         [this, read, mount](const QString&) {
             write([read, mount, store = m_store] { return store.save(read, mount.path); },
                   tr("The mount \"%1\" is overwritten.").arg(nameOf(read)));

@@ -2,6 +2,7 @@
 #include "ui/window/alarm_card.h"
 
 #include "core/alarms/catalogue.h"
+#include "core/units/duration_text.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
 #include "ui/kit/push_button.h"
@@ -25,6 +26,7 @@ constexpr std::chrono::seconds kSaidFor{10};  // time enough to read a path
 constexpr int kCardMargin = 12;               // px
 constexpr int kCardSymbol = 12;               // px
 constexpr double kCardRadius = 6.0;           // px
+constexpr int kBeforeButtons = 2;             // px
 constexpr double kCardTint = 0.09;            // of the alarm's colour in the ground
 
 QFont boldOf(QFont font)
@@ -94,6 +96,16 @@ QString linesOf(QStringList sentences)
     return sentences.join(QLatin1Char('\n'));
 }
 
+// What the two choices at the end of the cable cost, where that is known.
+QString costOf(const StationStatus& status)
+{
+    const std::optional<CableEnd>& end = status.cableEnd;
+    return end && end->turningBack && end->lostByHolding
+               ? AlarmCard::tr("Unwrapping loses the target for %1. Holding at the end loses it for %2.")
+                     .arg(durationText(*end->turningBack), durationText(*end->lostByHolding))
+               : QString();
+}
+
 QString listOf(const std::vector<Alarm>& alarms)
 {
     QStringList all;
@@ -144,12 +156,14 @@ void AlarmCard::build()
     m_notice->setCollapsing(true);
     m_count->setFlat(true);
     m_since->setFixedHeight(kTouchSize);
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     auto* const buttons = new FlowRow;
-    for (QWidget* const part :
-         {static_cast<QWidget*>(m_help), static_cast<QWidget*>(m_holdAtEnd), static_cast<QWidget*>(m_recover),
-          static_cast<QWidget*>(m_acknowledge), static_cast<QWidget*>(m_count), static_cast<QWidget*>(m_since)}) {
+    for (QWidget* const part : std::initializer_list<QWidget*>{m_help, m_holdAtEnd, m_recover}) {
         buttons->addWidget(part);
+    }
+    // At the other end: a second press on a button that has just gone does not acknowledge.
+    for (QWidget* const part : std::initializer_list<QWidget*>{m_since, m_count, m_acknowledge}) {
+        buttons->addWidget(part);
+        buttons->setAlignment(part, Qt::AlignRight);
     }
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(2 * kCardMargin + kCardSymbol, kCardMargin - 4, kCardMargin, kCardMargin - 4);
@@ -157,8 +171,16 @@ void AlarmCard::build()
     column->addWidget(m_what);
     column->addWidget(m_advice);
     column->addWidget(m_notice);
-    column->addSpacing(2);
+    column->addSpacing(kBeforeButtons);
     column->addLayout(buttons);
+}
+
+int AlarmCard::heightWith(int linesOfAdvice) const
+{
+    const QMargins margins = layout()->contentsMargins();
+    return margins.top() + margins.bottom() + 2 * m_what->fontMetrics().lineSpacing() +
+           linesOfAdvice * m_advice->fontMetrics().lineSpacing() + m_acknowledge->sizeHint().height() + kBeforeButtons +
+           3 * layout()->spacing();
 }
 
 void AlarmCard::showStatus(const StationStatus& status)
@@ -187,8 +209,10 @@ void AlarmCard::showAlarm(const StationStatus& status)
     }
     const Alarm& alarm = *m_shown;
     m_what->setValue(alarm.active ? alarm.what : tr("Cleared: %1").arg(alarm.what));
-    m_advice->setValue(linesOf({alarm.action, alarm.remedy}));
-    m_advice->setVisible(!alarm.acknowledged);  // who acknowledged it has read it. A click opens it in the log
+    const QString cost = alarm.active && alarm.help == AlarmHelp::Unwind ? costOf(status) : QString();
+    // Who acknowledged it has read it. A click opens it in the log. The choice is still open.
+    m_advice->setValue(alarm.acknowledged ? cost : linesOf({alarm.action, alarm.remedy, cost}));
+    m_advice->setVisible(!m_advice->text().isEmpty());
     m_since->setValue(clockText(alarm.since) + QLatin1Char('Z'), Tone::Secondary);
     m_what->setToolTip(listOf(status.alarms));
     m_advice->setToolTip(m_what->toolTip());

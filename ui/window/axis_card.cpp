@@ -23,8 +23,9 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr int kCardSides = 12;  // px
-constexpr int kCardEnds = 3;    // px
+constexpr int kCardSides = 12;   // px
+constexpr int kCardEnds = 3;     // px
+constexpr double kTurn = 360.0;  // degrees
 
 struct Worded
 {
@@ -120,6 +121,11 @@ std::optional<Angle> expectedAngle(const StationStatus& status, const BeamAngles
     return status.slew || !status.route.empty() ? beam.commanded : beam.target;
 }
 
+Angle steady(SteadyNumber& number, Angle measured)
+{
+    return Angle::fromDegrees(number.shown(measured.degrees()));
+}
+
 QString widestState()
 {
     return widest(fonts::text(), {widestAxisState(fonts::text()), AxisCard::tr("WRAP?")});
@@ -127,14 +133,15 @@ QString widestState()
 
 }  // namespace
 
-AxisCard::AxisCard(Axis axis, QWidget* parent) : QWidget(parent), m_axis(axis)
+AxisCard::AxisCard(Axis axis, QWidget* parent)
+    : QWidget(parent), m_axis(axis), m_steadyActual(2, axis == Axis::Azimuth ? kTurn : 0.0)
 {
     const QString axisName = name(axis);
     const QString widest = QStringLiteral("-000.00°");
     m_actual = new ValueLabel(tr("Actual %1").arg(axisName), {}, QStringLiteral("000.00°"), this);
     m_target = new ValueLabel(tr("Target %1").arg(axisName), fonts::value(), widest, this);
     m_error = new ValueLabel(tr("Error of %1").arg(axisName), fonts::value(), widest, this);
-    m_rate = new ValueLabel(tr("Rate of %1").arg(axisName), fonts::value(), QStringLiteral("-00.00°/s"), this);
+    m_rate = new ValueLabel(tr("Rate of %1").arg(axisName), fonts::value(), QStringLiteral("-00.0°/s"), this);
     m_name = makeName(m_axis == Axis::Azimuth ? tr("AZ") : tr("EL"), this);
     m_targetCaption = makeCaption(tr("target"), this);
     m_errorCaption = makeCaption(tr("error"), this);
@@ -243,10 +250,11 @@ void AxisCard::showNumbers(bool turnKnown)
     const auto target = missing ? std::nullopt : m_shown.beam.target;
     const auto rate = known ? m_shown.rate : std::nullopt;
     const bool comparable = known && m_shown.target;
-    show(*m_actual, actual ? text(*actual) : QString(), tone);
+    show(*m_actual, actual ? text(steady(m_steadyActual, *actual)) : QString(), tone);
     show(*m_target, target ? text(*target) : QString(), Tone::Normal);
-    show(*m_error, comparable ? signedAngleText(*m_shown.target - *m_shown.actual) : QString(), tone);
-    show(*m_rate, rate ? rateText(*rate, 2) : QString(), tone);
+    show(*m_error, comparable ? signedAngleText(steady(m_steadyError, *m_shown.target - *m_shown.actual)) : QString(),
+         tone);
+    show(*m_rate, rate ? rateText(AngularRate::fromDegrees(m_steadyRate.shown(rate->degrees()))) : QString(), tone);
 }
 
 void AxisCard::showError(const StationStatus& status, bool known)
@@ -269,14 +277,14 @@ Angle AxisCard::trim() const
     return !m_trim ? 0_deg : m_axis == Axis::Azimuth ? m_trim->azimuth : m_trim->elevation;
 }
 
-QString AxisCard::detail() const
+QString AxisCard::detail()
 {
     QStringList parts;
     if (trim() != 0_deg) {
         parts << tr("trim %1").arg(signedAngleText(trim()));
     }
     if (m_shown.actual && m_shown.turnKnown && m_hasModel && freshness(m_shown.age) != Freshness::NoData) {
-        parts << tr("axis %1").arg(angleText(*m_shown.actual));
+        parts << tr("axis %1").arg(angleText(steady(m_steadyAxis, *m_shown.actual)));
     }
     if (const QString text = detailText(m_shown, m_shown.turnKnown); !text.isEmpty()) {
         parts << text;

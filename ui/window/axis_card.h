@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/messages/station_status.h"
+#include "ui/kit/steady_number.h"
 
 #include <QWidget>
 
@@ -44,7 +45,7 @@ private:
     void build(Numerals numerals);
     void showNumbers(bool turnKnown);
     void showError(const StationStatus& status, bool known);
-    [[nodiscard]] QString detail() const;
+    [[nodiscard]] QString detail();
     [[nodiscard]] Angle trim() const;
 
     const Axis m_axis;
@@ -64,6 +65,11 @@ private:
     QString m_registers;  // what the drive says of itself
     std::optional<SkyPointing> m_trim;
     bool m_hasModel = false;  // the axis does not show the truth
+    // What is measured trembles also while the axis stands.
+    SteadyNumber m_steadyActual;
+    SteadyNumber m_steadyAxis{2};
+    SteadyNumber m_steadyError{2};
+    SteadyNumber m_steadyRate{1};  // the second decimal of a drive's velocity is noise
 };
 
 }  // namespace boresight::ui

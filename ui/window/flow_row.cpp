@@ -2,6 +2,7 @@
 #include "ui/window/flow_row.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace boresight::ui {
 
@@ -55,13 +56,29 @@ void FlowRow::setGeometry(const QRect& room)
     arrange(room, true);
 }
 
+int FlowRow::widthFrom(std::size_t item) const
+{
+    int width = 0;
+    for (; item < m_items.size(); ++item) {
+        if (!m_items[item]->isEmpty()) {
+            width += m_items[item]->sizeHint().width() + (width > 0 ? spacing() : 0);
+        }
+    }
+    return width;
+}
+
 int FlowRow::arrange(const QRect& room, bool place) const
 {
     QPoint at = room.topLeft();
     int rowHeight = 0;
-    for (const auto& item : m_items) {
+    bool atTheRight = false;
+    for (std::size_t i = 0; i < m_items.size(); ++i) {
+        const auto& item = m_items[i];
         if (item->isEmpty()) {
             continue;
+        }
+        if (item->alignment().testFlag(Qt::AlignRight) && !std::exchange(atTheRight, true)) {
+            at.setX(std::max(at.x(), room.right() + 1 - widthFrom(i)));
         }
         const QSize size = item->sizeHint();
         if (at.x() > room.left() && at.x() + size.width() > room.right() + 1) {

@@ -6,7 +6,8 @@
 #include <memory>
 #include <vector>
 
-// Widgets in a row, which continues below where they are wider than their room. What is hidden takes no place.
+// Widgets in a row, which continues below where they are wider than their room. What is hidden takes no place. From the
+// first that is aligned to the right on, they stand at the right end, where there is room.
 namespace boresight::ui {
 
 class FlowRow : public QLayout
@@ -29,6 +30,7 @@ public:
 private:
     // Returns the height.
     int arrange(const QRect& room, bool place) const;
+    [[nodiscard]] int widthFrom(std::size_t item) const;
 
     std::vector<std::unique_ptr<QLayoutItem>> m_items;
 };

@@ -236,7 +236,8 @@ WindowLayout PanelTabs::arrangement() const
     const auto* const group = qobject_cast<const QTabWidget*>(currentWidget());
     return {.panel = keyOf(group != nullptr ? group->currentWidget() : currentWidget()),
             .mountPanel = mountPanel,
-            .charts = m_charts->charts().choice()};
+            .charts = m_charts->charts().choice(),
+            .passes = m_passes->arrangement()};
 }
 
 void PanelTabs::arrange(const WindowLayout& layout)
@@ -244,6 +245,7 @@ void PanelTabs::arrange(const WindowLayout& layout)
     bringUp(layout.mountPanel);
     bringUp(layout.panel);
     m_charts->charts().choose(layout.charts);
+    m_passes->arrange(layout.passes);
 }
 
 // The waiting question stands out among the tabs, by its shape in every theme.

@@ -5,6 +5,7 @@
 #include "ui/charts/strip_frame.h"
 #include "ui/guide/guide_progress.h"
 #include "ui/kit/theme.h"
+#include "ui/passes/passes_layout.h"
 
 #include <QString>
 #include <QStringList>
@@ -17,6 +18,7 @@ struct WindowLayout
     int panel = 1;       // in front, by the digit of its key
     int mountPanel = 6;  // the same within Mount
     ChartChoice charts;
+    PassesLayout passes;
 };
 
 }  // namespace boresight::ui

@@ -138,7 +138,7 @@ TEST(AzelText, RefusesEverythingElse)
                                    "22:+3:04", "        ", "22:30:04Z"}) {
         EXPECT_EQ(reasonOf(replaced(kSample, "22:30:04", time)), "the time of the Moon cannot be read") << time;
     }
-    EXPECT_EQ(reasonOf("105.3,59.9\n"), "the file is that of AirScout, which has another form");
+    EXPECT_EQ(reasonOf("105.3,59.9\n"), "the file is from AirScout and has another form");
     EXPECT_EQ(reasonOf("# some notes\n"), "The file has no line for the Moon.");
     EXPECT_EQ(reasonOf(replaced(kSample, "Moon", "Mooo")), "The file has no line for the Moon.");
     EXPECT_THAT(reasonOf(kSample + std::string(1, '\0')), HasSubstr("characters that are not plain text"));

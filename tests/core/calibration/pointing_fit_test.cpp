@@ -339,7 +339,7 @@ TEST(PointingFit, APointOverTheTopIsAsGood)
 
 TEST(PointingFit, IsRefusedWithTheReason)
 {
-    EXPECT_THAT(fitReason({}), HasSubstr("There is no point."));
+    EXPECT_THAT(fitReason({}), HasSubstr("There are no points."));
     auto points = allRound(hiddenModel(), 3);
     points[1].sigma = Angle{};
     EXPECT_THAT(fitReason(points), HasSubstr("Point 2 is not a number or has no sigma."));

@@ -106,7 +106,7 @@ TEST(Arming, WaitsForBothDrivesAndTheirFitness)
     EXPECT_EQ(rig.refusal(), "no reply from the elevation drive");
     rig.elevation.silent = false;
     rig.run(Seconds(0.2));
-    EXPECT_EQ(rig.refusal(), "the drives have not been looked at yet");
+    EXPECT_EQ(rig.refusal(), "the drives have not been checked yet");
     rig.mount.setFitness(failure(ErrorCode::Refused, QStringLiteral("servo.timeout_mode is 12")));
     EXPECT_EQ(rig.refusal(), "servo.timeout_mode is 12");
     rig.mount.setFitness({});

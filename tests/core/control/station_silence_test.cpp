@@ -78,7 +78,7 @@ TEST(StationControl, ABusThatIsGoneIsOneAlarm)
     EXPECT_EQ(alarm.action, QStringLiteral("Boresight ended the motion. Azimuth moved 0.4° and elevation 0.0° while no "
                                            "reply came. The position is continuous."));
     EXPECT_TRUE(alarm.remedy.contains(QStringLiteral("press Re-arm")));
-    EXPECT_EQ(back.stateReason, QStringLiteral("both drives fell silent"));
+    EXPECT_EQ(back.stateReason, QStringLiteral("both drives stopped replying"));
     ASSERT_TRUE(rig.ask(request::Rearm{}));
     rig.run(Seconds(0.5));
     EXPECT_FALSE(rig.control.status().alarms.front().active);
@@ -123,7 +123,7 @@ TEST(StationControl, ADriveThatAnswersAgainSaysSoWhileItWaitsForTheRearm)
     EXPECT_EQ(back.alarms.front().action, QStringLiteral("Boresight ended the motion. The axis did not move while no "
                                                          "reply came. Its position is continuous."));
     EXPECT_TRUE(back.alarms.front().remedy.contains(QStringLiteral("press Re-arm")));
-    EXPECT_EQ(back.stateReason, QStringLiteral("the azimuth drive fell silent"));
+    EXPECT_EQ(back.stateReason, QStringLiteral("the azimuth drive stopped replying"));
     rig.control.alarms().acknowledgeAll();
     rig.run(Seconds(1.5));
     ASSERT_TRUE(rig.ask(request::Rearm{}));

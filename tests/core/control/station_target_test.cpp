@@ -139,7 +139,8 @@ TEST_F(StationTarget, StaysWhereATargetStays)
     EXPECT_TRUE(logged(QStringLiteral("track 100.00° 30.00°")));
     EXPECT_TRUE(logged(QStringLiteral("tracks IM67, long path from now on")));
     EXPECT_THAT(ask("azel 100,-20"), HasSubstr("-20"));
-    EXPECT_EQ(ask("place 38.757,-9.117,80"), "38.757° north, -9.117° east is where the mount stands.");
+    EXPECT_EQ(ask("place 38.757,-9.117,80"),
+              "38.757° north, -9.117° east is the site of the mount, so it has no direction.");
     ASSERT_TRUE(tracked()) << "a refusal changes nothing";
 
     profile::Profile nowhere = rig.profile;

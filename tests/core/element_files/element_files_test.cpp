@@ -126,9 +126,9 @@ TEST_F(ElementFilesTest, SourcesThatDisagreeAreReported)
         ASSERT_THAT(files.sets, SizeIs(1));
         EXPECT_EQ(files.sets[0].name, "ISS (ZARYA)");
         ASSERT_THAT(files.problems, SizeIs(1));
-        EXPECT_TRUE(files.problems[0].startsWith(wrong + QStringLiteral(": Satellite 25544 is ")));
-        EXPECT_TRUE(files.problems[0].endsWith(
-            QStringLiteral(" km away from where %1 places it. Boresight uses %1.").arg(good)));
+        EXPECT_TRUE(files.problems[0].startsWith(
+            wrong + QStringLiteral(": This file and %1 place satellite 25544 ").arg(good)));
+        EXPECT_TRUE(files.problems[0].endsWith(QStringLiteral(" km apart. Boresight uses %1.").arg(good)));
     }
     EXPECT_THAT(linesOf(readElementFiles({good, good})), IsEmpty());
 }

@@ -172,7 +172,8 @@ TEST(MagneticModel, WarnsFromItsLastHalfYearOn)
 {
     const MagneticModel model = mixed();
     EXPECT_EQ(model.expiry(2029.49).toStdString(), "");
-    EXPECT_EQ(model.expiry(2029.51).toStdString(), "The magnetic model TEST ends with 2030.00. Look for the next one.");
+    EXPECT_EQ(model.expiry(2029.51).toStdString(),
+              "The magnetic model TEST ends with 2030.00. Get the next one before that.");
     EXPECT_EQ(model.expiry(2030.2).toStdString(),
               "The magnetic model TEST ended with 2030.00. Its declination is less exact each year. Get the "
               "present World Magnetic Model (.COF).");

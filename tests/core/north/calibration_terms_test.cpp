@@ -149,7 +149,7 @@ TEST(CalibrationTerms, WhatWasChangedByHandSinceIsTold)
     rig.tick();
     EXPECT_EQ(QStringLiteral("Typed terms, changed by hand since"), rig.status().history.front().title);
     EXPECT_THAT(rig.status().history.front().change.toStdString(),
-                HasSubstr("since then by hand: azimuth offset 37.40° → 338.70°"));
+                HasSubstr("Changed by hand after that: azimuth offset 37.40° → 338.70°"));
     EXPECT_TRUE(rig.status().history.front().inForce);
 }
 

@@ -112,7 +112,7 @@ TEST(TargetPath, HasNoDirectionToItsOwnPlace)
 {
     const auto here = TargetPath(position(kLisbon), kLisbon).nextUp(kDay);
     ASSERT_FALSE(here);
-    EXPECT_EQ(textOf(here.error()), "here is where the mount stands.");
+    EXPECT_EQ(textOf(here.error()), "here is the site of the mount, so it has no direction.");
 }
 
 // REQ-TARGETS-904: A body rises and sets where it appears at the horizon, to 2 s. One that is up rises now. One that

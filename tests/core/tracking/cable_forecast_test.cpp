@@ -55,6 +55,30 @@ TEST(CableForecast, ATargetThatSetsBeforeOrStandsIsNotTold)
     EXPECT_FALSE(forecastCableEnd(moving(451_deg, 10_deg, 1_deg_s), kRange).has_value()) << "it is there already";
 }
 
+// REQ-CONTROL-31c: Where the path of the target is known, the operator sees before choosing how many seconds of it
+// both choices lose: unwrapping, and holding at the end. Where it is not known, nothing is said.
+TEST(TimeBeyond, CountsWhatIsPastTheEndAndNothingElse)
+{
+    const std::vector<PathMoment> path{{.in = Seconds(0.0), .azimuth = 430_deg},
+                                       {.in = Seconds(10.0), .azimuth = 440_deg},
+                                       {.in = Seconds(30.0), .azimuth = 460_deg},
+                                       {.in = Seconds(40.0), .azimuth = 460_deg},
+                                       {.in = Seconds(60.0), .azimuth = 440_deg}};
+    EXPECT_NEAR(timeBeyond(path, kRange).count(), 10.0 + 10.0 + 10.0, 1e-9);
+    EXPECT_NEAR(timeBeyond(path, {-90_deg, 470_deg}).count(), 0.0, 1e-9);
+    EXPECT_NEAR(timeBeyond(path, {-90_deg, 400_deg}).count(), 60.0, 1e-9);
+    EXPECT_EQ(timeBeyond({}, kRange), Seconds(0.0));
+}
+
+TEST(TimeBeyond, WhatTheLimitsHideIsNotLostByTheCable)
+{
+    const std::vector<PathMoment> path{{.in = Seconds(0.0), .azimuth = 455_deg},
+                                       {.in = Seconds(10.0), .azimuth = 456_deg},
+                                       {.in = Seconds(20.0), .azimuth = 457_deg, .isReachable = false},
+                                       {.in = Seconds(30.0), .azimuth = 458_deg}};
+    EXPECT_NEAR(timeBeyond(path, kRange).count(), 10.0, 1e-9);
+}
+
 TEST(CableForecast, AStarIsToldHoursAhead)
 {
     const auto forecast = forecastCableEnd(moving(420_deg, 30_deg, 0.004_deg_s), kRange);

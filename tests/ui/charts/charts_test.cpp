@@ -297,8 +297,8 @@ TEST_F(ChartsTest, AreDescribedInWords)
     clock.advance(1s);
     tick(12.0, 11.5, 500);
     EXPECT_EQ(charts().accessibleDescription(),
-              QStringLiteral("azimuth, last 1 min. Position: commanded 12.00°, in between 10.00…12.00°; actual "
-                             "11.50°, in between 9.50…11.50°. Error: commanded − actual 0.500°, in between 0.500°. "
+              QStringLiteral("azimuth, last 1 min. Position: commanded 12.00°, range 10.00…12.00°; actual "
+                             "11.50°, range 9.50…11.50°. Error: commanded − actual 0.500°, range 0.500°. "
                              "Torque: no data."));
 }
 

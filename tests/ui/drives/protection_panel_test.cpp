@@ -144,7 +144,7 @@ TEST_F(DrivesTest, FixListsWhatItWritesAndWritesOnlyAfterASecondPress)
         QStringLiteral("AZ  servopos.position_min: -0.01 turns (-3.6°) → -0.258333 turns (-93.0°)")));
     EXPECT_TRUE(questionText().contains(QStringLiteral("EL  servo.timeout_mode: 12 (damp) → 10 (hold)")));
     EXPECT_FALSE(questionText().contains(QLatin1String("max_voltage"))) << "it is right already";
-    const QStringList parts = questionText().split(QStringLiteral("Left for you"));
+    const QStringList parts = questionText().split(QStringLiteral("Set these yourself"));
     ASSERT_EQ(parts.size(), 2);
     EXPECT_FALSE(parts[0].contains(QLatin1String("rotor_to_output_ratio"))) << "never written by itself";
     EXPECT_TRUE(parts[1].contains(QLatin1String("rotor_to_output_ratio: 1, wanted 0.00666667")));

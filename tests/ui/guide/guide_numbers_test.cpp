@@ -195,7 +195,7 @@ TEST_F(GuideTest, AnEmptiedNorthIsNotATypedOne)
     give(samples::update(status));
     EXPECT_EQ(truth.cleanText(), QString()) << "somebody is about to type";
     EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled());
-    EXPECT_TRUE(inGuide<QPushButton>("Set north").toolTip().contains(QStringLiteral("type where it really points")));
+    EXPECT_TRUE(inGuide<QPushButton>("Set north").toolTip().contains(QStringLiteral("type the true azimuth first")));
     QTest::keyClick(&truth, Qt::Key_Tab);
     EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled());
     truth.setFocus();

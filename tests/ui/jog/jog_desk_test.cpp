@@ -318,6 +318,69 @@ TEST_F(JogDeskTest, ARefusedDirectionOffersTheNearestAllowedOne)
     EXPECT_TRUE(offer.isHidden()) << "the refusal was about another direction";
 }
 
+// REQ-UI-02g: The refusal of one axis alone offers the nearest allowed direction, too. The other axis counts where the
+// beam is. So does the refusal of Park, whose position may lie behind a new horizon.
+TEST_F(JogDeskTest, ARefusedAxisOffersTheNearestAllowedDirection)
+{
+    std::vector<SkyPointing> judged;
+    judge = [&judged](const SkyPointing& at) {
+        judged.push_back(at);
+        return DirectionVerdict{.whyNot = QStringLiteral("x"), .nearest = SkyPointing{330_deg, 25_deg}};
+    };
+    StationStatus status = holding();
+    status.actual = SkyPointing{200_deg, 40_deg};
+    give(samples::update(status));
+    const auto refusedGoTo = [&](const char* azimuth, const char* elevation) {
+        named<QLineEdit>("Azimuth")->setText(QLatin1String(azimuth));
+        named<QLineEdit>("Elevation")->setText(QLatin1String(elevation));
+        click("Go");
+        give(samples::refusal(status, requests.back().id, "elevation 1.0° is below the horizon"));
+        give(samples::update(status));
+    };
+    auto& offer = *window.findChild<NearestOffer*>();
+    refusedGoTo("", "1");
+    ASSERT_TRUE(offer.isVisible());
+    EXPECT_EQ(judged.back(), (SkyPointing{200_deg, 1_deg}));
+    QTest::mouseClick(&offer, Qt::LeftButton);
+    EXPECT_EQ(asked<request::PointSky>().back().direction, (SkyPointing{330_deg, 25_deg}));
+    give(samples::acceptance(status, requests.back().id));
+    EXPECT_TRUE(offer.isHidden());
+    EXPECT_EQ(named<TouchCombo>("Recent directions")->count(), 0) << "one axis is no direction";
+
+    refusedGoTo("315", "");
+    EXPECT_TRUE(offer.isVisible());
+    EXPECT_EQ(judged.back(), (SkyPointing{315_deg, 40_deg}));
+    status.actual.reset();
+    give(samples::update(status));
+    refusedGoTo("315", "");
+    EXPECT_TRUE(offer.isHidden()) << "nobody knows which direction that would be";
+}
+
+// REQ-UI-02g
+TEST_F(JogDeskTest, ARefusedParkOffersTheNearestAllowedDirection)
+{
+    SkyPointing judged;
+    judge = [&judged](const SkyPointing& at) {
+        judged = at;
+        return DirectionVerdict{.whyNot = QStringLiteral("x"), .nearest = SkyPointing{0_deg, 15_deg}};
+    };
+    StationStatus status = holding();
+    profile::Profile profile = *status.profile;
+    profile.park = {.azimuth = 10_deg, .elevation = 2_deg};
+    profile.pointing.azimuthOffset = 20_deg;
+    status.profile = std::make_shared<const profile::Profile>(profile);
+    status.permissions.refuse(Action::Park, QStringLiteral("The park position lies below the horizon."));
+    give(samples::update(status));
+    QTest::keyClick(&window, Qt::Key_P, Qt::ControlModifier);
+    give(samples::update(status));
+    auto& offer = *window.findChild<NearestOffer*>();
+    ASSERT_TRUE(offer.isVisible());
+    EXPECT_NEAR(judged.azimuth.degrees(), 30.0, 1e-9) << "where the beam would look, not what the axis shows";
+    EXPECT_TRUE(text("Refused direction").startsWith(QStringLiteral("Park: ")));
+    QTest::mouseClick(&offer, Qt::LeftButton);
+    EXPECT_EQ(asked<request::PointSky>().back().direction, (SkyPointing{0_deg, 15_deg}));
+}
+
 TEST_F(JogDeskTest, DirectionsOfAnEarlierStartComeBackAndRubbishDoesNot)
 {
     WindowSettings earlier = settings();

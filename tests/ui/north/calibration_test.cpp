@@ -100,6 +100,26 @@ TEST_F(NorthTest, DiscardSendsTheProposalThatWasSeenWhenItWasPressed)
     EXPECT_EQ(wanted<request::DiscardCalibration>().front().proposal, 7u);
 }
 
+// Story: the text belonged to another mount and to another site, and the second was not to be seen beside Apply.
+// REQ-UI-1005: Beside Apply stands every warning of what is proposed, before what changes.
+TEST_F(NorthTest, EveryWarningStandsBesideApply)
+{
+    StationStatus status = samples::swung();
+    CalibrationStatus warned = *status.calibration;
+    warned.proposal->warnings = {QStringLiteral("The text belongs to another mount."),
+                                 QStringLiteral("The text belongs to another site. North and tilt may differ.")};
+    status.calibration = std::make_shared<const CalibrationStatus>(warned);
+    for (int step = 0; step < 5; ++step) {
+        show(static_cast<CalibrationStep>(step), status);
+        const QString change = text("What Apply changes");
+        EXPECT_TRUE(change.startsWith(
+            QStringLiteral("The text belongs to another mount. The text belongs to another site. North and tilt may "
+                           "differ.\nazimuth offset 0.00° → 3")))
+            << change.toStdString();
+        EXPECT_EQ(named<ValueLabel>("What Apply changes")->tone(), Tone::Warning);
+    }
+}
+
 // Story: a second Space on Discard took back the calibration that was in force.
 TEST_F(NorthTest, ASecondPressOfAButtonThatIsDoneIsNotTheNextOnes)
 {

@@ -111,7 +111,7 @@ TEST_F(NorthTest, NothingIsShownAsProposedThatIsNot)
         }
     }
     EXPECT_TRUE(text("How well the model fits")
-                    .startsWith(QStringLiteral("5 of 6 points: rms 0.912°; their own fit, 5 terms: 0.031°")))
+                    .startsWith(QStringLiteral("5 of 6 points: rms 0.912° now, 0.031° with their own fit (5 terms)")))
         << text("How well the model fits").toStdString();
 }
 
@@ -128,7 +128,7 @@ TEST_F(NorthTest, TheRmsIsThatOfWhatIsProposed)
     show(CalibrationStep::Model, status);
     const QString told = text("How well the model fits");
     EXPECT_TRUE(told.startsWith(
-        QStringLiteral("5 of 6 points: rms 0.912°, as proposed 0.500°; their own fit, 5 terms: 0.031°")))
+        QStringLiteral("5 of 6 points: rms 0.912° now, 0.500° with the proposal, 0.031° with their own fit (5 terms)")))
         << told.toStdString();
     EXPECT_TRUE(told.endsWith(QStringLiteral("χ² 0.012"))) << told.toStdString();
 }

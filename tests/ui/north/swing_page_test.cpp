@@ -210,7 +210,7 @@ TEST_F(NorthPagesTest, TheDeclinationIsToldWithItsModelAndWhatIsWrongWithIt)
     EXPECT_EQ(Tone::Secondary, line.tone());
     EXPECT_FALSE(line.isElided());
     status.sensor.declinationDoubt =
-        QStringLiteral("The magnetic model WMM-2025 ends with 2030.00. Look for the next one.");
+        QStringLiteral("The magnetic model WMM-2025 ends with 2030.00. Get the next one before that.");
     show(CalibrationStep::Sensor, status);
     EXPECT_TRUE(line.text().contains(QStringLiteral("ends with 2030")));
     EXPECT_EQ(Tone::Warning, line.tone());

@@ -68,6 +68,28 @@ TEST_F(AlarmCardTest, StopInAFaultLeavesBothWaysBackOneAfterTheOther)
     EXPECT_EQ(asked<request::ResetStop>().size(), 1u);
 }
 
+// Story: a second click on Re-arm hit Acknowledge, which had moved under the pointer.
+// REQ-UI-1006: No button of the alarm card moves into the place of another one that has just gone.
+TEST_F(AlarmCardTest, ASecondClickOnAButtonThatIsGoneHitsNoOther)
+{
+    for (const QSize size : {QSize(1024, 700), QSize(1280, 800)}) {
+        window.resize(size);
+        StationStatus status = samples::faulted();
+        give(samples::update(status));
+        settle();
+        const QPoint place = named<CommandButton>("Re-arm")->mapTo(&card(), QPoint(20, 20));
+        ASSERT_EQ(card().childAt(place), named<CommandButton>("Re-arm"));
+        status.state = StationState::Standby;
+        for (Alarm& alarm : status.alarms) {
+            alarm.active = false;
+        }
+        give(samples::update(status));
+        settle();
+        ASSERT_TRUE(seen("Acknowledge"));
+        EXPECT_EQ(qobject_cast<QPushButton*>(card().childAt(place)), nullptr) << size.width();
+    }
+}
+
 TEST_F(AlarmCardTest, StopBesideAnotherAlarmCanBeReset)
 {
     StationStatus status = samples::cableEnding();
@@ -76,6 +98,24 @@ TEST_F(AlarmCardTest, StopBesideAnotherAlarmCanBeReset)
     give(samples::update(status));
     EXPECT_TRUE(seen("Unwrap now"));
     EXPECT_TRUE(seen("Reset stop"));
+}
+
+// REQ-CONTROL-31c
+TEST_F(AlarmCardTest, BothChoicesAtTheCableEndSayWhatTheyLose)
+{
+    StationStatus status = samples::cableEnding();
+    give(samples::update(status));
+    EXPECT_FALSE(text("What was done and what to do").contains(QStringLiteral("Holding at the end loses")))
+        << "of a stream nobody knows where it goes";
+    status.cableEnd->lostByHolding = Seconds(192.4);
+    give(samples::update(status));
+    const QString cost =
+        QStringLiteral("Unwrapping loses the target for 37 s. Holding at the end loses it for 3 min 12 s.");
+    EXPECT_TRUE(text("What was done and what to do").endsWith(QLatin1Char('\n') + cost));
+    status.alarms.front().acknowledged = true;
+    give(samples::update(status));
+    EXPECT_EQ(text("What was done and what to do"), cost) << "the choice is open";
+    EXPECT_TRUE(named<ValueLabel>("What was done and what to do")->isVisible());
 }
 
 TEST_F(AlarmCardTest, TheButtonDoesWhatHelps)

@@ -10,6 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+
 namespace boresight::ui {
 namespace {
 
@@ -52,6 +55,30 @@ TEST(AxisReadout, WithoutAModelTheAxisIsTheTruth)
     readout.showStatus(pointed({}));
     EXPECT_EQ(shown(readout, "Actual azimuth"), QStringLiteral("62.60°"));
     EXPECT_FALSE(shown(readout, "Detail of azimuth").contains(QStringLiteral("axis")));
+}
+
+// REQ-UI-1004
+TEST(AxisReadout, TheNumeralsOfAMountThatStandsDoNotFlip)
+{
+    AxisReadout readout;
+    std::set<std::string> seen;
+    for (int i = 0; i < 20; ++i) {
+        StationStatus status = pointed({.azimuthOffset = 37.4_deg});
+        const Angle noise = i % 2 == 0 ? 0.002_deg : -0.002_deg;
+        status.azimuth.target = -37.4_deg;
+        status.azimuth.actual = -37.405_deg + noise;
+        status.azimuth.rate = AngularRate::fromDegrees(i % 2 == 0 ? 0.036 : -0.036);
+        status.elevation.target = 0.0_deg;
+        status.elevation.actual = -0.005_deg + noise;
+        readout.showStatus(samples::judged(status));
+        QStringList all;
+        for (const char* const name : {"Actual azimuth", "Error of azimuth", "Rate of azimuth", "Detail of azimuth",
+                                       "Actual elevation", "Error of elevation"}) {
+            all << shown(readout, name);
+        }
+        seen.insert(all.join(QLatin1Char(' ')).toStdString());
+    }
+    EXPECT_EQ(seen.size(), 1U) << *seen.begin() << "\n" << *seen.rbegin();
 }
 
 // REQ-MOUNT-03

@@ -137,7 +137,7 @@ TEST_P(CutTextTest, WhyADirectionIsForbiddenIsWhole)
     }
 }
 
-// REQ-UI-1412: What the calibration proposes is read whole at 1024×700: the title with its residuals, the warning and
+// REQ-UI-1412: What the calibration proposes is read whole at 1024×700: the title with its residuals, the warnings and
 // every term that changes.
 TEST_P(CutTextTest, AProposedCalibrationIsWhole)
 {
@@ -147,7 +147,8 @@ TEST_P(CutTextTest, AProposedCalibrationIsWhole)
         expectWhole(*window.findChild<CalibrationBar*>());
         CalibrationStatus warned = *status.calibration;
         warned.proposal->warnings = {
-            QStringLiteral("The text belongs to another mount and to another site. Compare both.")};
+            QStringLiteral("The text belongs to another mount and to another site. Compare both."),
+            QStringLiteral("The sensor keeps the north of its swing. Sensor and axes will then differ by 12.3°.")};
         warned.proposal->residuals = ProposalResiduals{.before = 10.912_deg, .after = 10.512_deg, .points = 15};
         status.calibration = std::make_shared<const CalibrationStatus>(warned);
         give(samples::update(status));
