@@ -173,19 +173,24 @@ AtomicTime TablePath::change(AtomicTime before, AtomicTime after)
 std::optional<TableSpan> TablePath::stayIn(const TableSpan& span)
 {
     AtomicTime last = span.from;
-    std::optional<AtomicTime> begins = isUp(last) ? std::optional(last) : std::nullopt;
+    AtomicTime begins = last;
+    bool wasUp = isUp(last);
     while (last < span.to) {
         const AtomicTime now = nextLook(last, span);
         const bool up = isUp(now);
-        if (up && !begins) {
+        if (up && !wasUp) {
             begins = change(last, now);
         }
-        if (!up && begins) {
-            return TableSpan{.from = *begins, .to = change(last, now)};
+        if (!up && wasUp) {
+            return TableSpan{.from = begins, .to = change(last, now)};
         }
+        wasUp = up;
         last = now;
     }
-    return begins ? std::optional(TableSpan{.from = *begins, .to = span.to}) : std::nullopt;
+    if (!wasUp) {
+        return std::nullopt;
+    }
+    return TableSpan{.from = begins, .to = span.to};
 }
 
 Result<TableStay> TablePath::nextStay(UtcTime from, UtcTime until)
