@@ -113,8 +113,8 @@ TARGET is one of these. Capital and small letters are the same.
 )" + kLocalSocket +
                                           R"(
 The command ends when the station has accepted the target. The motion goes on. What rises and sets is followed until it
-sets, and then the mount holds. A table rises and sets with its ends, too. A target that rises within 30 minutes is waited for. Of all others that are below the
-horizon the station says when they rise. To a direction and to a place the mount goes and stays.
+sets, and then the mount holds. A table rises and sets with its ends, too. A target that rises within 30 minutes is
+waited for. Of all others that are below the horizon the station says when they rise. To a direction and to a place the mount goes and stays.
 
 The station refuses it while STOP is latched, and while a client has the control: take comes first then. The operator has
 the control afterwards. release gives it back and ends the tracking. The Sun is refused while the profile keeps the beam

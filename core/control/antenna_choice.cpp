@@ -50,17 +50,16 @@ void AntennaChoice::release()
     }
 }
 
-std::string AntennaChoice::wanted() const
+std::string AntennaChoice::wanted(const profile::Profile& by) const
 {
-    const std::string own = m_tracked && m_tracked->satellite
-                                ? orbit::antennaOf(m_profile->satellites, *m_tracked->satellite)
-                                : std::string();
+    const std::string own =
+        m_tracked && m_tracked->satellite ? orbit::antennaOf(by.satellites, *m_tracked->satellite) : std::string();
     return own.empty() ? m_chosen : own;
 }
 
 void AntennaChoice::renew()
 {
-    const pointing::Antenna before = std::exchange(m_inUse, m_profile->antenna(wanted()));
+    const pointing::Antenna before = std::exchange(m_inUse, m_profile->antenna(wanted(*m_profile)));
     if (m_inUse.name != before.name) {
         m_log.add(Severity::Advisory, QStringLiteral("station"),
                   Text::tr("antenna \"%1\" is in use").arg(toQString(m_inUse.name)));

@@ -33,6 +33,11 @@ public:
     [[nodiscard]] pointing::Antenna chosen() const { return m_profile->antenna(m_chosen); }
     // By which its beam points.
     [[nodiscard]] pointing::PointingTerms terms() const { return m_profile->termsOf(m_inUse); }
+    // The same once another profile is in force: another antenna may then be in use.
+    [[nodiscard]] pointing::PointingTerms termsBy(const profile::Profile& after) const
+    {
+        return after.termsOf(after.antenna(wanted(after)));
+    }
     // As far as the beam of another antenna of the mount can be from it.
     [[nodiscard]] Angle spread() const;
     [[nodiscard]] const std::optional<Tracked>& tracked() const { return m_tracked; }
@@ -49,7 +54,7 @@ public:
 
 private:
     void renew();
-    [[nodiscard]] std::string wanted() const;
+    [[nodiscard]] std::string wanted(const profile::Profile& by) const;
 
     const profile::InForce& m_profile;
     EventLog& m_log;

@@ -267,8 +267,12 @@ Result<> StationControl::isKnown(const std::string& antenna) const
 Result<> StationControl::handle(const request::ApplyProfile& wanted, const Source& source)
 {
     return operatorOnly(source).and_then([&] { return makesSense(wanted.profile); }).and_then([&] {
-        const pointing::Antenna after = wanted.profile.antenna(m_antenna.inUse().name);
-        return wanted.profile.termsOf(after) == m_antenna.terms() ? Result<>{} : mayChangePointing();
+        if (m_antenna.termsBy(wanted.profile) == m_antenna.terms()) {
+            return Result<>{};
+        }
+        const bool choosesAnother =
+            wanted.profile.pointing == m_profile->pointing && wanted.profile.antennas == m_profile->antennas;
+        return choosesAnother ? gates().mayUseAntenna() : mayChangePointing();
     });
 }
 
@@ -305,7 +309,9 @@ void StationControl::profileChanged(const profile::Profile& before, const profil
 // Places of the axes stay what they are with any antenna.
 void StationControl::releaseAntenna()
 {
-    if (!moves() || m_current.is(Activity::Parking)) {
+    const StationState now = state();
+    const bool rests = !moves() || now == StationState::Parked;
+    if (rests && now != StationState::Calibrate) {
         m_antenna.release();
     }
 }

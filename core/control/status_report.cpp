@@ -279,6 +279,7 @@ StationStatus StatusReport::status() const
                          .authority = m_of.arming.authority(),
                          .tookControl = m_of.arming.tookByAct() && m_of.lead.isWanted(m_of.profile.rotctld, m_of.now),
                          .antenna = m_of.antenna.inUse().name,
+                         .chosenAntenna = m_of.antenna.chosen().name,
                          .drives = drivesStatus(),
                          .alarms = m_of.alarms.list(),
                          .utc = m_of.clock.utc(),

@@ -8,8 +8,8 @@
 #include <optional>
 
 // How the Earth stands in space: turns what is at rest among the stars into the frame that is fixed to the Earth. UT1
-// is taken as UTC, which is never wrong by more than 0.9 s; the pole as standing still. An object remembers for a
-// minute how the axis stands, so it belongs to one thread.
+// is taken as UTC, which is never wrong by more than 0.9 s; the pole as standing still. An object remembers for
+// ten minutes how the axis stands, so it belongs to one thread.
 namespace boresight::ephemeris {
 
 class EarthAxis

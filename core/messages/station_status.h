@@ -262,7 +262,8 @@ struct StationStatus
     // An act of the operator other than "Take control" took the control from clients, and they have not got it back.
     bool tookControl = false;
     std::optional<TrackedTarget> tracked;
-    std::string antenna = pointing::kMainAntenna;  // in use, by its name: see antennaOf()
+    std::string antenna = pointing::kMainAntenna;        // in use, by its name: see antennaOf()
+    std::string chosenAntenna = pointing::kMainAntenna;  // by hand: of what has no antenna of its own
     // Whose elements are known, in the order of their numbers. Never null.
     std::shared_ptr<const std::vector<orbit::ElementSet>> satellites =
         std::make_shared<const std::vector<orbit::ElementSet>>();

@@ -25,7 +25,8 @@ struct Antenna
 };
 
 // The terms by which the beam of this antenna points, from those of the main antenna: it is turned with both axes as
-// the main beam is, so both angles add up exactly, also at the zenith. Without an elevation axis what is across is an
+// the main beam is, so both angles add up exactly, also at the zenith. Only the sag of the boom goes by each beam's own
+// elevation. Without an elevation axis what is across is an
 // angle of the azimuth.
 [[nodiscard]] PointingTerms termsFor(PointingTerms main, const Antenna& antenna, std::optional<Axis> missing);
 

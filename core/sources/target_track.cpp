@@ -181,6 +181,7 @@ Result<> TargetTrack::begin(Tracked tracked)
 targets::SkyWay TargetTrack::wayOf(Tracked& tracked, UtcTime from) const
 {
     const auto isClear = profile::clearSky(helm().view().profile, helm().view().antenna.inUse());
+    tracked.terms = helm().view().antenna.terms();
     const UtcTime end = tracked.up.sets.value_or(from + targets::TargetPath::kSearched);
     const bool isFast = elementsOf(tracked.target) || isTable(tracked.target);
     const UtcTime::duration step =
@@ -278,7 +279,7 @@ void TargetTrack::step(SteadyTime)
     }
     const UtcTime utc = m_utc.now(helm().view().clock);
     watchClock();
-    takeRefraction(utc);
+    renewWay(utc);
     m_tracked->isUp = utc > m_tracked->up.rises;
     if (m_tracked->up.sets && utc > *m_tracked->up.sets) {
         end(Severity::Advisory,
@@ -303,11 +304,11 @@ void TargetTrack::followOn(UtcTime utc)
     end(Severity::Warning, Text::tr("ends the tracking: %1").arg(place.error().text));
 }
 
-// The profile may have changed. The way that is shown goes the same as the mount.
-void TargetTrack::takeRefraction(UtcTime utc)
+// The profile or the antenna may have changed. The way that is shown goes the same as the mount.
+void TargetTrack::renewWay(UtcTime utc)
 {
     const ephemeris::RefractionRule rule = helm().view().profile.orbit.refraction;
-    if (m_tracked->path.rule() != rule) {
+    if (m_tracked->path.rule() != rule || m_tracked->terms != helm().view().antenna.terms()) {
         m_tracked->path.setRule(rule);
         m_tracked->way = wayOf(*m_tracked, std::max(utc, m_tracked->up.rises));
     }

@@ -34,6 +34,7 @@ private:
         Source by;
         targets::UpTime up = {};
         targets::SkyWay way = {};
+        pointing::PointingTerms terms = {};      // of the beam, for which parts of the way are hidden
         std::optional<AxisPosition> place = {};  // of the axes, the last one: chooses the turn of the next
         std::uint64_t errand = 0;
         bool isUp = false;
@@ -52,7 +53,7 @@ private:
     Result<> begin(Tracked tracked);
     Result<AxisPosition> follow(Tracked& tracked, UtcTime utc);
     void followOn(UtcTime utc);
-    void takeRefraction(UtcTime utc);
+    void renewWay(UtcTime utc);
     void watchClock();
     void forget();
     void end(Severity severity, const QString& why);

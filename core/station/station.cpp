@@ -221,6 +221,7 @@ void Station::tick()
     m_tuning.tick();
     m_night.tick();
     m_control.tick();
+    m_tables.tick(m_control.errand(), m_clock.now());
     if (m_transmit.isWanted()) {
         m_transmit.tick(m_control.status());
     }
@@ -419,6 +420,7 @@ void Station::reconnect(const profile::Profile& next)
     m_log.add(Severity::Advisory, QStringLiteral("operator"),
               Text::tr("reconnects to the mount \"%1\"").arg(QString::fromStdString(next.mount.name)));
     m_next = next;
+    m_tables.forget();
     m_transmit.close();
     m_control.shutDown();
 }
@@ -493,6 +495,7 @@ void Station::shutDown()
 {
     m_log.add(Severity::Advisory, QStringLiteral("station"),
               Text::tr("Boresight is being closed: the mount is stopped"));
+    m_tables.forget();
     m_transmit.close();
     m_control.shutDown();
 }

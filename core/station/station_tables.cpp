@@ -33,6 +33,7 @@ void StationTables::read(const QString& path, Then then)
     forget();
     m_reader.clear();
     m_then = std::move(then);
+    m_asked.reset();
     ++m_last;
     m_reader.start([this, path, number = m_last] {
         QMetaObject::invokeMethod(
@@ -44,6 +45,21 @@ void StationTables::noticed(const Request& request)
 {
     if (!leavesTheMount(request)) {
         forget();
+    }
+}
+
+void StationTables::tick(std::uint64_t errand, SteadyTime now)
+{
+    if (!m_then) {
+        return;
+    }
+    m_asked = m_asked.value_or(Asked{.errand = errand, .when = now});
+    if (m_asked->errand != errand) {
+        forget();
+    } else if (now - m_asked->when >= kLongestReading) {
+        answer(
+            failure(ErrorCode::NoAnswer, Text::tr("The file was not read within %1 s. Nothing moves. Track it again.")
+                                             .arg(kLongestReading.count())));
     }
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace boresight::tables {
@@ -149,14 +150,20 @@ bool TablePath::isUp(AtomicTime time)
     return seen && seen->direction.elevation >= Angle{};
 }
 
-// Between two directions above the horizon the great circle is above it as well, so there each row is enough.
-AtomicTime TablePath::nextLook(AtomicTime time, const TableSpan& span) const
+// Between two directions above the horizon the great circle is above it as well, so there each row is enough. The rows
+// are walked: a day of them, each one searched, would keep the station waiting.
+TablePath::Look TablePath::nextLook(AtomicTime time, bool up, const TableSpan& span) const
 {
-    if (const auto* const rows = std::get_if<DirectionRows>(&m_table->rows)) {
-        const auto next = std::ranges::upper_bound(*rows, time, {}, &DirectionRow::time);
-        return next == rows->end() ? span.to : std::min(next->time, span.to);
+    const auto* const rows = std::get_if<DirectionRows>(&m_table->rows);
+    if (!rows) {
+        return {.before = time, .now = std::min<AtomicTime>(time + kLookEach, span.to)};
     }
-    return std::min<AtomicTime>(time + kLookEach, span.to);
+    const auto next = std::ranges::upper_bound(*rows, time, {}, &DirectionRow::time);
+    const auto found = std::find_if(next, rows->end(), [&](const DirectionRow& row) {
+        return row.time >= span.to || (row.direction.elevation >= Angle{}) != up;
+    });
+    return {.before = found == next ? time : std::prev(found)->time,
+            .now = found == rows->end() ? span.to : std::min(found->time, span.to)};
 }
 
 // Where it rises or sets between two times: the last moment there at which it is up, or the first.
@@ -176,16 +183,16 @@ std::optional<TableSpan> TablePath::stayIn(const TableSpan& span)
     AtomicTime begins = last;
     bool wasUp = isUp(last);
     while (last < span.to) {
-        const AtomicTime now = nextLook(last, span);
-        const bool up = isUp(now);
+        const Look look = nextLook(last, wasUp, span);
+        const bool up = isUp(look.now);
         if (up && !wasUp) {
-            begins = change(last, now);
+            begins = change(look.before, look.now);
         }
         if (!up && wasUp) {
-            return TableSpan{.from = begins, .to = change(last, now)};
+            return TableSpan{.from = begins, .to = change(look.before, look.now)};
         }
         wasUp = up;
-        last = now;
+        last = look.now;
     }
     if (!wasUp) {
         return std::nullopt;

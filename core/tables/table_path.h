@@ -43,12 +43,17 @@ public:
 
 private:
     using Span = std::vector<TableSpan>::const_iterator;
+    struct Look
+    {
+        AtomicTime before;  // nothing changes until then
+        AtomicTime now;
+    };
 
     [[nodiscard]] Span spanFrom(AtomicTime time) const;
     [[nodiscard]] Result<TablePlace> place(AtomicTime time);
     [[nodiscard]] std::optional<TablePlace> seenFrom(const OrbitSegment& segment, AtomicTime time);
     [[nodiscard]] bool isUp(AtomicTime time);
-    [[nodiscard]] AtomicTime nextLook(AtomicTime time, const TableSpan& span) const;
+    [[nodiscard]] Look nextLook(AtomicTime time, bool up, const TableSpan& span) const;
     [[nodiscard]] AtomicTime change(AtomicTime before, AtomicTime after);
     [[nodiscard]] std::optional<TableSpan> stayIn(const TableSpan& span);
     [[nodiscard]] Error nothingAt(AtomicTime time) const;

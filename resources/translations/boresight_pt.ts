@@ -8895,6 +8895,10 @@ até %1</translation>
         <source>%1 is the site of the mount, so it has no direction.</source>
         <translation>%1 é o local da montagem, por isso não tem direção.</translation>
     </message>
+    <message>
+        <source>The file was not read within %1 s. Nothing moves. Track it again.</source>
+        <translation>O ficheiro não foi lido em %1 s. Nada se move. Siga-o outra vez.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -11115,6 +11119,10 @@ trocar os motores</translation>
     <message>
         <source>north is known: first tick &quot;Replace the known north&quot;</source>
         <translation>o norte é conhecido: marque primeiro &quot;Substituir o norte conhecido&quot;</translation>
+    </message>
+    <message>
+        <source>antenna &quot;%1&quot; is in use: choose &quot;main&quot; first</source>
+        <translation>a antena &quot;%1&quot; está em uso: escolha primeiro &quot;main&quot;</translation>
     </message>
 </context>
 <context>

@@ -209,6 +209,9 @@ QString GuideNorth::whyNot() const
     if (abs(axes().elevation - 90_deg) < kNearZenith) {
         return tr("the antenna looks up: lower it first");
     }
+    if (m_status.antenna != pointing::kMainAntenna) {
+        return tr("antenna \"%1\" is in use: choose \"main\" first").arg(QString::fromStdString(m_status.antenna));
+    }
     if (!m_typed) {
         return tr("type the true azimuth first");
     }

@@ -134,8 +134,7 @@ void PlacesBar::parkOrUnpark()
 void PlacesBar::offerBesidePark()
 {
     if (m_status.state != StationState::Parked) {
-        const profile::Profile& profile = *m_status.profile;
-        m_offer->offerFor(pointing::PointingModel(profile.pointing).toSky(profile.park));
+        m_offer->offerFor(pointing::PointingModel(termsOf(m_status)).toSky(m_status.profile->park));
     }
 }
 

@@ -206,7 +206,7 @@ void PassesPanel::searchAgain(const StationStatus& status)
                       .site = profile.site,
                       .limits = profile.limits,
                       .pointing = profile.pointing,
-                      .antenna = antennaOf(status),
+                      .antenna = profile.antenna(status.chosenAntenna),
                       .own = ownAntennas(profile)};
     const bool isOld = m_now < m_last.begun || m_now - m_last.begun > kSearchAgain;
     if (!basis.satellites || basis.satellites->empty() || !basis.site.known || (basis == m_last.basis && !isOld)) {

@@ -169,10 +169,10 @@ void AlarmCard::build()
     column->setContentsMargins(2 * kCardMargin + kCardSymbol, kCardMargin - 4, kCardMargin, kCardMargin - 4);
     column->setSpacing(4);
     column->addWidget(m_what);
-    column->addWidget(m_advice);
-    column->addWidget(m_notice);
     column->addSpacing(kBeforeButtons);
-    column->addLayout(buttons);
+    column->addLayout(buttons);  // a long alarm scrolls in a low window: they stay in sight
+    column->addWidget(m_notice);
+    column->addWidget(m_advice);
 }
 
 int AlarmCard::heightWith(int linesOfAdvice) const

@@ -37,6 +37,7 @@ ColumnHead::ColumnHead(AlarmCard& alarms, RequestDesk& desk, QWidget* parent)
     m_alarmRoom->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_alarmRoom->setFocusPolicy(Qt::NoFocus);
     m_alarmRoom->setWidget(&m_alarms);
+    m_alarms.hide();  // setWidget() shows it
     m_alarmRoom->hide();
     m_alarms.installEventFilter(this);
     auto* const column = new QVBoxLayout(this);

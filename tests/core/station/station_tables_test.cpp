@@ -101,6 +101,30 @@ TEST_F(TableFolder, AnotherCommandEndsTheWaiting)
     EXPECT_FALSE(held.table) << "answered once";
 }
 
+// REQ-STATION-953: The waiting for a file also ends when the mount has another errand, and after 30 s: a file may lie
+// in a folder that hangs.
+TEST_F(TableFolder, AnotherErrandAndTimeEndTheWaiting)
+{
+    const QString path = write("way.txt", rowsFrom(UtcTime(std::chrono::hours(480'000))));
+    StationTables tables(nullptr);
+    const SteadyTime start{};
+    Outcome other;
+    tables.read(path, other.taker());
+    tables.tick(7, start);
+    tables.tick(7, start + Seconds(1));
+    EXPECT_FALSE(other.table);
+    tables.tick(8, start + Seconds(2));
+    EXPECT_THAT(other.problem(), StartsWith("Another command came"));
+    Outcome late;
+    tables.read(path, late.taker());
+    tables.tick(8, start);
+    tables.tick(8, start + std::chrono::milliseconds(29'999));
+    EXPECT_FALSE(late.table);
+    tables.tick(8, start + StationTables::kLongestReading);
+    EXPECT_EQ(late.problem(), "The file was not read within 30 s. Nothing moves. Track it again.");
+    tables.tick(9, start + Seconds(31));
+}
+
 // A whole station with a simulated mount that may move.
 struct MovingStation
 {

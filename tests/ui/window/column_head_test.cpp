@@ -40,6 +40,15 @@ protected:
         const auto* const card = window.findChild<AlarmCard*>();
         return card->height() - card->parentWidget()->height();
     }
+    // A button that one has to scroll to.
+    bool hidesButtons()
+    {
+        const auto* const card = window.findChild<AlarmCard*>();
+        const QWidget* const room = card->parentWidget();
+        return std::ranges::any_of(card->findChildren<QPushButton*>(), [room](const QPushButton* button) {
+            return button->isVisible() && !room->rect().contains(QRect(button->mapTo(room, QPoint()), button->size()));
+        });
+    }
     bool axesAreCut()
     {
         const auto* const head = window.findChild<ColumnHead*>();
@@ -54,7 +63,8 @@ constexpr int kLine = 18;  // px
 
 // Story: an alarm came while the hand was on the pad, and the button under the pointer was another one.
 // REQ-UI-975: No alarm of the catalogue moves the tabs, the panel or its buttons, in a window of any size: the readouts
-// of the axes make room for it. All numbers stay in sight. A very long alarm scrolls by a few lines.
+// of the axes make room for it. All numbers and buttons stay in sight. What was done and what to do of a very long
+// alarm scrolls by a few lines.
 TEST_F(ColumnHeadTest, NoAlarmMovesTheTabs)
 {
     for (const QSize size : {QSize(1024, 700), QSize(1280, 800), QSize(1920, 1080)}) {
@@ -65,6 +75,7 @@ TEST_F(ColumnHeadTest, NoAlarmMovesTheTabs)
             EXPECT_EQ(tabs(samples::alarmed(*entry)), before) << entry->id << " " << size.width();
             EXPECT_TRUE(window.findChild<AxisCard*>()->isVisible());
             EXPECT_FALSE(axesAreCut()) << entry->id << " " << size.width();
+            EXPECT_FALSE(hidesButtons()) << entry->id << " " << size.width();
             scrolled += hidden() > 0 ? 1 : 0;
             EXPECT_LE(hidden(), 4 * kLine) << entry->id << " " << size.width();
         }
@@ -83,6 +94,7 @@ TEST_F(ColumnHeadTest, SeveralAlarmsAndALatchedStopMoveNothingEither)
     status.state = StationState::Stopped;
     EXPECT_EQ(tabs(status), before);
     EXPECT_TRUE(window.findChild<AlarmCard*>()->isVisible());
+    EXPECT_FALSE(hidesButtons());
     EXPECT_EQ(tabs(samples::idle()), before);
 }
 

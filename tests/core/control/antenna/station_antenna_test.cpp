@@ -266,6 +266,23 @@ TEST_F(StationAntenna, FollowsTheProfile)
     EXPECT_EQ(rig.control.status().actual->azimuth.wrapped360(), rig.control.status().azimuth.actual->wrapped360());
 }
 
+// REQ-ANTENNA-918: Another antenna for a satellite is refused after its tracking was handed over to a client: it would
+// move that client's beam.
+TEST_F(StationAntenna, AnotherChoiceForASatelliteMovesNoClientsBeam)
+{
+    ASSERT_EQ(ask(request::Track{risingSoon()}), "");
+    ASSERT_EQ(ask(request::GiveAuthority{}), "");
+    ASSERT_TRUE(rig.point(120.0, 40.0, kClient));
+    rig.run(Seconds(0.5));
+    ASSERT_EQ(inUse(), "70 cm");
+    profile::Profile other = rig.profile;
+    other.satellites[0].antenna = "13 cm";
+    EXPECT_THAT(ask(request::ApplyProfile{other}), HasSubstr("would move it"));
+    other.satellites.clear();
+    EXPECT_THAT(ask(request::ApplyProfile{other}), HasSubstr("would move it"));
+    EXPECT_EQ(inUse(), "70 cm");
+}
+
 // Lisbon at noon: the Sun stands in the south.
 // REQ-ANTENNA-917: The Sun is kept away from each antenna of the mount, in use or not. The alarm tells of the beam that
 // is nearest to it.
