@@ -59,7 +59,11 @@ Obstacle obstacleOf(const StationStatus& status)
     if (!status.aimed || isStale) {
         return Obstacle::NoTarget;
     }
-    return status.tracked && !status.tracked->isUp ? Obstacle::NotUp : Obstacle::None;
+    if (status.tracked && !status.tracked->isUp) {
+        return Obstacle::NotUp;
+    }
+    // The direction in the status may then be that of the nearest permitted place.
+    return status.limited ? Obstacle::OutOfReach : Obstacle::None;
 }
 
 // While the mount stands still for the Moon of WSJT-X, the Moon goes on.
@@ -83,6 +87,8 @@ QString whyOff(const transmit::GateDecision& decision, Angle limit)
             return Text::tr("The mount has no target.");
         case Obstacle::NotUp:
             return Text::tr("The target is below the horizon.");
+        case Obstacle::OutOfReach:
+            return Text::tr("The target is outside the limits of the mount.");
         case Obstacle::NoPosition:
             return Text::tr("The mount reports no position.");
         case Obstacle::Settling:
@@ -157,14 +163,15 @@ void StationTransmit::begin()
     }
 }
 
-// It keeps its port or file until it is off, and the next one may need the same.
+// It keeps its port or file until it is off, and the next one may need the same. What still runs is not waited for: it
+// tells its end.
 void StationTransmit::retire()
 {
     if (m_output) {
         m_former = std::move(m_output);
         m_former->disconnect(this);
         const auto letGo = [this, former = m_former.get()] {
-            if (m_former.get() == former) {
+            if (m_former.get() == former && former->isIdle()) {
                 m_former.reset();
                 begin();
             }

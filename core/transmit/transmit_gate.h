@@ -18,6 +18,7 @@ enum class Obstacle
     Fault,       // of the mount, or it is not connected
     NoTarget,    // nothing that the mount is aimed at
     NotUp,       // the target is below the horizon
+    OutOfReach,  // the mount goes to the nearest permitted place instead
     NoPosition,  // nobody knows where the beam is now
     Away,        // too far from the target
     Settling     // near enough for too short a time

@@ -28,6 +28,7 @@ public:
     ~CommandOutput() override;
 
     void set(bool on) override;
+    [[nodiscard]] bool isIdle() const override { return !m_on.runs && !m_off.runs; }
 
 private:
     // One for "on" and one for "off".

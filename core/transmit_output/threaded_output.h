@@ -26,6 +26,7 @@ public:
     ~ThreadedOutput() override;
 
     void set(bool on) override;
+    [[nodiscard]] bool isIdle() const override { return !m_begun && !m_asked; }
 
 private:
     void begin();

@@ -18,6 +18,8 @@ public:
 
     // Answered by one of the signals, also within the call. Of several that wait the newest counts.
     virtual void set(bool on) = 0;
+    // Its end waits for nothing now. Where it is not, a later signal follows.
+    [[nodiscard]] virtual bool isIdle() const { return true; }
 
 Q_SIGNALS:
     // It is so now.

@@ -8899,6 +8899,10 @@ até %1</translation>
         <source>The file was not read within %1 s. Nothing moves. Track it again.</source>
         <translation>O ficheiro não foi lido em %1 s. Nada se move. Siga-o outra vez.</translation>
     </message>
+    <message>
+        <source>The target is outside the limits of the mount.</source>
+        <translation>O alvo está fora dos limites da montagem.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

@@ -7,6 +7,7 @@
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/wait_until.h"
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QTemporaryDir>
 
@@ -53,7 +54,10 @@ public:
         }
     }
 
+    [[nodiscard]] bool isIdle() const override { return idle; }
+
     bool answers = true;
+    bool idle = true;
     QString trouble;
 
 private:
@@ -134,8 +138,8 @@ TEST_F(StationTransmitTest, IsOffFromTheStart)
     EXPECT_EQ(transmit.status().whyOff, QString());
 }
 
-// REQ-TRANSMIT-21: It is off in the tick in which the beam leaves, STOP is latched, a fault comes, the target sets, its
-// file is stale, or the position is older than 0.5 s.
+// REQ-TRANSMIT-21: It is off in the tick in which the beam leaves, STOP is latched, a fault comes, the target sets or
+// is outside the limits, its file is stale, or the position is older than 0.5 s.
 TEST_F(StationTransmitTest, IsOffInTheTickInWhichSomethingIsInTheWay)
 {
     const auto whyOffWith = [this](const auto& change) {
@@ -160,6 +164,11 @@ TEST_F(StationTransmitTest, IsOffInTheTickInWhichSomethingIsInTheWay)
               "off: The mount has a fault or does not reply.");
     EXPECT_EQ(whyOffWith([this] { status.tracked = TrackedTarget{.name = QStringLiteral("ISS"), .isUp = false}; }),
               "off: The target is below the horizon.");
+    EXPECT_EQ(whyOffWith([this] {
+                  status.limited = true;
+                  status.actual = status.target;  // that of the nearest permitted place
+              }),
+              "off: The target is outside the limits of the mount.");
     EXPECT_EQ(whyOffWith([this] { status.azel.phase = AzelPhase::Stale; }), "off: The mount has no target.");
     EXPECT_EQ(whyOffWith([this] { status.elevation.age = std::chrono::milliseconds(500); }),
               "off: The mount reports no position.");
@@ -270,6 +279,29 @@ TEST_F(StationTransmitTest, AChangeOfTheProfileSwitchesItOff)
     apply(next);
     ASSERT_TRUE(fakes::waitUntil([this] { return !calls.empty() && calls.back() == "gone"; }));
     EXPECT_EQ(calls.front(), "off");
+}
+
+// REQ-TRANSMIT-28: An output that still has a program or a call under way is not ended before that has ended, so that
+// nobody waits for it.
+TEST_F(StationTransmitTest, AnOutputIsNotEndedWhileSomethingRuns)
+{
+    begin();
+    output->idle = false;
+    const profile::Profile before = *inForce;
+    profile::Profile next = before;
+    next.transmit.output = "rts:/dev/ttyUSB0";
+    inForce.apply(next);
+    transmit.profileChanged(before, next);
+    EXPECT_THAT(take(), ElementsAre("off"));
+    QCoreApplication::processEvents();
+    EXPECT_THAT(take(), IsEmpty()) << "it is off, and something of it still runs";
+    Q_EMIT output->failed(QStringLiteral("ended after 2 s"));
+    QCoreApplication::processEvents();
+    EXPECT_THAT(take(), IsEmpty());
+    output->idle = true;
+    Q_EMIT output->reached(false);
+    QCoreApplication::processEvents();
+    EXPECT_THAT(take(), ElementsAre("gone", "off"));
 }
 
 // REQ-TRANSMIT-24

@@ -93,7 +93,8 @@ TEST_F(TransmitGateTest, UnknownIsOff)
     const auto target = std::exchange(input.target, std::nullopt);
     EXPECT_EQ(after(Seconds(0.02), 0_deg), Obstacle::NoTarget);
     input.target = target;
-    for (const Obstacle obstacle : {Obstacle::Simulated, Obstacle::Stopped, Obstacle::Fault, Obstacle::NotUp}) {
+    for (const Obstacle obstacle :
+         {Obstacle::Simulated, Obstacle::Stopped, Obstacle::Fault, Obstacle::NotUp, Obstacle::OutOfReach}) {
         switchOn();
         input.obstacle = obstacle;
         EXPECT_EQ(after(Seconds(0.02), 0_deg), obstacle);

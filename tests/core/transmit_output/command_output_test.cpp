@@ -22,6 +22,11 @@ using testing::StartsWith;
 // On a slow machine, too.
 constexpr programs::Limits kPatient{.longest = std::chrono::minutes(1), .patience = std::chrono::minutes(1), .most = 1};
 
+// Its "on" runs until letOnGo().
+const QString kOnHangs = QStringLiteral(
+    "echo $2 >>\"$0/journal\"; test $2 = off && exit; while [ ! -e \"$0/go\" ]; do sleep 0.05; done; "
+    "echo late >>\"$0/journal\"");
+
 class CommandOutputTest : public testing::Test
 {
 protected:
@@ -44,6 +49,11 @@ protected:
     {
         QFile file(folder.filePath(QStringLiteral("journal")));
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    void letOnGo() const
+    {
+        QFile go(folder.filePath(QStringLiteral("go")));
+        ASSERT_TRUE(go.open(QIODevice::WriteOnly));
     }
 
     QTemporaryDir folder;
@@ -92,18 +102,18 @@ TEST_F(CommandOutputTest, ATroubleIsToldAndTriedAgain)
 // REQ-TRANSMIT-17: "off" does not wait for an "on" that hangs, and runs once more after that has ended.
 TEST_F(CommandOutputTest, OffDoesNotWaitForOn)
 {
-    begin(QStringLiteral(
-        "echo $2 >>\"$0/journal\"; test $2 = off && exit; while [ ! -e \"$0/go\" ]; do sleep 0.05; done; "
-        "echo late >>\"$0/journal\""));
+    begin(kOnHangs);
     output->set(true);
     ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\n"; }));
     output->set(false);
-    ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\noff\n"; }));
-    QFile go(folder.filePath(QStringLiteral("go")));
-    ASSERT_TRUE(go.open(QIODevice::WriteOnly));
+    ASSERT_TRUE(tells(1));
+    ASSERT_EQ(journal(), "on\noff\n");
+    EXPECT_FALSE(output->isIdle()) << "\"on\" still runs";
+    letOnGo();
     ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\noff\nlate\noff\n"; }));
-    ASSERT_TRUE(tells(2));
-    EXPECT_EQ(told.back(), "off");
+    ASSERT_TRUE(tells(2)) << "an \"off\" without a word of its end would never be let go";
+    EXPECT_THAT(told, ElementsAre("off", "off"));
+    EXPECT_TRUE(output->isIdle());
 }
 
 // REQ-TRANSMIT-17
@@ -115,6 +125,20 @@ TEST_F(CommandOutputTest, TheLastWordAtItsEndIsOff)
     output->set(false);
     output.reset();
     EXPECT_EQ(journal(), "on\noff\n");
+}
+
+// REQ-TRANSMIT-17
+TEST_F(CommandOutputTest, TheLastWordIsOffAlsoWhereOnHangs)
+{
+    begin(kOnHangs);
+    output->set(true);
+    ASSERT_TRUE(fakes::waitUntil([this] { return journal() == "on\n"; }));
+    output->set(false);
+    ASSERT_TRUE(tells(1));
+    ASSERT_EQ(journal(), "on\noff\n");
+    letOnGo();
+    output.reset();  // which has not heard yet of the end of "on"
+    EXPECT_EQ(journal(), "on\noff\nlate\noff\n");
 }
 
 }  // namespace

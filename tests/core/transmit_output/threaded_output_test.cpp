@@ -68,8 +68,13 @@ TEST_F(ThreadedOutputTest, TheNewestOfThoseThatWaitCounts)
     output->set(false);
     output->set(true);
     EXPECT_TRUE(told.empty());
-    disk.gate.release(2);
+    EXPECT_FALSE(output->isIdle());
+    disk.gate.release();
+    ASSERT_TRUE(tells(1));
+    EXPECT_FALSE(output->isIdle()) << "the next one is under way";
+    disk.gate.release();
     ASSERT_TRUE(tells(2));
+    EXPECT_TRUE(output->isIdle());
     EXPECT_THAT(told, ElementsAre("off", "on"));
     EXPECT_THAT(disk.written, ElementsAre(false, true));
     EXPECT_NE(disk.thread, QThread::currentThread());
