@@ -118,7 +118,7 @@ inline constexpr std::array kPointingAlarms{
         .id = "position.stale",
         .source = "position",
         .severity = Severity::Warning,
-        .what = QT_TRANSLATE_NOOP("Text", "What reports its position cannot be tracked: %1"),
+        .what = QT_TRANSLATE_NOOP("Text", "The balloon or rocket cannot be tracked: %1"),
         .action = QT_TRANSLATE_NOOP("Text",
                                     "The mount stands still. It moves again BY ITSELF if a position arrives before %2"),
         .remedy = QT_TRANSLATE_NOOP(
@@ -130,7 +130,7 @@ inline constexpr std::array kPointingAlarms{
         .id = "position.ended",
         .source = "position",
         .severity = Severity::Warning,
-        .what = QT_TRANSLATE_NOOP("Text", "What reports its position is no longer tracked: %1"),
+        .what = QT_TRANSLATE_NOOP("Text", "The balloon or rocket is no longer tracked: %1"),
         .action = QT_TRANSLATE_NOOP("Text", "Boresight ended the tracking. The mount holds"),
         .remedy = QT_TRANSLATE_NOOP("Text", "Press Track position on the page Passes when positions arrive again"),
         .brief = QT_TRANSLATE_NOOP("Text", "no longer tracked: %1"),

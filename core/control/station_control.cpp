@@ -283,10 +283,15 @@ Result<> StationControl::handle(const request::Reconnect& wanted, const Source& 
     });
 }
 
-Result<> StationControl::take(const Result<position::PositionText>& read)
+void StationControl::limitPositions()
 {
     const profile::PositionSettings& settings = m_profile->position;
     m_positionFeed.setLimits({.name = toQString(settings.name), .stale = settings.stale, .fastest = settings.fastest});
+}
+
+Result<> StationControl::take(const Result<position::PositionText>& read)
+{
+    limitPositions();
     return m_positionFeed.take(read, m_clock.now(), m_clock.utc());
 }
 
@@ -304,6 +309,10 @@ void StationControl::profileChanged(const profile::Profile& before, const profil
     m_motion.setArrival(after.control.arrival);
     m_slew.lookAgain();
     m_adviceAlarms.update(after);
+    if (!after.position.comesFromWhere(before.position)) {
+        m_positionFeed = {};
+    }
+    limitPositions();
 }
 
 // Places of the axes stay what they are with any antenna.

@@ -173,6 +173,7 @@ private:
     [[nodiscard]] bool moves() const { return m_current.moves(); }
     [[nodiscard]] bool turnsKnown() const { return m_mount.wrapsKnown(); }
     void watchFirstMoves();
+    void limitPositions();
     void takeOver(const Source& source) { m_helm.takeOver(source); }
     void tell(Severity severity, const Source& source, const QString& what) { m_sourceLog.add(severity, source, what); }
     void holdHere(Activity left) { m_helm.hold(left); }

@@ -53,7 +53,8 @@ Result<> PositionFeed::take(const Result<PositionText>& read, SteadyTime now, Ut
 Result<> PositionFeed::believe(const PositionText& text, SteadyTime now, UtcTime utc)
 {
     if (!m_limits.name.isEmpty() && text.name.compare(m_limits.name, Qt::CaseInsensitive) != 0) {
-        return failure(ErrorCode::Refused, Text::tr("it is a report of another one than %1").arg(m_limits.name));
+        return failure(ErrorCode::NotAvailable,
+                       Text::tr("the report is from another call sign than %1").arg(m_limits.name));
     }
     const Seconds old = text.time ? between(*text.time, timeOfDay(utc)) : Seconds(0.0);
     if (std::abs(old.count()) > kOldest.count()) {
@@ -64,16 +65,29 @@ Result<> PositionFeed::believe(const PositionText& text, SteadyTime now, UtcTime
     return moveTo(text, now);
 }
 
+// Sent again, or overtaken by a newer one. One that arrives later than two times kOldest cannot be older, and times of
+// the day go round.
+bool PositionFeed::isKnown(const PositionText& text, SteadyTime now) const
+{
+    const Seconds arrived = now - m_arrived;
+    const bool isSame = m_last && text.site == m_last->site;
+    if (!m_last || !text.time || !m_last->time || arrived > 2.0 * kOldest) {
+        return isSame && arrived < kEcho;
+    }
+    const Seconds later = between(*m_last->time, *text.time);
+    return later < Seconds(0.0) || (isSame && (later == Seconds(0.0) || arrived < kEcho));
+}
+
 // After a silence a new way begins, wherever that is: the speed of the mount is limited anyway.
 Result<> PositionFeed::moveTo(const PositionText& text, SteadyTime now)
 {
+    if (isKnown(text, now)) {
+        return {};
+    }
     const orbit::Vector place = groundOf(text.site);
     orbit::Vector velocity{};
     if (m_last && isFresh(now)) {
         const Seconds arrived = now - m_arrived;
-        if (text.site == m_last->site && arrived < kEcho) {
-            return {};
-        }
         const bool timed = text.time && m_last->time && between(*m_last->time, *text.time) > Seconds(0.0);
         const double seconds = std::max(timed ? between(*m_last->time, *text.time) : arrived, kEcho).count();
         velocity = (1.0 / seconds) * (place - m_place);

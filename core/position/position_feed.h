@@ -34,7 +34,7 @@ public:
 
     // A change of the limits forgets what was known.
     void setLimits(const FeedLimits& limits);
-    // The error says why it is not believed.
+    // The error says why it is not believed. NotAvailable: another call sign, which is no trouble.
     Result<> take(const Result<PositionText>& read, SteadyTime now, UtcTime utc);
 
     // The last one that was believed.
@@ -50,6 +50,7 @@ public:
 
 private:
     [[nodiscard]] Result<> believe(const PositionText& text, SteadyTime now, UtcTime utc);
+    [[nodiscard]] bool isKnown(const PositionText& text, SteadyTime now) const;
     [[nodiscard]] Result<> moveTo(const PositionText& text, SteadyTime now);
 
     FeedLimits m_limits;

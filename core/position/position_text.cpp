@@ -119,6 +119,10 @@ Result<PositionText> fromJson(std::string_view text)
         return refused(Text::tr("the text is no JSON object"));
     }
     const QJsonObject object = document.object();
+    const QString type = QStringLiteral("type");
+    if (object.contains(type) && object[type].toString() != QLatin1String("PAYLOAD_SUMMARY")) {
+        return refused(Text::tr("the object is not a PAYLOAD_SUMMARY"));  // "GPS" is the car that follows
+    }
     const auto latitude = numberOf(object, QStringLiteral("latitude"), 3);
     const auto longitude = numberOf(object, QStringLiteral("longitude"), 3);
     const auto height = numberOf(object, QStringLiteral("altitude"), 3);

@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 
 #include <string>
+#include <tuple>
 
 // A balloon or a rocket that reports its position. Plain values.
 namespace boresight::profile {
@@ -26,6 +27,10 @@ struct PositionSettings
     double fastest = 2000.0;  // m/s
 
     bool operator==(const PositionSettings&) const = default;
+    [[nodiscard]] bool comesFromWhere(const PositionSettings& other) const
+    {
+        return std::tie(source, host, port, topic) == std::tie(other.source, other.host, other.port, other.topic);
+    }
 };
 
 }  // namespace boresight::profile

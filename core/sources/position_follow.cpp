@@ -5,6 +5,8 @@
 #include "core/base/text.h"
 #include "core/base/time_of_day.h"
 #include "core/orbit/topocentric.h"
+#include "core/units/angle_between.h"
+#include "core/units/degrees_text.h"
 
 #include <algorithm>
 
@@ -15,6 +17,7 @@ namespace {
 constexpr std::chrono::milliseconds kFlightApart{20};
 // Nearer to the antenna a position has no direction that means anything.
 constexpr double kNearestFlight = 0.02;  // km
+constexpr Angle kFarthestReturn = Angle::fromDegrees(10.0);
 
 const Source& positionSource()
 {
@@ -88,8 +91,8 @@ void PositionFollow::step(SteadyTime now)
     }
 }
 
-// What is reported again soon goes on where it is. What is not there after a while is lost: the mount must not start by
-// itself later.
+// What is reported again soon goes on where it is, if that is near: else it may be another one. What is not there after
+// a while is lost: the mount must not start by itself later.
 QString PositionFollow::whyToEnd(SteadyTime now)
 {
     if (helm().view().profile.site.place() != m_followed->site) {
@@ -97,6 +100,9 @@ QString PositionFollow::whyToEnd(SteadyTime now)
     }
     const Result<> usable = isUsable();
     if (usable) {
+        if (const Angle away = returnedBy(now); away > kFarthestReturn) {
+            return Text::tr("the position came back %1 from the last one").arg(degreesText(away, 1));
+        }
         m_followed->staleSince.reset();
         helm().clearAlarm(alarmEntry("position.stale"));
         return {};
@@ -107,6 +113,14 @@ QString PositionFollow::whyToEnd(SteadyTime now)
                           {usable.error().text, timeOfDayText(helm().view().clock.utc() + kLongestStale)});
     }
     return now - *m_followed->staleSince >= kLongestStale ? usable.error().text : QString();
+}
+
+// From its last direction, after a silence.
+Angle PositionFollow::returnedBy(SteadyTime now) const
+{
+    const Result<SkyPointing> here = directionAt(now);
+    const bool wasLost = m_followed->staleSince && m_followed->direction;
+    return here && wasLost ? angleBetween(*m_followed->direction, *here) : Angle{};
 }
 
 // Without a fresh position: stays where it was.

@@ -6,8 +6,8 @@
 #include <optional>
 
 // A balloon or a rocket that reports its position: the beam is kept on it, on the way that it had. Without a report for
-// too long the mount stands still, and goes on by itself for two minutes if one comes. It is a source of its own beside
-// the operator's hand, which ends it. Station thread only.
+// too long the mount stands still, and goes on by itself for two minutes if one comes from nearby. It is a source of
+// its own beside the operator's hand, which ends it. Station thread only.
 namespace boresight::sources {
 
 class PositionFollow : public SourceOf<PositionFollow, request::FollowPosition>
@@ -35,6 +35,7 @@ private:
     [[nodiscard]] Result<> isUsable() const;
     [[nodiscard]] Result<SkyPointing> directionAt(SteadyTime now) const;
     [[nodiscard]] QString whyToEnd(SteadyTime now);
+    [[nodiscard]] Angle returnedBy(SteadyTime now) const;
     Result<> follow(SteadyTime now);
     void forget();
     void end(Severity severity, const QString& why);

@@ -97,7 +97,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
     connect(&m_azel, &StationAzel::looked, this, [this](const azel::AzelReading& reading) { m_control.take(reading); });
     connect(&m_position, &StationPosition::received, this, [this](const Result<position::PositionText>& read) {
         if (const Result<> taken = m_control.take(read); !taken) {
-            m_position.tellRefused(taken.error().text);
+            m_position.tellRefused(taken.error());
         }
     });
     connect(&m_eventFile, &EventFile::failed, this,

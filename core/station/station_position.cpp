@@ -3,8 +3,6 @@
 
 #include "core/base/text.h"
 
-#include <tuple>
-
 namespace boresight {
 namespace {
 
@@ -49,10 +47,7 @@ void StationPosition::close()
 
 void StationPosition::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
-    const auto place = [](const profile::PositionSettings& one) {
-        return std::tie(one.source, one.host, one.port, one.topic);
-    };
-    if (m_open && place(before.position) != place(after.position)) {
+    if (m_open && !after.position.comesFromWhere(before.position)) {
         open();
     }
 }
@@ -65,9 +60,11 @@ void StationPosition::takeMessage(const QString& topic, const QByteArray& payloa
     }
 }
 
-void StationPosition::tellRefused(const QString& why)
+void StationPosition::tellRefused(const Error& why)
 {
-    m_lines.add(Severity::Warning, kPositionSource, Text::tr("a position was refused: %1").arg(why));
+    if (why.code != ErrorCode::NotAvailable) {
+        m_lines.add(Severity::Warning, kPositionSource, Text::tr("a position was refused: %1").arg(why.text));
+    }
 }
 
 void StationPosition::describe(PositionStatus& status) const

@@ -28,8 +28,8 @@ public:
     void close();
     // What did not change goes on.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
-    // What arrived was not believed.
-    void tellRefused(const QString& why);
+    // What arrived was not believed. That others fly, too, is no trouble.
+    void tellRefused(const Error& why);
     // Where they come from, and what is wrong with that.
     void describe(PositionStatus& status) const;
 

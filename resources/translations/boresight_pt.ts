@@ -8440,20 +8440,12 @@ até %1</translation>
         <translation>&quot;main&quot; é o nome da antena que a tabela mount descreve. Escolha outro nome.</translation>
     </message>
     <message>
-        <source>What reports its position cannot be tracked: %1</source>
-        <translation>Não é possível seguir o que comunica a sua posição: %1</translation>
-    </message>
-    <message>
         <source>The mount stands still. It moves again BY ITSELF if a position arrives before %2</source>
         <translation>A montagem está parada. Volta a mover-se POR SI se chegar uma posição antes de %2</translation>
     </message>
     <message>
         <source>Check the receiver and the program that sends the positions. STOP or Hold ends the tracking</source>
         <translation>Verifique o recetor e o programa que envia as posições. STOP ou Manter termina o seguimento</translation>
-    </message>
-    <message>
-        <source>What reports its position is no longer tracked: %1</source>
-        <translation>O que comunica a sua posição deixou de ser seguido: %1</translation>
     </message>
     <message>
         <source>Press Track position on the page Passes when positions arrive again</source>
@@ -8482,10 +8474,6 @@ até %1</translation>
     <message>
         <source>This is not a command. The commands are take, release, stop, reset-stop, satellites, transmit, track TARGET, antennas, antenna NAME and those of the schedule.</source>
         <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, satellites, transmit, track TARGET, antennas, antenna NAME e os da agenda.</translation>
-    </message>
-    <message>
-        <source>it is a report of another one than %1</source>
-        <translation>é uma comunicação de outro que não %1</translation>
     </message>
     <message>
         <source>its time and the clock of this computer differ by %1 s</source>
@@ -8902,6 +8890,30 @@ até %1</translation>
     <message>
         <source>The target is outside the limits of the mount.</source>
         <translation>O alvo está fora dos limites da montagem.</translation>
+    </message>
+    <message>
+        <source>The balloon or rocket cannot be tracked: %1</source>
+        <translation>Não é possível seguir o balão ou foguetão: %1</translation>
+    </message>
+    <message>
+        <source>The balloon or rocket is no longer tracked: %1</source>
+        <translation>O balão ou foguetão deixou de ser seguido: %1</translation>
+    </message>
+    <message>
+        <source>the report is from another call sign than %1</source>
+        <translation>a comunicação é de um indicativo diferente de %1</translation>
+    </message>
+    <message>
+        <source>the object is not a PAYLOAD_SUMMARY</source>
+        <translation>o objeto não é um PAYLOAD_SUMMARY</translation>
+    </message>
+    <message>
+        <source>is the same as a topic of the sensor</source>
+        <translation>é igual a um tópico do sensor</translation>
+    </message>
+    <message>
+        <source>the position came back %1 from the last one</source>
+        <translation>a posição voltou a %1 da última</translation>
     </message>
 </context>
 <context>

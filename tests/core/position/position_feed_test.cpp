@@ -100,6 +100,44 @@ TEST_F(PositionFeedTest, AnEchoChangesNothing)
     EXPECT_NEAR(length(feed.at(clock.now()).velocity) * 1000.0, 100.0, 1.0);
 }
 
+// REQ-POSITION-15: A report that repeats the last one, and one that is older, changes neither the way nor the age.
+TEST_F(PositionFeedTest, AnOldReportChangesNothing)
+{
+    clock.setUtc(UtcTime(std::chrono::days(20'000)));
+    const auto timed = [](double metres, std::chrono::milliseconds time) {
+        PositionText text = north(metres);
+        text.time = time;
+        return text;
+    };
+    EXPECT_EQ(take(timed(0.0, 23h + 59min + 58s)), "");
+    clock.advance(Seconds(2.0));
+    EXPECT_EQ(take(timed(200.0, 0s)), "");
+    clock.advance(Seconds(2.0));
+    EXPECT_EQ(take(timed(200.0, 0s)), "") << "sent again";
+    EXPECT_EQ(take(timed(100.0, 23h + 59min + 59s)), "") << "overtaken, before midnight";
+    EXPECT_LT(metresFrom(north(400.0)), 2.0);
+    EXPECT_EQ(feed.age(clock.now()), Seconds(2.0));
+    clock.advance(Seconds(30.0));
+    EXPECT_EQ(take(timed(200.0, 0s)), "");
+    EXPECT_FALSE(feed.isFresh(clock.now())) << "whoever sends the last one for ever is silent";
+    EXPECT_EQ(take(timed(200.0, 32s)), "");
+    EXPECT_TRUE(feed.isFresh(clock.now()));
+}
+
+// REQ-POSITION-15
+TEST_F(PositionFeedTest, HalfADayLaterNoReportIsOld)
+{
+    PositionText text = north(0.0);
+    text.time = 1h;
+    clock.setUtc(UtcTime(std::chrono::days(20'000)) + 1h);
+    EXPECT_EQ(take(text), "");
+    clock.advance(std::chrono::hours(13));
+    clock.setUtc(UtcTime(std::chrono::days(20'000)) + 14h);
+    text.time = 14h;
+    EXPECT_EQ(take(text), "");
+    EXPECT_TRUE(feed.isFresh(clock.now()));
+}
+
 // REQ-POSITION-13: A report is not believed with the call sign of another, with a time more than 60 s from that of this
 // computer, or where it cannot be read. Midnight is no trouble.
 TEST_F(PositionFeedTest, IsNotBelievedWithoutAReason)
@@ -117,7 +155,8 @@ TEST_F(PositionFeedTest, IsNotBelievedWithoutAReason)
     feed.setLimits({.name = QStringLiteral("v2850795")});
     EXPECT_FALSE(feed.last()) << "what was known of another one";
     PositionText named = north(0.0);
-    EXPECT_EQ(take(named), "it is a report of another one than v2850795");
+    EXPECT_EQ(take(named), "the report is from another call sign than v2850795");
+    EXPECT_EQ(feed.take(named, clock.now(), clock.utc()).error().code, ErrorCode::NotAvailable);
     named.name = QStringLiteral("V2850795");
     EXPECT_EQ(take(named), "");
 }

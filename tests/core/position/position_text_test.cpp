@@ -92,6 +92,18 @@ TEST(PositionText, AllElseIsRefused)
     EXPECT_FALSE(readPosition("1,1,1" + std::string(kLongestPosition, ' ')));
 }
 
+// REQ-POSITION-04: An object that says of itself that it is anything but a PAYLOAD_SUMMARY is refused: programs of
+// Horus send the place of the car that follows as "GPS" to the same port.
+TEST(PositionText, TheCarIsNotTheBalloon)
+{
+    for (const char* const type : {"\"GPS\"", "\"payload\"", "1", "null"}) {
+        const auto car = readPosition(
+            std::string(R"({"latitude":46.5,"longitude":13.1,"altitude":210,"speed":14.2,"type":)") + type + "}");
+        ASSERT_FALSE(car) << type;
+        EXPECT_EQ(car.error().text, QStringLiteral("the object is not a PAYLOAD_SUMMARY"));
+    }
+}
+
 // REQ-POSITION-03
 TEST(PositionText, ANameIsOneShortLine)
 {

@@ -290,6 +290,23 @@ TEST(CrossCheck, APasswordNeedsAUser)
     EXPECT_TRUE(crossCheck(profile).empty());
 }
 
+// Both have one connection to the broker.
+// REQ-PROFILE-04
+TEST(CrossCheck, APositionHasATopicOfItsOwn)
+{
+    Profile profile;
+    profile.position.source = PositionSource::Mqtt;
+    profile.sensor.source = SensorSource::Mqtt;
+    EXPECT_TRUE(crossCheck(profile).empty());
+    for (const std::string& topic :
+         {profile.sensor.orientationTopic, profile.sensor.statusTopic, profile.sensor.calibrationTopic}) {
+        profile.position.topic = topic;
+        EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"position.topic"}) << topic;
+    }
+    profile.sensor.source = SensorSource::None;
+    EXPECT_TRUE(crossCheck(profile).empty()) << "nobody subscribes to it but the position";
+}
+
 // The screen makes profiles without the file's reader; nothing may be applied that could not be read again.
 // REQ-PROFILE-08
 TEST(ProblemsOf, CountRangesToo)

@@ -139,6 +139,28 @@ TEST_F(PositionFollowTest, StandsStillWithoutReports)
     EXPECT_FALSE(isRaised("position.ended"));
 }
 
+// REQ-POSITION-34: What comes back after a silence more than 10° from its last direction may be another one: the
+// tracking ends, with an alarm, and the mount holds.
+TEST_F(PositionFollowTest, WhatComesBackElsewhereIsNotFollowed)
+{
+    follow();
+    isReporting = false;
+    fly(Seconds(14.0));
+    ASSERT_TRUE(isRaised("position.stale"));
+    const auto place = rig.control.status().actual;
+    Site other = balloon(flown());
+    other.longitude = kField.longitude;  // to the north of the mount
+    EXPECT_TRUE(rig.control.take(position::PositionText{.site = other}));
+    fly(Seconds(5.0));
+    EXPECT_LT(angleBetween(*place, *rig.control.status().actual), 0.02_deg);
+    EXPECT_FALSE(isRaised("position.stale"));
+    EXPECT_EQ(rig.control.status().position.phase, PositionPhase::Off);
+    const auto list = rig.alarms.list();
+    const auto ended = std::ranges::find(list, QStringLiteral("position.ended"), &Alarm::name);
+    ASSERT_NE(ended, list.end());
+    EXPECT_THAT(ended->what.toStdString(), HasSubstr("no longer tracked: the position came back "));
+}
+
 // REQ-POSITION-32: Nothing is followed without a report, without the site, while STOP is latched, or for a client.
 // STOP, Hold, a jog and another target end it.
 TEST_F(PositionFollowTest, PassesTheGatesOfAGoTo)
@@ -166,6 +188,30 @@ TEST_F(PositionFollowTest, PassesTheGatesOfAGoTo)
     homeless.site.known = false;
     rig.setProfile(homeless);
     EXPECT_EQ(ask(), "No position to track: the site of the mount is not set");
+}
+
+// REQ-POSITION-35: A change of what is believed, or of where the positions come from, forgets what was known at once.
+TEST_F(PositionFollowTest, AChangeOfTheProfileForgetsThePosition)
+{
+    const auto isForgottenBy = [this](const auto& change) {
+        fly(Seconds(1.0));
+        EXPECT_TRUE(rig.control.status().position.age);
+        profile::Profile next = rig.profile;
+        change(next.position);
+        rig.setProfile(next);
+        return !rig.control.status().position.age;
+    };
+    EXPECT_TRUE(isForgottenBy([](auto& position) { position.name = "B1"; }));
+    EXPECT_TRUE(isForgottenBy([](auto& position) { position.stale = Seconds(20.0); }));
+    EXPECT_TRUE(isForgottenBy([](auto& position) { position.port = 55'674; }));
+    EXPECT_TRUE(isForgottenBy([](auto& position) { position.host = "0.0.0.0"; }));
+    EXPECT_TRUE(isForgottenBy([](auto& position) { position.source = profile::PositionSource::Mqtt; }));
+    EXPECT_TRUE(isForgottenBy([](auto& position) { position.topic = "sonde"; }));
+    profile::Profile next = rig.profile;
+    fly(Seconds(1.0));
+    next.mount.name = "another";
+    rig.setProfile(next);
+    EXPECT_TRUE(rig.control.status().position.age);
 }
 
 // REQ-POSITION-33: A position that jumps, and one that cannot be read, move nothing and are counted.
