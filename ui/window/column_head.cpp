@@ -19,7 +19,7 @@ namespace boresight::ui {
 namespace {
 
 // What Boresight did and what to do have two to five lines. A low window has no room for more than two.
-constexpr int kLines = 5;
+constexpr int kLinesOfAdvice = 5;
 constexpr int kLinesInLowWindow = 2;
 
 }  // namespace
@@ -95,7 +95,7 @@ void ColumnHead::arrange()
                                   Arrangement{Numerals::Usual, true}, Arrangement{Numerals::Small, true},
                                   Arrangement{Numerals::Beside, true}, Arrangement{Numerals::Beside, false}};
     const Arrangement& least = arrangements.back();
-    const int reserved = m_alarms.heightWith(usual == Numerals::Small ? kLinesInLowWindow : kLines);
+    const int reserved = m_alarms.heightWith(usual == Numerals::Small ? kLinesInLowWindow : kLinesOfAdvice);
     const int room = std::max(height({usual, true}), height(least) + reserved + layout()->spacing());
     const int alarm = heightOfAlarm();
     const auto fits = [&](const Arrangement& one) {
