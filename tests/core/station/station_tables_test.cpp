@@ -111,9 +111,9 @@ TEST_F(TableFolder, AnotherErrandAndTimeEndTheWaiting)
     Outcome other;
     tables.read(path, other.taker());
     tables.tick(7, start);
-    tables.tick(7, start + Seconds(1));
+    tables.tick(7, start + std::chrono::seconds(1));
     EXPECT_FALSE(other.table);
-    tables.tick(8, start + Seconds(2));
+    tables.tick(8, start + std::chrono::seconds(2));
     EXPECT_THAT(other.problem(), StartsWith("Another command came"));
     Outcome late;
     tables.read(path, late.taker());
@@ -122,7 +122,7 @@ TEST_F(TableFolder, AnotherErrandAndTimeEndTheWaiting)
     EXPECT_FALSE(late.table);
     tables.tick(8, start + StationTables::kLongestReading);
     EXPECT_EQ(late.problem(), "The file was not read within 30 s. Nothing moves. Track it again.");
-    tables.tick(9, start + Seconds(31));
+    tables.tick(9, start + std::chrono::seconds(31));
 }
 
 // A whole station with a simulated mount that may move.
