@@ -169,18 +169,10 @@ void AlarmCard::build()
     column->setContentsMargins(2 * kCardMargin + kCardSymbol, kCardMargin - 4, kCardMargin, kCardMargin - 4);
     column->setSpacing(4);
     column->addWidget(m_what);
-    column->addSpacing(kBeforeButtons);
-    column->addLayout(buttons);  // a long alarm scrolls in a low window: they stay in sight
-    column->addWidget(m_notice);
     column->addWidget(m_advice);
-}
-
-int AlarmCard::heightWith(int linesOfAdvice) const
-{
-    const QMargins margins = layout()->contentsMargins();
-    return margins.top() + margins.bottom() + 2 * m_what->fontMetrics().lineSpacing() +
-           linesOfAdvice * m_advice->fontMetrics().lineSpacing() + m_acknowledge->sizeHint().height() + kBeforeButtons +
-           3 * layout()->spacing();
+    column->addWidget(m_notice);
+    column->addSpacing(kBeforeButtons);
+    column->addLayout(buttons);
 }
 
 void AlarmCard::showStatus(const StationStatus& status)

@@ -36,9 +36,6 @@ public:
     // For refusals of controls that have no line of their own (STOP).
     [[nodiscard]] ValueLabel& notice() { return *m_notice; }
 
-    // px: two lines of what happened, so many of what was done and what to do, one row of buttons.
-    [[nodiscard]] int heightWith(int linesOfAdvice) const;
-
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 Q_SIGNALS:

@@ -7,46 +7,27 @@
 #include "ui/window/axis_readout.h"
 #include "ui/window/sensor_readout.h"
 
-#include <QEvent>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
-#include <algorithm>
 #include <array>
 
 namespace boresight::ui {
 
-namespace {
-
-// What Boresight did and what to do have two to five lines. A low window has no room for more than two.
-constexpr int kLinesOfAdvice = 5;
-constexpr int kLinesInLowWindow = 2;
-
-}  // namespace
-
 ColumnHead::ColumnHead(AlarmCard& alarms, RequestDesk& desk, QWidget* parent)
     : QWidget(parent),
       m_alarms(alarms),
-      m_alarmRoom(new QScrollArea(this)),
       m_axes(new AxisReadout(this)),
       m_antenna(new AntennaRow(desk, alarms.notice(), this)),
       m_sensor(new SensorReadout(this))
 {
-    m_alarmRoom->setFrameShape(QFrame::NoFrame);
-    m_alarmRoom->setWidgetResizable(true);
-    m_alarmRoom->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_alarmRoom->setFocusPolicy(Qt::NoFocus);
-    m_alarmRoom->setWidget(&m_alarms);
-    m_alarms.hide();  // setWidget() shows it
-    m_alarmRoom->hide();
-    m_alarms.installEventFilter(this);
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kGrid / 2);
-    column->addWidget(m_alarmRoom);
-    column->addWidget(m_axes, 1);
+    column->addWidget(&m_alarms);
+    column->addWidget(m_axes);
     column->addWidget(m_antenna);
     column->addWidget(m_sensor);
+    column->addStretch(1);
 }
 
 void ColumnHead::showStatus(const StationStatus& status)
@@ -63,21 +44,12 @@ void ColumnHead::setRoom(QSize window)
     arrange();
 }
 
-// The card comes and goes at any time: with a notice, too.
-bool ColumnHead::eventFilter(QObject* watched, QEvent* event)
-{
-    if (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent) {
-        arrange();
-    }
-    return QWidget::eventFilter(watched, event);
-}
-
 int ColumnHead::heightOfAlarm() const
 {
     return m_alarms.isHidden() ? 0 : m_alarms.heightForWidth(width()) + layout()->spacing();
 }
 
-// The fullest arrangement that there is room for beside the alarm.
+// The fullest arrangement that the room without an alarm has place for.
 void ColumnHead::arrange()
 {
     struct Arrangement
@@ -91,24 +63,20 @@ void ColumnHead::arrange()
     const auto height = [&](const Arrangement& of) {
         return antenna + m_axes->sizeWith(of.numerals).height() + (of.sensor ? sensor : 0);
     };
-    const std::array arrangements{Arrangement{std::max(usual, Numerals::Usual), true},
-                                  Arrangement{Numerals::Usual, true}, Arrangement{Numerals::Small, true},
+    const std::array arrangements{Arrangement{usual, true}, Arrangement{Numerals::Small, true},
                                   Arrangement{Numerals::Beside, true}, Arrangement{Numerals::Beside, false}};
-    const Arrangement& least = arrangements.back();
-    const int reserved = m_alarms.heightWith(usual == Numerals::Small ? kLinesInLowWindow : kLinesOfAdvice);
-    const int room = std::max(height({usual, true}), height(least) + reserved + layout()->spacing());
+    const int room = height(arrangements.front());
     const int alarm = heightOfAlarm();
-    const auto fits = [&](const Arrangement& one) {
-        return alarm + height(one) <= room && m_axes->sizeWith(one.numerals).width() <= width();
-    };
-    const auto* const found = std::ranges::find_if(arrangements, fits);
-    const Arrangement& best = found == arrangements.end() ? least : *found;
-    setFixedHeight(room);
-    setMinimumWidth(m_axes->sizeWith(usual).width());
+    Arrangement best = arrangements.back();
+    for (const Arrangement& one : arrangements) {
+        if (alarm + height(one) <= room) {
+            best = one;
+            break;
+        }
+    }
+    setMinimumSize(m_axes->sizeWith(usual).width(), room);
     m_axes->setNumerals(best.numerals);
     m_sensor->setRoom(best.sensor);
-    m_alarmRoom->setFixedHeight(std::max(0, std::min(alarm, room - height(best)) - layout()->spacing()));
-    m_alarmRoom->setVisible(alarm > 0);
 }
 
 }  // namespace boresight::ui

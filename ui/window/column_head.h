@@ -5,12 +5,10 @@
 
 #include <QWidget>
 
-class QScrollArea;
-
-// What stands above the tabs: the alarm card while there is one, the readouts of the axes, the antenna in use where
-// there are several, the readout of the sensor. Its height depends on the window and the number of antennas alone, so
-// that tabs and buttons stay where the operator's hand is. There is room for an alarm of usual length: it takes it from
-// the readouts, which get smaller. A longer one scrolls. Gui thread.
+// What stands above the tabs: the alarm card while there is one, the readouts of the axes, the antenna in use
+// where there are several, the readout of the sensor. An alarm
+// takes its room from the readouts, which get smaller, so that tabs and buttons stay where the operator's hand is. Only
+// an alarm for which that is not enough moves them. Gui thread.
 namespace boresight::ui {
 
 class AlarmCard;
@@ -29,14 +27,11 @@ public:
     void showStatus(const StationStatus& status);
     void setRoom(QSize window);
 
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
     void arrange();
     [[nodiscard]] int heightOfAlarm() const;
 
     AlarmCard& m_alarms;
-    QScrollArea* m_alarmRoom;
     AxisReadout* m_axes;
     AntennaRow* m_antenna;
     SensorReadout* m_sensor;

@@ -99,7 +99,7 @@ TEST_F(TurnTest, TheProposedPlaceIsSelectedAndOnePressAnswers)
     EXPECT_TRUE(place("45.1°")->isChecked());
     const QString evidence = named<QPlainTextEdit>("Evidence")->toPlainText();
     EXPECT_TRUE(evidence.startsWith(QStringLiteral("• The angle is known only to a multiple of 180.0°")));
-    EXPECT_TRUE(evidence.contains(QStringLiteral("So 45.1° is proposed")));
+    EXPECT_TRUE(evidence.contains(QStringLiteral("Boresight proposes 45.1°")));
     ASSERT_TRUE(answerable());
     QTest::mouseClick(&answer(), Qt::LeftButton);
     expectAnswered(Axis::Azimuth, 45.1);

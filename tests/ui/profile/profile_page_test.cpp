@@ -27,7 +27,7 @@ TEST_F(ProfilePageTest, EverySettingIsThereOnceWithItsUnitRangeAndWhenItApplies)
         EXPECT_FALSE(parent.data().toString().isEmpty());
         lines += static_cast<std::size_t>(model.rowCount(parent));
     }
-    EXPECT_EQ(lines, profile::settings().size() + 3) << "horizon, keep-outs and presets are one line each";
+    EXPECT_EQ(lines, profile::settings().size() + 4) << "antennas, horizon, keep-outs and presets are one line each";
     QTest::keyClicks(search(), QStringLiteral("azimuth.max_speed"));
     EXPECT_EQ(firstCell(SettingTree::Name), QStringLiteral("Top speed"));
     EXPECT_EQ(firstCell(SettingTree::Value), QStringLiteral("10.0 °/s"));
