@@ -53,7 +53,7 @@ TEST(RealTime, SaysWhatTheKernelDoes)
             while (isReal() && cpuSeconds() - start < 3.0) {
             }
             EXPECT_FALSE(realTime.isRealTime()) << "after 0.1 s";
-            EXPECT_TRUE(realTime.text().contains(QStringLiteral("given back")));
+            EXPECT_TRUE(realTime.text().contains(QStringLiteral("gave it back")));
         } else {
             EXPECT_TRUE(realTime.text().contains(QStringLiteral("not allowed")));
         }

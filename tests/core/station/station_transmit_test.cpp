@@ -249,6 +249,7 @@ TEST_F(StationTransmitTest, AChangeOfTheProfileSwitchesItOff)
     const auto apply = [this](const profile::Profile& next) {
         const profile::Profile before = *inForce;
         inForce.apply(next);
+        status.profile = std::make_shared<const profile::Profile>(next);
         transmit.profileChanged(before, next);
     };
     begin();
