@@ -156,6 +156,7 @@ void AlarmCard::build()
     m_notice->setCollapsing(true);
     m_count->setFlat(true);
     m_since->setFixedHeight(kTouchSize);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     auto* const buttons = new FlowRow;
     for (QWidget* const part : std::initializer_list<QWidget*>{m_help, m_holdAtEnd, m_recover}) {
         buttons->addWidget(part);
