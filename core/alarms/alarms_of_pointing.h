@@ -103,7 +103,7 @@ inline constexpr std::array kPointingAlarms{
                .action = QT_TRANSLATE_NOOP(
                    "Text", "The mount stands still. It moves again BY ITSELF if the file is right again before %2"),
                .remedy = QT_TRANSLATE_NOOP("Text", "STOP or Hold ends the tracking"),
-               .examples = {"nothing writes the file: open the window Astronomical Data of WSJT-X", "17:06:10Z"},
+               .examples = {"nothing writes the file: open Astronomical Data in WSJT-X", "17:06:10Z"},
                .identifying = 0},
     AlarmEntry{.id = "azel.ended",
                .source = "azel.dat",
@@ -121,8 +121,7 @@ inline constexpr std::array kPointingAlarms{
         .what = QT_TRANSLATE_NOOP("Text", "The balloon or rocket cannot be tracked: %1"),
         .action = QT_TRANSLATE_NOOP("Text",
                                     "The mount stands still. It moves again BY ITSELF if a position arrives before %2"),
-        .remedy = QT_TRANSLATE_NOOP(
-            "Text", "Check the receiver and the program that sends the positions. STOP or Hold ends the tracking"),
+        .remedy = QT_TRANSLATE_NOOP("Text", "Check the receiver and its program. STOP or Hold ends the tracking"),
         .brief = "%1",
         .examples = {"no position was received for 30 s", "20:14:31Z"},
         .identifying = 1},

@@ -7236,7 +7236,7 @@ até %1</translation>
         <translation>o ficheiro ainda não foi lido</translation>
     </message>
     <message>
-        <source>nothing writes the file: open the window Astronomical Data of WSJT-X</source>
+        <source>nothing writes the file: open Astronomical Data in WSJT-X</source>
         <translation>nada escreve o ficheiro: abra a janela Astronomical Data do WSJT-X</translation>
     </message>
     <message>
@@ -8444,7 +8444,7 @@ até %1</translation>
         <translation>A montagem está parada. Volta a mover-se POR SI se chegar uma posição antes de %2</translation>
     </message>
     <message>
-        <source>Check the receiver and the program that sends the positions. STOP or Hold ends the tracking</source>
+        <source>Check the receiver and its program. STOP or Hold ends the tracking</source>
         <translation>Verifique o recetor e o programa que envia as posições. STOP ou Manter termina o seguimento</translation>
     </message>
     <message>
