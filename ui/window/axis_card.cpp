@@ -248,13 +248,14 @@ void AxisCard::showNumbers(bool turnKnown)
     };
     const auto actual = known ? m_shown.beam.actual : std::nullopt;
     const auto target = missing ? std::nullopt : m_shown.beam.target;
-    const auto rate = known ? m_shown.rate : std::nullopt;
+    const bool turns = known && m_shown.rate;
     const bool comparable = known && m_shown.target;
     show(*m_actual, actual ? text(steady(m_steadyActual, *actual)) : QString(), tone);
     show(*m_target, target ? text(*target) : QString(), Tone::Normal);
     show(*m_error, comparable ? signedAngleText(steady(m_steadyError, *m_shown.target - *m_shown.actual)) : QString(),
          tone);
-    show(*m_rate, rate ? rateText(AngularRate::fromDegrees(m_steadyRate.shown(rate->degrees()))) : QString(), tone);
+    const auto rate = [this] { return AngularRate::fromDegrees(m_steadyRate.shown(m_shown.rate->degrees())); };
+    show(*m_rate, turns ? rateText(rate()) : QString(), tone);
 }
 
 void AxisCard::showError(const StationStatus& status, bool known)
