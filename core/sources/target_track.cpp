@@ -147,7 +147,7 @@ Result<> TargetTrack::ask(const request::Track& wanted, const Source& by)
             // Its beam goes there. A refusal leaves the antenna that was in use.
             const std::optional<AntennaChoice::Tracked> before = helm().view().antenna.tracked();
             helm().useAntennaFor(AntennaChoice::Tracked{.satellite = numberOf(wanted.target)});
-            const Result<> begun = begin(std::move(tracked));
+            Result<> begun = begin(std::move(tracked));
             if (!begun) {
                 helm().useAntennaFor(before);
             }
@@ -159,7 +159,7 @@ Result<> TargetTrack::begin(Tracked tracked)
 {
     m_utc = {};
     const UtcTime now = m_utc.now(helm().view().clock);
-    if (const Result<> may = reaches(tracked, now); !may) {
+    if (Result<> may = reaches(tracked, now); !may) {
         return may;
     }
     const UtcTime from = std::max(now, tracked.up.rises);
