@@ -3,6 +3,8 @@
 
 #include "core/base/text.h"
 
+#include <QStringList>
+
 #include <algorithm>
 #include <utility>
 
@@ -21,13 +23,28 @@ Angle AntennaChoice::spread() const
     return widest;
 }
 
-void AntennaChoice::choose(const std::string& name)
+Result<> AntennaChoice::isKnown(const std::string& name) const
 {
-    m_chosen = name;
-    if (m_tracked) {
-        m_tracked->satellite.reset();
+    QStringList names;
+    for (const pointing::Antenna& one : m_profile->allAntennas()) {
+        if (one.name == name) {
+            return {};
+        }
+        names << QStringLiteral("\"%1\"").arg(toQString(one.name));
     }
-    renew();
+    return failure(ErrorCode::InvalidInput, Text::tr("There is no antenna \"%1\". The profile has %2.")
+                                                .arg(toQString(name), names.join(QStringLiteral(", "))));
+}
+
+Result<> AntennaChoice::choose(const std::string& name)
+{
+    return isKnown(name).map([&] {
+        m_chosen = name;
+        if (m_tracked) {
+            m_tracked->satellite.reset();
+        }
+        renew();
+    });
 }
 
 void AntennaChoice::track(const std::optional<Tracked>& tracked)

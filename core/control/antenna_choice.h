@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/alarms/event_log.h"
+#include "core/base/result.h"
 #include "core/pointing/antenna.h"
 #include "core/profile/in_force.h"
 
@@ -43,8 +44,9 @@ public:
     [[nodiscard]] const std::optional<Tracked>& tracked() const { return m_tracked; }
     [[nodiscard]] bool tracks() const { return m_tracked && !m_tracked->isOver; }
 
-    // By hand, and for the satellite that is tracked now as well.
-    void choose(const std::string& name);
+    // By hand, and for the satellite that is tracked now as well. Refused with the names of the profile: it has no such
+    // antenna.
+    Result<> choose(const std::string& name);
     void track(const std::optional<Tracked>& tracked);
     void endTracking();
     // The mount rests: what is not tracked any more chooses no antenna.
@@ -53,6 +55,7 @@ public:
     void profileChanged() { renew(); }
 
 private:
+    [[nodiscard]] Result<> isKnown(const std::string& name) const;
     void renew();
     [[nodiscard]] std::string wanted(const profile::Profile& by) const;
 

@@ -460,4 +460,13 @@ Result<> Gates::mayUseAntenna() const
     return m_of.antenna.tracks() ? Result<>{} : mayChangePointing();
 }
 
+Result<> Gates::mayTurnBeam(const profile::Profile& after) const
+{
+    if (m_of.antenna.termsBy(after) == m_of.antenna.terms()) {
+        return {};
+    }
+    const bool isChoice = after.pointing == m_of.profile.pointing && after.antennas == m_of.profile.antennas;
+    return isChoice ? mayUseAntenna() : mayChangePointing();
+}
+
 }  // namespace boresight

@@ -74,6 +74,8 @@ public:
     [[nodiscard]] Result<> mayChangePointing() const;
     // What Boresight tracks itself goes on with the beam of the other antenna.
     [[nodiscard]] Result<> mayUseAntenna() const;
+    // Whether the beam in use, by its terms or by another choice of the antenna, may be that of this profile.
+    [[nodiscard]] Result<> mayTurnBeam(const profile::Profile& after) const;
     [[nodiscard]] Result<> usesMainAntenna() const;
 
     // Outside its travel by more than the drives' own bounds allow: 1 above, -1 below; 0 inside, or nobody knows.

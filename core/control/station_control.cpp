@@ -244,35 +244,16 @@ Result<> StationControl::handle(const request::AcknowledgeAlarm& wanted, const S
 
 Result<> StationControl::handle(const request::UseAntenna& wanted, const Source& source)
 {
-    return operatorOnly(source)
-        .and_then([&] { return isKnown(wanted.name); })
-        .and_then([&] { return gates().mayUseAntenna(); })
-        .map([&] { m_antenna.choose(wanted.name); });
-}
-
-Result<> StationControl::isKnown(const std::string& antenna) const
-{
-    QStringList names;
-    for (const pointing::Antenna& one : m_profile->allAntennas()) {
-        if (one.name == antenna) {
-            return {};
-        }
-        names << QStringLiteral("\"%1\"").arg(toQString(one.name));
-    }
-    return failure(ErrorCode::InvalidInput, Text::tr("There is no antenna \"%1\". The profile has %2.")
-                                                .arg(toQString(antenna), names.join(QStringLiteral(", "))));
+    return operatorOnly(source).and_then([&] { return gates().mayUseAntenna(); }).and_then([&] {
+        return m_antenna.choose(wanted.name);
+    });
 }
 
 // The station puts it into force; see profileChanged().
 Result<> StationControl::handle(const request::ApplyProfile& wanted, const Source& source)
 {
     return operatorOnly(source).and_then([&] { return makesSense(wanted.profile); }).and_then([&] {
-        if (m_antenna.termsBy(wanted.profile) == m_antenna.terms()) {
-            return Result<>{};
-        }
-        const bool choosesAnother =
-            wanted.profile.pointing == m_profile->pointing && wanted.profile.antennas == m_profile->antennas;
-        return choosesAnother ? gates().mayUseAntenna() : mayChangePointing();
+        return gates().mayTurnBeam(wanted.profile);
     });
 }
 

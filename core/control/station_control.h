@@ -164,7 +164,6 @@ private:
     Result<> handle(const request::ApplyProfile& wanted, const Source& source);
     Result<> handle(const request::Reconnect& wanted, const Source& source);
 
-    [[nodiscard]] Result<> isKnown(const std::string& antenna) const;
     Result<> askSources(const Request& request, const Source& source);
 
     [[nodiscard]] ControlParts parts() const;
