@@ -54,8 +54,7 @@ QString describe(const Declination& declination)
                               : Text::tr("Boresight cannot apply the declination. %1").arg(correction.error().text);
         }
         case DeclinationBy::None:
-            return Text::tr("Nothing corrects the declination. The heading contains the %1 that the sensor adds.")
-                .arg(inSensor);
+            return Text::tr("Nothing corrects the declination. The sensor adds %1 to the heading.").arg(inSensor);
     }
     return {};
 }

@@ -354,11 +354,11 @@ Result<> TurnKeeper::choose(Axis axis, Angle angle, Drive& drive, const QString&
     if (!asked->candidates.empty()) {
         place = nearestOf(asked->candidates, angle);
         if (abs(place - angle) > std::min(kEyeSight, asked->period * 0.5)) {
-            return failure(
-                ErrorCode::Refused,
-                Text::tr("the drive contradicts %1. The nearest place that it permits is %2. If that place is wrong, "
-                         "another tool has set the position of the drive. Then switch its power off and on")
-                    .arg(degreesText(angle), degreesText(place)));
+            return failure(ErrorCode::Refused,
+                           Text::tr("the drive contradicts %1. The nearest position that the drive permits is %2. Is "
+                                    "that position wrong? "
+                                    "Then another tool has set the position of the drive. Switch its power off and on")
+                               .arg(degreesText(angle), degreesText(place)));
         }
     }
     const TravelRange& travel = m_profile->axis(axis).geometry.travel;

@@ -132,7 +132,7 @@ QString RealTime::text() const
         return Text::tr("Real-time scheduling: not allowed. Install rtkit or raise the limit RLIMIT_RTPRIO.");
     }
     if (!isRealTime()) {
-        return Text::tr("Real-time scheduling: off. Boresight worked for 0.1 s without a pause, and gave it back.");
+        return Text::tr("Real-time scheduling: off. Boresight gave it back after 0.1 s of work without a pause.");
     }
     return m_locked ? Text::tr("Real-time scheduling: on. Memory: locked in RAM.")
                     : Text::tr("Real-time scheduling: on. Memory: not locked (limit RLIMIT_MEMLOCK).");

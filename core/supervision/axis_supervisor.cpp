@@ -269,7 +269,7 @@ void AxisSupervisor::judgePush(const AxisObservation& seen, double share)
     const Angle apart = abs(seen.commanded - seen.actual);
     const bool pushes = share >= kAllTorque && apart > kNotThere;
     m_pushes.update(seen.now, pushes ? 1.0 : 0.0, {.stop = 1.0, .release = 1.0, .after = kTorqueLasts}, [&] {
-        return Text::tr("%1 does not move: it is %2 away from its set-point for %5, with %3 Nm of the %4 Nm allowed")
+        return Text::tr("%1 does not move: it was %2 away from its set-point for %5, with %3 Nm of the %4 Nm allowed")
                    .arg(m_names.axis, words(apart), words(std::abs(seen.torque.value_or(0.0)), 1),
                         words(m_profile->axis(m_axis).maxTorque, 1), words(kTorqueLasts)) +
                limit(seen.now);

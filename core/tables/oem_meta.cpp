@@ -114,9 +114,10 @@ Result<OrbitFrame> OemMeta::frame() const
     }
     const OrbitFrame frame = found == kFrames.end() ? OrbitFrame::Earth : found->second;
     if ((frame == OrbitFrame::Teme || frame == OrbitFrame::OfDate) && !value("REF_FRAME_EPOCH").empty()) {
-        return badMeta(Text::tr("The frame %1 is that of the date REF_FRAME_EPOCH. Boresight reads it of the date of "
-                                "each row only. Use GCRF.")
-                           .arg(toQString(name)));
+        return badMeta(
+            Text::tr("The frame %1 has the fixed date REF_FRAME_EPOCH. Boresight reads this frame only with the "
+                     "date of each row. Use GCRF.")
+                .arg(toQString(name)));
     }
     return frame;
 }

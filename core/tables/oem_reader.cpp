@@ -160,8 +160,8 @@ Result<> OemParts::endRows()
     }
     if (!m_oem.segments.empty() && m_segment.from < m_oem.segments.back().to) {
         return wrong(
-            Text::tr("The segment that ends here begins before the end of the segment before it. Sort the "
-                     "segments, or set USEABLE_START_TIME."));
+            Text::tr("This segment begins before the end of the segment above it. Sort the segments, or set "
+                     "USEABLE_START_TIME."));
     }
     if (m_oem.segments.empty()) {
         m_oem.name = orbit::nameOf(m_meta.value("OBJECT_NAME"));

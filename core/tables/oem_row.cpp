@@ -49,8 +49,8 @@ Result<> isPlausible(const OrbitRow& row)
     const double radius = orbit::length(row.position);
     if (!(radius >= kLeastRadius && radius <= kMostRadius)) {
         return badRow(
-            Text::tr("The place is %1 km from the centre of the Earth. It must be from %2 to %3 km. The unit is "
-                     "km.")
+            Text::tr("The position is %1 km from the centre of the Earth. The range is %2 to %3 km. Check the "
+                     "unit: positions are in km.")
                 .arg(radius, 0, 'g', 6)
                 .arg(kLeastRadius, 0, 'f', 0)
                 .arg(kMostRadius, 0, 'f', 0));

@@ -194,10 +194,6 @@
         <translation>Nunca olhe para o Sol, nem por um tubo de mira. Um prato queima o alimentador: siga a sombra, seja rápido.</translation>
     </message>
     <message>
-        <source>North %1. The readings cause %2 of the uncertainty. A swing cannot show the other %3.</source>
-        <translation>Norte %1. As leituras causam %2 da incerteza. Um giro não mostra os outros %3.</translation>
-    </message>
-    <message>
         <source>%1: rms %2 now, %3 with the proposal, %5 with their own fit (%4)</source>
         <translation>%1: rms %2 agora, %3 com a proposta, %5 com o ajuste próprio (%4)</translation>
     </message>
@@ -208,6 +204,10 @@
     <message>
         <source>, each predicted from the others %1</source>
         <translation>, cada um previsto pelos outros %1</translation>
+    </message>
+    <message>
+        <source>North %1. The readings cause %2 of the uncertainty. A swing cannot measure the other %3.</source>
+        <translation>Norte %1. As leituras causam %2 da incerteza. Uma volta não pode medir os outros %3.</translation>
     </message>
 </context>
 <context>
@@ -8264,10 +8264,6 @@ até %1</translation>
         <translation>O referencial é &quot;%1&quot;. O Boresight lê ITRF, EME2000, GCRF, ICRF, TEME e TOD.</translation>
     </message>
     <message>
-        <source>The frame %1 is that of the date REF_FRAME_EPOCH. Boresight reads it of the date of each row only. Use GCRF.</source>
-        <translation>O referencial %1 é o da data REF_FRAME_EPOCH. O Boresight só o lê da data de cada linha. Use GCRF.</translation>
-    </message>
-    <message>
         <source>%1 is &quot;%2&quot;. It must be a time like 2024-05-10T04:50:02.5.</source>
         <translation>%1 é &quot;%2&quot;. Tem de ser uma hora como 2024-05-10T04:50:02.5.</translation>
     </message>
@@ -8308,10 +8304,6 @@ até %1</translation>
         <translation>O segmento que acaba aqui não tem linhas no seu tempo utilizável. Corrija USEABLE_START_TIME e USEABLE_STOP_TIME.</translation>
     </message>
     <message>
-        <source>The segment that ends here begins before the end of the segment before it. Sort the segments, or set USEABLE_START_TIME.</source>
-        <translation>O segmento que acaba aqui começa antes do fim do segmento anterior. Ordene os segmentos, ou indique USEABLE_START_TIME.</translation>
-    </message>
-    <message>
         <source>The file is cut: COVARIANCE_STOP is missing.</source>
         <translation>O ficheiro está cortado: falta COVARIANCE_STOP.</translation>
     </message>
@@ -8322,10 +8314,6 @@ até %1</translation>
     <message>
         <source>The file has no META_START and no rows.</source>
         <translation>O ficheiro não tem META_START nem linhas.</translation>
-    </message>
-    <message>
-        <source>The place is %1 km from the centre of the Earth. It must be from %2 to %3 km. The unit is km.</source>
-        <translation>O lugar está a %1 km do centro da Terra. Tem de estar entre %2 e %3 km. A unidade é km.</translation>
     </message>
     <message>
         <source>The speed is %1 km/s. It must be at most %2 km/s. The unit is km/s.</source>
@@ -8744,10 +8732,6 @@ até %1</translation>
         <translation>%1: Este ficheiro e %4 colocam o satélite %2 a %3 km um do outro. O Boresight usa %4.</translation>
     </message>
     <message>
-        <source>Nothing corrects the declination. The heading contains the %1 that the sensor adds.</source>
-        <translation>Nada corrige a declinação. O rumo contém os %1 que o sensor soma.</translation>
-    </message>
-    <message>
         <source>The magnetic model %1 ends with %2. Get the next one before that.</source>
         <translation>O modelo magnético %1 termina com %2. Obtenha o seguinte antes disso.</translation>
     </message>
@@ -8778,10 +8762,6 @@ até %1</translation>
     <message>
         <source>crash stop from %1°/s: stopped after %2° and %3 ms</source>
         <translation>prova de paragem a partir de %1°/s: parou após %2° e %3 ms</translation>
-    </message>
-    <message>
-        <source>the drive contradicts %1. The nearest place that it permits is %2. If that place is wrong, another tool has set the position of the drive. Then switch its power off and on</source>
-        <translation>o acionamento contradiz %1. A posição mais próxima que ele permite é %2. Se essa posição estiver errada, outra ferramenta definiu a posição do acionamento. Nesse caso desligue e volte a ligar a sua alimentação</translation>
     </message>
     <message>
         <source>the new plan does not contain this pass</source>
@@ -8860,20 +8840,12 @@ até %1</translation>
         <translation>incluído, para experimentar o Boresight sem montagem</translation>
     </message>
     <message>
-        <source>Real-time scheduling: off. Boresight worked for 0.1 s without a pause, and gave it back.</source>
-        <translation>Escalonamento em tempo real: desligado. O Boresight trabalhou 0,1 s sem pausa e devolveu-o.</translation>
-    </message>
-    <message>
         <source>%1 moves the wrong way: it moved %5 in %4 instead of %2 (at %3)</source>
         <translation>%1 move-se no sentido errado: moveu-se %5 em %4 em vez de %2 (a %3)</translation>
     </message>
     <message>
         <source>%1 does not move: it moved %5 in %4 instead of %2 (at %3)</source>
         <translation>%1 não se move: moveu-se %5 em %4 em vez de %2 (a %3)</translation>
-    </message>
-    <message>
-        <source>%1 does not move: it is %2 away from its set-point for %5, with %3 Nm of the %4 Nm allowed</source>
-        <translation>%1 não se move: está a %2 do valor pedido há %5, com %3 Nm dos %4 Nm permitidos</translation>
     </message>
     <message>
         <source>Set at least ten times the bandwidth of the position control. With less, the measured speed lags too much for the damping.</source>
@@ -8914,6 +8886,34 @@ até %1</translation>
     <message>
         <source>the position came back %1 from the last one</source>
         <translation>a posição voltou a %1 da última</translation>
+    </message>
+    <message>
+        <source>Nothing corrects the declination. The sensor adds %1 to the heading.</source>
+        <translation>Nada corrige a declinação. O sensor soma %1 ao rumo.</translation>
+    </message>
+    <message>
+        <source>the drive contradicts %1. The nearest position that the drive permits is %2. Is that position wrong? Then another tool has set the position of the drive. Switch its power off and on</source>
+        <translation>o acionamento contradiz %1. A posição mais próxima que o acionamento permite é %2. Essa posição está errada? Então outra ferramenta alterou a posição do acionamento. Desligue e volte a ligar a sua alimentação</translation>
+    </message>
+    <message>
+        <source>Real-time scheduling: off. Boresight gave it back after 0.1 s of work without a pause.</source>
+        <translation>Escalonamento em tempo real: desligado. O Boresight devolveu-o após 0,1 s de trabalho sem pausa.</translation>
+    </message>
+    <message>
+        <source>%1 does not move: it was %2 away from its set-point for %5, with %3 Nm of the %4 Nm allowed</source>
+        <translation>%1 não se move: esteve a %2 do seu ponto de referência durante %5, com %3 Nm dos %4 Nm permitidos</translation>
+    </message>
+    <message>
+        <source>The frame %1 has the fixed date REF_FRAME_EPOCH. Boresight reads this frame only with the date of each row. Use GCRF.</source>
+        <translation>O referencial %1 tem a data fixa REF_FRAME_EPOCH. O Boresight só lê este referencial com a data de cada linha. Use GCRF.</translation>
+    </message>
+    <message>
+        <source>This segment begins before the end of the segment above it. Sort the segments, or set USEABLE_START_TIME.</source>
+        <translation>Este segmento começa antes do fim do segmento acima. Ordene os segmentos ou defina USEABLE_START_TIME.</translation>
+    </message>
+    <message>
+        <source>The position is %1 km from the centre of the Earth. The range is %2 to %3 km. Check the unit: positions are in km.</source>
+        <translation>A posição está a %1 km do centro da Terra. O intervalo é de %2 a %3 km. Verifique a unidade: as posições são em km.</translation>
     </message>
 </context>
 <context>
@@ -14352,8 +14352,8 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
 </translation>
     </message>
     <message>
-        <source>Nothing holds the mount from then on. An unbalanced elevation falls, and wind may turn the azimuth. Keep people away from the antenna, or support it first.</source>
-        <translation>A partir daí nada segura a montagem. Uma elevação desequilibrada cai, e o vento pode rodar o azimute. Mantenha as pessoas longe da antena, ou apoie-a primeiro.</translation>
+        <source>Nothing holds the mount afterwards. An unbalanced elevation falls. Wind may turn the azimuth. Keep people away from the antenna, or support it first.</source>
+        <translation>Depois, nada segura a montagem. Uma elevação desequilibrada cai. O vento pode rodar o azimute. Mantenha as pessoas longe da antena ou apoie-a primeiro.</translation>
     </message>
 </context>
 <context>
@@ -15882,16 +15882,16 @@ Em comparação com a montagem em uso:
         <translation>A última alteração foi anulada.</translation>
     </message>
     <message>
-        <source>Boresight disconnects from the present mount, as when the program ends. Then it connects to the other mount, as at a start. Nothing moves. The window stays open.</source>
-        <translation>O Boresight desliga-se da montagem atual, como quando o programa termina. Depois liga-se à outra montagem, como num arranque. Nada se move. A janela fica aberta.</translation>
-    </message>
-    <message>
         <source>Undo restores the present version.
 
 %1</source>
         <translation>Anular repõe a versão atual.
 
 %1</translation>
+    </message>
+    <message>
+        <source>Boresight disconnects from the present mount like at the end of the program. Then it connects to the other mount. Nothing moves. The window stays open.</source>
+        <translation>O Boresight desliga-se da montagem atual como no fim do programa. Depois liga-se à outra montagem. Nada se move. A janela fica aberta.</translation>
     </message>
 </context>
 <context>

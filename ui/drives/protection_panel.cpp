@@ -200,7 +200,7 @@ void ProtectionPanel::setGear()
 void ProtectionPanel::switchOff()
 {
     askFirst({.title = tr("Switch the drives off?"),
-              .text = tr("Nothing holds the mount from then on. An unbalanced elevation falls, and wind may turn the "
+              .text = tr("Nothing holds the mount afterwards. An unbalanced elevation falls. Wind may turn the "
                          "azimuth. Keep people away from the antenna, or support it first."),
               .act = tr("Switch off"),
               .request = request::SwitchOff{},

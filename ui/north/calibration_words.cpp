@@ -29,7 +29,7 @@ QString northLine(const SwingOutcome& swing)
 {
     const calibration::CompassSwing& fit = swing.fit;
     QString text =
-        CalibrationWords::tr("North %1. The readings cause %2 of the uncertainty. A swing cannot show the other %3.")
+        CalibrationWords::tr("North %1. The readings cause %2 of the uncertainty. A swing cannot measure the other %3.")
             .arg(offsetText(fit.north), angleText(fit.statistical), angleText(fit.systematic));
     if (fit.harmonics != calibration::Harmonics::None) {
         text += QLatin1Char(' ') + CalibrationWords::tr("Hard iron %1, soft iron %2, readings scatter by %3.")

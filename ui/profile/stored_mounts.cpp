@@ -136,8 +136,8 @@ void StoredMounts::switchTo(const profile::StoredProfile& mount)
                                       : tr("Bus: %1"))
                 .arg(bus) +
             QLatin1Char('\n') +
-            tr("Boresight disconnects from the present mount, as when the program ends. Then it connects to the other "
-               "mount, as at a start. Nothing moves. The window stays open.") +
+            tr("Boresight disconnects from the present mount like at the end of the program. Then it connects to the "
+               "other mount. Nothing moves. The window stays open.") +
             QStringLiteral("\n\n") + differences(m_draft.applied(), other);
         Q_EMIT asked({.title = tr("Switch to the mount \"%1\"?").arg(nameOf(other)),
                       .text = lines,

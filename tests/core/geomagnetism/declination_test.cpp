@@ -52,7 +52,7 @@ TEST(Declination, IsSaidInWordsWithTheNumbers)
     EXPECT_EQ(describe({.by = DeclinationBy::Boresight, .inSensor = 0_deg, .here = 12.5_deg}).toStdString(),
               "Boresight adds a declination of +12.50° (entered) and removes the sensor's +0.00°. The sum is +12.50°.");
     EXPECT_EQ(describe(lisbon(DeclinationBy::None)).toStdString(),
-              "Nothing corrects the declination. The heading contains the +5.07° that the sensor adds.");
+              "Nothing corrects the declination. The sensor adds +5.07° to the heading.");
 }
 
 // REQ-GEOMAGNETISM-08

@@ -303,7 +303,7 @@ TEST_F(InjectedCause, AnAxisThatPushesJustBeforeItsTargetIsBlocked)
     mount.inject(FaultKind::Stall, Axis::Azimuth);
     mount.goTo(Axis::Azimuth, 180.2_deg);
     EXPECT_LE(timeTo(Symptom::Stalled, Weight::Stop, Seconds(10.0)), Seconds(5.0));
-    EXPECT_THAT(text(Symptom::Stalled, Weight::Stop), AllOf(HasSubstr("it is 0.2° away from its set-point for "),
+    EXPECT_THAT(text(Symptom::Stalled, Weight::Stop), AllOf(HasSubstr("it was 0.2° away from its set-point for "),
                                                             HasSubstr("with 50.0 Nm of the 50.0 Nm allowed")));
     EXPECT_THAT(text(Symptom::Stalled, Weight::Stop), HasSubstr("limit 102 of the drive"));
 }

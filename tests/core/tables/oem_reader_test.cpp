@@ -105,7 +105,7 @@ TEST(OemReader, RefusesWhatItCannotDo)
                 HasSubstr("INTERPOLATION is \"PROPAGATE\". Boresight does HERMITE, LAGRANGE and LINEAR."));
     EXPECT_THAT(refusalOf(whole("INTERPOLATION_DEGREE = 26\n")), HasSubstr("It must be a number from 1 to 25."));
     EXPECT_THAT(refusalOf(changed(text, "ITRF2014", "TEME\nREF_FRAME_EPOCH = 2026-12-24T00:00:00")),
-                HasSubstr("The frame TEME is that of the date REF_FRAME_EPOCH."));
+                HasSubstr("The frame TEME has the fixed date REF_FRAME_EPOCH."));
     EXPECT_EQ(refusalOf("\n<?xml version=\"1.0\"?>\n<oem>"),
               "a.oem:2: The file is XML. Boresight reads an OEM in its KVN form: convert the file.");
     EXPECT_THAT(refusalOf("CCSDS_OPM_VERS = 2.0\n"),
@@ -133,7 +133,7 @@ TEST(OemReader, NamesTheLineOfAMistake)
                 HasSubstr("USEABLE_STOP_TIME is \"x\". It must be a time"));
     EXPECT_THAT(refusalOf(changed(text, "7000.000000000", "nan")), StartsWith("a.oem:14: \"nan\" is not a number."));
     EXPECT_THAT(refusalOf(changed(text, "7000.000000000", "7000000")),
-                StartsWith("a.oem:14: The place is 7e+06 km from the centre of the Earth. It must be from 6000 to"));
+                StartsWith("a.oem:14: The position is 7e+06 km from the centre of the Earth. The range is 6000 to"));
     EXPECT_THAT(refusalOf(changed(text, " 2.036000000", " 2036.0")), StartsWith("a.oem:14: The speed is 2036 km/s."));
     EXPECT_THAT(refusalOf(changed(text, "T00:02:00.000 ", "T00:00:30.000 ")),
                 StartsWith("a.oem:16: The time is not after that of the row before. Sort the rows by time."));
@@ -159,7 +159,7 @@ TEST(OemReader, KeepsTheSegmentsApart)
               (std::vector<TableSpan>{{atomicTime(kEpoch), atomicTime(kEpoch + 4min)},
                                       {atomicTime(kEpoch + 5min), atomicTime(kEpoch + 9min)}}));
     EXPECT_THAT(refusalOf(first + segmentText("ITRF", "UTC", samples(5, 180s))),
-                HasSubstr("begins before the end of the segment before it."));
+                HasSubstr("begins before the end of the segment above it."));
     EXPECT_THAT(refusalOf(first + changed(segmentText("ITRF", "UTC", samples(5, 300s)), "TEST ONE", "TEST TWO")),
                 HasSubstr("The object is \"TEST TWO\". Above it is \"TEST ONE\"."));
 }
