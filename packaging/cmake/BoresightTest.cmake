@@ -79,6 +79,14 @@ function(boresight_give_home run)
   endforeach()
 endfunction()
 
+# For a program with SDL: lsan.supp knows a leak of it by who allocated, which takes too long to be noted everywhere.
+function(boresight_note_allocations run)
+  if(TEST ${run})
+    set_property(TEST ${run} APPEND PROPERTY ENVIRONMENT_MODIFICATION
+      "ASAN_OPTIONS=string_append::malloc_context_size=2")
+  endif()
+endfunction()
+
 # Those of label system wait for programs that keep real time: the others reckon behind them.
 function(boresight_add_runs name label shards timeout slow_time)
   if(NOT shards)
