@@ -190,8 +190,9 @@ TEST(Rooms, MessagesAreMadeOfValues)
 TEST(Rooms, TheControlKnowsNoKindOfRotator)
 {
     Rooms permitted = roomsOf("core");
-    for (const char* const room : {"core/moteus", "core/moteus_mount", "core/simple_mount", "core/survey",
-                                   "core/memory", "core/can", "core/sim", "core/sim_bus", "core/station"}) {
+    for (const char* const room :
+         {"core/moteus", "core/moteus_mount", "core/simple_mount", "core/survey", "core/memory", "core/can", "core/sim",
+          "core/sim_bus", "core/station", "core/perfect_mount"}) {
         permitted.erase(room);
     }
     EXPECT_THAT(wrong(kAboveTheDriver, permitted), IsEmpty());
@@ -208,7 +209,9 @@ TEST(Rooms, OnlyTheControlKnowsThePortOfTheMount)
         }
         std::ifstream file(std::filesystem::path(BORESIGHT_SOURCES) / path);
         for (std::string line; std::getline(file, line);) {
-            if (line == "#include \"core/mount/mount_driver.h\"" || line == "#include \"core/mount/mount_service.h\"") {
+            if (line.starts_with("#include \"core/mount/mount_driver.h\"") ||
+                line.starts_with("#include \"core/mount/mount_service.h\"") ||
+                line.starts_with("#include \"core/mount/mount_connection.h\"")) {
                 found.push_back(path + ": " + line);
             }
         }
@@ -282,11 +285,11 @@ TEST(Rooms, AFolderIsSeenAtAGlance)
     }
 }
 
-// Lines of the headers below core that have `words`, with the file.
-std::vector<std::string> linesWith(const std::string& words)
+// Lines of the headers below `top` that have `words`, with the file.
+std::vector<std::string> linesWith(const std::string& words, const std::string& top = "core")
 {
     std::vector<std::string> found;
-    for (const std::string& path : sourcesBelow("core")) {
+    for (const std::string& path : sourcesBelow(top)) {
         std::ifstream file(std::filesystem::path(BORESIGHT_SOURCES) / path);
         for (std::string line; path.ends_with(".h") && std::getline(file, line);) {
             if (line.find(words) != std::string::npos) {
@@ -316,6 +319,10 @@ TEST(Rooms, NobodyIsHandedTheProfileOrKeepsIt)
                 testing::UnorderedElementsAre(testing::StartsWith("core/moteus_mount/drive.h:"),
                                               testing::StartsWith("core/orientation/judge.h:"),
                                               testing::StartsWith("core/witness/sensor_check.h:")));
+    EXPECT_THAT(linesWith("setProfile(", "ui"), IsEmpty());
+    EXPECT_THAT(linesWith("profile::Profile& m_", "ui"), IsEmpty());
+    // What is edited, and what it is compared with.
+    EXPECT_THAT(linesWith("profile::Profile m_", "ui"), testing::Each(testing::StartsWith("ui/link/profile_draft.h:")));
 }
 
 // A program's main() apart. What stands for something in a test may have the name of that.

@@ -368,16 +368,18 @@ void StationControl::tick()
     ++m_tick;
     // First: all below judges by the answers of this tick.
     m_mount.observe(now);
+    // After the answers, and before whoever asks whether an axis stands.
     for (const Axis axis : kAxes) {
         m_standstill.look(axis, m_mount.report(axis));
     }
+    // Before the supervision, which would take the silence of a lost bus for troubles of two axes.
     if (m_arming.losesConnection(now)) {
         holdHere(Activity::None);
     }
-    // After the connection, because a silent bus is one loss and not a trouble of each axis. Before every source,
-    // because what was lost in this tick must not be moved on.
+    // Before every source, because what was lost in this tick must not be moved on.
     superviseMount();
-    // After what a drive that came back shows, and before the sources.
+    // After the supervision, which shows a drive that came back: one that turns against STOP is stopped again. Before
+    // the sources, which must find it stopped.
     keepStopped();
     // Behind STOP and faults, which refuse a source its next motion.
     stepSources();
@@ -385,6 +387,7 @@ void StationControl::tick()
     releaseAntenna();
     // After the sources: what they have just begun ends here if it may not go on.
     watchFirstMoves();
+    // After the sources, too: fitness is asked of a motion, not of the source that wants it.
     watchFitness();
     // After the losses of this tick: one of them begins the re-arm anew.
     finishRearm();
@@ -392,6 +395,7 @@ void StationControl::tick()
     stepProof();
     // Last before the set-points: they go by the keep-out of this tick.
     watchSun();
+    // After whatever sends, holds or ends the motion: the set-points of this tick carry out all of it.
     moveOn(step);
     // After the set-points: what holds them, how much cable is left, and whether the target is reached is known only
     // now.
@@ -400,6 +404,7 @@ void StationControl::tick()
     watchLimited();
     // After what may end or send the motion: looks ahead along the way that is left.
     m_slew.update(m_mount.follows() && state() == StationState::Slew, m_motion, now);
+    // After the set-points, for the state that they made: the energy of this tick belongs to it.
     const StationState then = state();
     const bool moves = then == StationState::Slew || then == StationState::Track || then == StationState::Jog;
     m_energy.look(m_mount, moves, m_current.errand(), now);

@@ -7,6 +7,7 @@ namespace boresight::sim {
 namespace {
 
 constexpr double kThermalResistance = 6.0;  // K/W, board in free air
+constexpr double kAmbient = 20.0;           // °C
 constexpr double kThermalCapacity = 30.0;   // J/K
 
 }  // namespace
@@ -36,7 +37,7 @@ void PowerSupply::setOn(bool on)
 
 void BoardTemperature::step(double dt, double lossPower)
 {
-    const double flow = lossPower - (m_celsius - m_ambient) / kThermalResistance;
+    const double flow = lossPower - (m_celsius - kAmbient) / kThermalResistance;
     m_celsius += dt * flow / kThermalCapacity;
 }
 

@@ -35,12 +35,9 @@ class BoardTemperature
 {
 public:
     void step(double dt, double lossPower);
-    void setAmbient(double celsius) { m_ambient = celsius; }
-    void setCelsius(double celsius) { m_celsius = celsius; }
     [[nodiscard]] double celsius() const { return m_celsius; }
 
 private:
-    double m_ambient = 20.0;
     double m_celsius = 29.0;
 };
 

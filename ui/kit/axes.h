@@ -5,13 +5,10 @@
 
 #include <QString>
 
-#include <array>
 #include <optional>
 
 // What the status says of one axis, found by the axis; and whether its absolute turn is known.
 namespace boresight::ui {
-
-inline constexpr std::array kAxes{Axis::Azimuth, Axis::Elevation};
 
 [[nodiscard]] QString name(Axis axis);           // "azimuth"
 [[nodiscard]] QString shortName(Axis axis);      // "AZ"

@@ -113,14 +113,6 @@ void ValueLabel::setValue(const QString& text, Tone tone, Symbol symbol)
     update();
 }
 
-void ValueLabel::setSymbolShown(bool on)
-{
-    if (on != m_symbolShown) {
-        m_symbolShown = on;
-        update();
-    }
-}
-
 double ValueLabel::symbolSize() const
 {
     return fontMetrics().ascent() * 0.8;
@@ -215,7 +207,7 @@ void ValueLabel::paintEvent(QPaintEvent*)
     const QRect room = textRect();
     const int flags = int(m_alignment) | (wraps() ? int(Qt::TextWordWrap) : int(Qt::TextSingleLine));
     const QString shown = fitted(room.size());
-    if (m_symbol != Symbol::None && m_symbolShown) {
+    if (m_symbol != Symbol::None) {
         const QRect used = fontMetrics().boundingRect(room, flags, shown);
         const double size = symbolSize();
         const double top =

@@ -28,7 +28,6 @@ public:
     void setCollapsing(bool on);          // takes no room while it is empty
 
     void setValue(const QString& text, Tone tone = Tone::Normal, Symbol symbol = Symbol::None);
-    void setSymbolShown(bool on);  // the flashing of an alarm
 
     [[nodiscard]] const QString& text() const { return m_text; }
     [[nodiscard]] bool isElided() const;  // the text does not fit
@@ -67,7 +66,6 @@ private:
     bool m_outlined = false;
     bool m_collapsing = false;
     bool m_symbolRoom = false;
-    bool m_symbolShown = true;
 };
 
 }  // namespace boresight::ui
