@@ -9986,6 +9986,11 @@ velocidade %1</translation>
         <source>● moves the mount</source>
         <translation>● move a montagem</translation>
     </message>
+    <message>
+        <source>%1 k</source>
+        <comment>thousand</comment>
+        <translation>%1 k</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::ClientsPanel</name>
