@@ -129,7 +129,7 @@ Result<QJsonObject> RotctldClient::status()
     const bool moves = flags->contains("MOVING");
     return QJsonObject{
         {QStringLiteral("station"), QString::fromUtf8(valueOf(*info, "Info"))},
-        {QStringLiteral("state"), moves ? QStringLiteral("MOVING") : QStringLiteral("NOT MOVING")},
+        {QStringLiteral("state"), moves ? QStringLiteral("MOVING") : QStringLiteral("SLOW OR NOT MOVING")},
         {QStringLiteral("actual"), position ? directionIn(*position) : QJsonValue()},
     };
 }

@@ -48,6 +48,7 @@ QString doneText(local::LocalCommand command)
         case local::LocalCommand::ScheduleReport:
         case local::LocalCommand::ScheduleRehearse:
         case local::LocalCommand::ScheduleRehearsal:
+        case local::LocalCommand::Status:
         case local::LocalCommand::Transmit:
             break;
     }
@@ -110,14 +111,25 @@ ExitStatus runPark(Arguments arguments)
                    : usageError(kParkCommand, options.error().text);
 }
 
-// Of a station of this computer that has such an output. Else nothing is added.
-void addTransmit(QJsonObject& report, const profile::ListenAddress& station)
+// Of a station of this computer. Empty: it does not answer.
+QJsonObject toldLocally(const profile::ListenAddress& station, local::LocalCommand question)
+{
+    const auto answer = askLocally(station, {.command = question});
+    return QJsonDocument::fromJson(answer.value_or(QByteArray())).object();
+}
+
+// rotctld knows no more than whether an axis moves, and not that a slow one tracks. The station of this computer
+// reports what its window shows, and its transmit output if it has one.
+void addLocal(QJsonObject& report, const profile::ListenAddress& station)
 {
     if (!hasLocalSocket(station)) {
         return;
     }
-    const auto answer = askLocally(station, {.command = local::LocalCommand::Transmit});
-    const QJsonObject transmit = QJsonDocument::fromJson(answer.value_or(QByteArray())).object();
+    const QJsonObject status = toldLocally(station, local::LocalCommand::Status);
+    for (auto field = status.begin(); field != status.end(); ++field) {
+        report[field.key()] = field.value();
+    }
+    const QJsonObject transmit = toldLocally(station, local::LocalCommand::Transmit);
     if (!transmit.isEmpty()) {
         report[QStringLiteral("transmit")] = transmit;
     }
@@ -135,7 +147,7 @@ ExitStatus runStatus(Arguments arguments)
     if (!report) {
         return failedBy(kStatusCommand, report.error());
     }
-    addTransmit(*report, address);
+    addLocal(*report, address);
     print(options->json ? QJsonDocument(*report).toJson().toStdString() : reportText(*report).toStdString());
     return kDone;
 }
@@ -233,8 +245,10 @@ const Subcommand kStatusCommand{.name = "status",
                                 .details = kWhichStation +
                                            R"(  --format text|json   text without it
 
-Prints the station, whether the mount moves, and where it points. rotctld reports no more. A station of this user on this
-computer reports by its local socket whether its transmit output is on, and what keeps it off.
+Prints the station, its state, and where the mount points. A station of this user on this computer reports by its local
+socket the state that its window shows (TRACK, HOLD, …), the motion, and whether its transmit output is on.
+Of a station on another computer only rotctld reports. The state is then MOVING, or SLOW OR NOT MOVING: rotctld reports
+no motion below 0.02°/s, as while the mount tracks the Moon.
 )" + kExitStatus + R"(
 Example:
   boresightctl status --format json

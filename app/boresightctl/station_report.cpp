@@ -30,13 +30,21 @@ QString transmitText(const QJsonObject& transmit)
     return QStringLiteral("transmit: %1\n").arg(parts.join(QStringLiteral(". ")));
 }
 
+// Empty: rotctld does not report it, or there is none.
+QString lineOf(const QJsonObject& report, const QString& key)
+{
+    const QString value = report[key].toString();
+    return value.isEmpty() ? QString()
+                           : QStringLiteral("%1%2\n").arg((key + QLatin1Char(':')).leftJustified(10), value);
+}
+
 }  // namespace
 
 QString reportText(const QJsonObject& report)
 {
-    return QStringLiteral("station:  %1\nstate:    %2\nactual:   %3\n")
-               .arg(report[QStringLiteral("station")].toString(), report[QStringLiteral("state")].toString(),
-                    actualText(report[QStringLiteral("actual")])) +
+    return lineOf(report, QStringLiteral("station")) + lineOf(report, QStringLiteral("state")) +
+           lineOf(report, QStringLiteral("reason")) + lineOf(report, QStringLiteral("motion")) +
+           QStringLiteral("actual:   %1\n").arg(actualText(report[QStringLiteral("actual")])) +
            transmitText(report[QStringLiteral("transmit")].toObject());
 }
 

@@ -7,7 +7,10 @@
 // What a station answers to `status`, as an object with these keys:
 //   station, state      text
 //   actual              {azimuth, elevation} in degrees, or null: unknown
-// rotctld reports no more: target, control and alarms are in the window and in the log of the station.
+// and of a station of this computer by its local socket:
+//   reason, motion      text: of the state, and what the mount carries out. May be empty
+//   transmit            what the station reports of its transmit output. Missing: it has none
+// Control and alarms are in the window and in the log of the station.
 namespace boresight::ctl {
 
 // One line for each, for a person.

@@ -29,6 +29,7 @@ constexpr std::array kWords{std::pair{LocalCommand::Take, "take"},
                             std::pair{LocalCommand::ScheduleReport, "schedule-report"},
                             std::pair{LocalCommand::ScheduleRehearse, "schedule-rehearse"},
                             std::pair{LocalCommand::ScheduleRehearsal, "schedule-rehearsal"},
+                            std::pair{LocalCommand::Status, "status"},
                             std::pair{LocalCommand::Transmit, "transmit"},
                             std::pair{LocalCommand::Track, "track"}};
 constexpr int kDecimals = 6;  // of a degree, as in the profile

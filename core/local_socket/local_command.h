@@ -32,6 +32,7 @@ enum class LocalCommand
     ScheduleReport,     // of the passes so far, as JSON
     ScheduleRehearse,   // begin
     ScheduleRehearsal,  // how far it is, or what came of it, as JSON
+    Status,             // what the station does, as JSON
     Transmit            // whether the transmitter may transmit, as JSON
 };
 
@@ -44,7 +45,7 @@ struct LocalRequest
 };
 
 // The lines that follow "ok", each with its LF: the name of the target that is tracked, the satellites, the antennas,
-// or what is told of the schedule or the transmit output. Else empty.
+// or what is told of the station, the schedule or the transmit output. Else empty.
 using LocalAnswer = Result<QByteArray>;
 
 // Of a command, without its LF: a path has up to 4096 bytes.

@@ -22,7 +22,7 @@ constexpr std::chrono::seconds kLimitLinger{2};
 constexpr std::chrono::milliseconds kLastOrderFades{500};
 // A drive that boots, or a bus that comes up, is not yet a reason for an alarm.
 constexpr Seconds kPatienceAtStart{1.0};
-// A drive that comes back shows within this time where it stands, or somebody has to look.
+// The alarm of a drive that is back waits so long for how far its axis moved. Later the number is added to it.
 constexpr Seconds kPatienceForPlace{1.0};
 
 LossClass classOf(DriveLoss loss, int faultCode)
@@ -59,7 +59,7 @@ DriveWatch::DriveWatch(Axis axis, const profile::InForce& profile, AlarmBoard& a
 std::optional<DriveWatch::Trouble> DriveWatch::watch(Drive& drive, const tracking::Setpoint& setpoint,
                                                      const Context& context)
 {
-    const auto lost = watchLoss(drive);
+    const auto lost = watchLoss(drive, context);
     if (!lost) {
         watchSilence(drive, context);
     }
@@ -74,7 +74,7 @@ std::optional<DriveWatch::Trouble> DriveWatch::watch(Drive& drive, const trackin
     return seen;
 }
 
-std::optional<DriveWatch::Trouble> DriveWatch::watchLoss(Drive& drive)
+std::optional<DriveWatch::Trouble> DriveWatch::watchLoss(Drive& drive, const Context& context)
 {
     const auto loss = drive.takeLoss();
     if (!loss) {
@@ -83,7 +83,7 @@ std::optional<DriveWatch::Trouble> DriveWatch::watchLoss(Drive& drive)
     const int code = drive.report() ? drive.report()->fault : 0;
     m_supervisor.forgetMotion();
     if (*loss == DriveLoss::Silent) {
-        beginSilence(drive, Silence::Kind::Lost, true);
+        beginSilence(drive, Silence::Kind::Lost, context);
         // The reason of a latch outlasts the silence itself.
         return Trouble{.what = Text::tr("the %1 stopped replying").arg(drive.label()),
                        .loss = classOf(*loss, code),
@@ -94,13 +94,14 @@ std::optional<DriveWatch::Trouble> DriveWatch::watchLoss(Drive& drive)
     return Trouble{.what = whatOf(lost), .loss = classOf(*loss, code)};
 }
 
-void DriveWatch::beginSilence(const Drive& drive, Silence::Kind kind, bool needsRearm)
+void DriveWatch::beginSilence(const Drive& drive, Silence::Kind kind, const Context& context)
 {
     const auto& place = drive.place();
-    m_silent = {
-        .since = drive.heard(),
-        .place = place ? std::optional(m_profile->axis(m_which).geometry.toAxis(place->position)) : std::nullopt};
-    m_silences.tell(m_which, {.kind = kind, .since = m_silent->since, .needsRearm = needsRearm});
+    m_silent = {.since = drive.heard(),
+                .place = place && context.turnKnown
+                             ? std::optional(m_profile->axis(m_which).geometry.toAxis(place->position))
+                             : std::nullopt};
+    m_silences.tell(m_which, {.kind = kind, .since = m_silent->since, .needsRearm = context.faultLatched});
 }
 
 // A drive can come and go many times before somebody re-arms it: what stands is always what it does now.
@@ -109,27 +110,39 @@ void DriveWatch::watchSilence(const Drive& drive, const Context& context)
     if (drive.answering(context.now) || context.silenceExpected) {
         if (!context.faultLatched) {
             endSilence();
-        } else if (!context.silenceExpected && m_silent && isSeenAgain(drive, context)) {
-            m_silences.tell(m_which, {.kind = Silence::Kind::Back,
-                                      .since = m_silent->since,
-                                      .lasted = *m_silent->back - m_silent->since,
-                                      .moved = movedSince(*m_silent, drive, context)});
-            m_silent.reset();
+        } else if (!context.silenceExpected && m_silent) {
+            watchReturn(drive, context);
         }
         return;
     }
-    if (m_silent) {
+    if (m_silent && !m_silent->backTold) {
         m_silent->back.reset();
     } else if (context.running > kPatienceAtStart) {
-        beginSilence(drive, Silence::Kind::Unheard, context.faultLatched);
+        beginSilence(drive, Silence::Kind::Unheard, context);
     }
 }
 
-// Its first replies do not say yet where it stands.
-bool DriveWatch::isSeenAgain(const Drive& drive, const Context& context)
+// Its first replies do not say yet where it stands, and its wrap is confirmed some seconds later. A position that the
+// operator enters is no evidence of how far the axis moved.
+void DriveWatch::watchReturn(const Drive& drive, const Context& context)
 {
-    m_silent->back = m_silent->back.value_or(context.now);
-    return movedSince(*m_silent, drive, context) || context.now - *m_silent->back >= kPatienceForPlace;
+    Silent& silent = *m_silent;
+    silent.back = silent.back.value_or(context.now);
+    const auto moved = movedSince(silent, drive, context);
+    const bool never = !silent.place || context.turnAsked;
+    if (!moved && !never && (silent.backTold || context.now - *silent.back < kPatienceForPlace)) {
+        return;
+    }
+    if (moved || !silent.backTold) {
+        m_silences.tell(m_which, {.kind = Silence::Kind::Back,
+                                  .since = silent.since,
+                                  .lasted = *silent.back - silent.since,
+                                  .moved = moved});
+    }
+    silent.backTold = true;
+    if (moved || never) {
+        m_silent.reset();
+    }
 }
 
 std::optional<Angle> DriveWatch::movedSince(const Silent& silent, const Drive& drive, const Context& context) const

@@ -26,6 +26,7 @@ public:
         UtcTime utc{};         // the same moment, for sentences
         Seconds running{0.0};  // since the start of the program, or since the bus was taken back
         bool turnKnown = false;
+        bool turnAsked = false;  // only the operator knows it
         bool faultLatched = false;
         bool ownOrders = false;        // an active drive may still carry out what was ours
         bool silenceExpected = false;  // the bus is left to other tools
@@ -52,18 +53,19 @@ public:
     void rearmed();
 
 private:
-    // Told, and not that it is over.
+    // Told, and not yet all of its end.
     struct Silent
     {
-        SteadyTime since{};  // the last reply
-        std::optional<Angle> place;
+        SteadyTime since{};              // the last reply
+        std::optional<Angle> place;      // where the axis was, if its turn was known
         std::optional<SteadyTime> back;  // answers since
+        bool backTold = false;           // without how far the axis moved
     };
 
-    [[nodiscard]] std::optional<Trouble> watchLoss(Drive& drive);
+    [[nodiscard]] std::optional<Trouble> watchLoss(Drive& drive, const Context& context);
     void watchSilence(const Drive& drive, const Context& context);
-    void beginSilence(const Drive& drive, Silence::Kind kind, bool needsRearm);
-    [[nodiscard]] bool isSeenAgain(const Drive& drive, const Context& context);
+    void beginSilence(const Drive& drive, Silence::Kind kind, const Context& context);
+    void watchReturn(const Drive& drive, const Context& context);
     // How far its axis moved meanwhile; empty while that is not known.
     [[nodiscard]] std::optional<Angle> movedSince(const Silent& silent, const Drive& drive,
                                                   const Context& context) const;

@@ -237,6 +237,7 @@ void MoteusMount::watchDrives(const MountSituation& known, MountFindings& found)
                                           .utc = m_clock.utc(),
                                           .running = m_now - m_started,
                                           .turnKnown = m_turns.known(axis),
+                                          .turnAsked = m_turns.asked(axis),
                                           .faultLatched = known.faultLatched || !found.troubles.empty(),
                                           .ownOrders = known.closing,
                                           .silenceExpected = m_busLeft};

@@ -22,7 +22,7 @@ Result<> GoTo::ask(const request::PointAxes& wanted, const Source& by)
     const QString place = placeText(wanted.position);
     return helm().goTo(wanted.position, Activity::Pointing, by,
                        wanted.purpose.isEmpty() ? Text::tr("go to axes %1").arg(place)
-                                                : Text::tr("%1 at %2").arg(wanted.purpose, place));
+                                                : Text::tr("%1 (axes %2)").arg(wanted.purpose, place));
 }
 
 Result<> GoTo::ask(const request::PointAxis& wanted, const Source& by)

@@ -50,6 +50,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
            .antennas = [this] { return knownAntennas(); },
            .schedule = [this] { return m_night.status(); },
            .rehearsal = [this] { return m_rehearsal.status(); },
+           .status = [this] { return m_control.status(); },
            .transmit = [this] { return m_transmit.status(); }},
           m_log, clock, this),
       m_broker(m_profile, m_log, clock, this),

@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/mqtt/ending.h"
+#include "core/station/state_word.h"
 
 #include <QUuid>
 
@@ -14,34 +15,6 @@ namespace {
 const QString kBrokerSource = QStringLiteral("mqtt");
 constexpr int kBrokerLinesPerSecond = 1;
 constexpr qint64 kKilobyte = 1024;
-
-// For programs, so in no other language.
-QString protocolWord(StationState state)
-{
-    switch (state) {
-        case StationState::Disconnected:
-            return QStringLiteral("DISCONNECTED");
-        case StationState::Standby:
-            return QStringLiteral("STANDBY");
-        case StationState::Hold:
-            return QStringLiteral("HOLD");
-        case StationState::Slew:
-            return QStringLiteral("SLEW");
-        case StationState::Track:
-            return QStringLiteral("TRACK");
-        case StationState::Jog:
-            return QStringLiteral("JOG");
-        case StationState::Parked:
-            return QStringLiteral("PARKED");
-        case StationState::Calibrate:
-            return QStringLiteral("CALIBRATE");
-        case StationState::Stopped:
-            return QStringLiteral("STOPPED");
-        case StationState::Fault:
-            return QStringLiteral("FAULT");
-    }
-    return {};
-}
 
 // As for the rotctld clients: what is older is no position, and neither is one on a turn that nobody knows.
 constexpr std::chrono::seconds kPositionAge{1};

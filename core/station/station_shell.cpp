@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/elements/julian_date.h"
 #include "core/night/schedule_json.h"
+#include "core/station/state_word.h"
 #include "core/targets/target_text.h"
 
 #include <QJsonDocument>
@@ -44,10 +45,21 @@ Request requestOf(const local::LocalRequest& asked)
         case local::LocalCommand::ScheduleList:
         case local::LocalCommand::ScheduleReport:
         case local::LocalCommand::ScheduleRehearsal:
+        case local::LocalCommand::Status:
         case local::LocalCommand::Transmit:
             break;
     }
     return request::Stop{};
+}
+
+// As the header of the window shows it. `motion` is what the mount carries out.
+QByteArray statusJson(const StationStatus& status)
+{
+    const QString reason = status.stateReason == status.targetText ? QString() : status.stateReason;
+    return QJsonDocument(QJsonObject{{QStringLiteral("state"), protocolWord(status.state)},
+                                     {QStringLiteral("reason"), reason},
+                                     {QStringLiteral("motion"), status.targetText}})
+        .toJson(QJsonDocument::Compact);
 }
 
 // An object without fields: the profile names no output.
@@ -116,6 +128,9 @@ local::LocalAnswer StationShell::answerNow(const local::LocalRequest& asked)
     }
     if (asked.command == local::LocalCommand::ScheduleRehearsal) {
         return rehearsalJson(m_station.rehearsal()) + '\n';
+    }
+    if (asked.command == local::LocalCommand::Status) {
+        return statusJson(m_station.status()) + '\n';
     }
     if (asked.command == local::LocalCommand::Transmit) {
         return transmitJson(m_station.transmit()) + '\n';

@@ -31,6 +31,7 @@ public:
         std::function<std::vector<local::KnownAntenna>()> antennas;
         std::function<std::shared_ptr<const ScheduleStatus>()> schedule;
         std::function<RehearsalStatus()> rehearsal;
+        std::function<StationStatus()> status;
         std::function<TransmitStatus()> transmit;
     };
 

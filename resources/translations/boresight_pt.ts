@@ -7860,10 +7860,6 @@ até %1</translation>
         <translation>giro da bússola, à espera de dados do sensor</translation>
     </message>
     <message>
-        <source>%1 at %2</source>
-        <translation>%1 em %2</translation>
-    </message>
-    <message>
         <source>tuning run, to its start</source>
         <translation>ensaio de afinação, para o início</translation>
     </message>
@@ -8914,6 +8910,10 @@ até %1</translation>
     <message>
         <source>The position is %1 km from the centre of the Earth. The range is %2 to %3 km. Check the unit: positions are in km.</source>
         <translation>A posição está a %1 km do centro da Terra. O intervalo é de %2 a %3 km. Verifique a unidade: as posições são em km.</translation>
+    </message>
+    <message>
+        <source>%1 (axes %2)</source>
+        <translation>%1 (eixos %2)</translation>
     </message>
 </context>
 <context>
@@ -9985,6 +9985,11 @@ velocidade %1</translation>
     <message>
         <source>● moves the mount</source>
         <translation>● move a montagem</translation>
+    </message>
+    <message>
+        <source>%1 k</source>
+        <comment>thousand</comment>
+        <translation>%1 k</translation>
     </message>
 </context>
 <context>

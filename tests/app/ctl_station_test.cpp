@@ -87,7 +87,7 @@ TEST_F(CtlStation, IsSentStoppedAndParked)
 {
     EXPECT_TRUE(isSentOff());
     EXPECT_TRUE(
-        fakes::waitUntil([this] { return ask("status").output.find("state:    MOVING\n") != std::string::npos; }));
+        fakes::waitUntil([this] { return ask("status").output.find("state:    SLEW\n") != std::string::npos; }));
     const Outcome status = ask("status --format json");
     EXPECT_EQ(status.status, 0);
     EXPECT_THAT(status.output, HasSubstr("\"azimuth\""));
@@ -118,7 +118,7 @@ TEST_F(CtlStation, GivesAndTakesControlAndLatchesStop)
     EXPECT_TRUE(fakes::waitUntil([this] { return ask("reset-stop").status == 0; })) << "still braking until then";
     EXPECT_EQ(ask("goto 113 40").status, 1) << "the operator still has the control";
     EXPECT_EQ(ask("release").status, 0);
-    EXPECT_THAT(ask("status").output, HasSubstr("NOT MOVING"));
+    EXPECT_THAT(ask("status").output, HasSubstr("state:    STANDBY\n"));
     EXPECT_TRUE(isSentOff());
     EXPECT_TRUE(daemon.waitForError(QStringLiteral("shell: STOP is latched"))) << daemon.errors().toStdString();
 }

@@ -30,5 +30,23 @@ TEST(StationReport, HasTheTransmitOutput)
                     .endsWith(QStringLiteral("\ntransmit: off. unplugged. STOP is latched.\n")));
 }
 
+// REQ-CTL-304: boresightctl status shows the state, its reason and the motion as the window does, where the station is
+// of this computer.
+TEST(StationReport, HasWhatTheWindowShows)
+{
+    QJsonObject report = reportWith({});
+    report[QStringLiteral("state")] = QStringLiteral("TRACK");
+    report[QStringLiteral("reason")] = QString();
+    report[QStringLiteral("motion")] = QStringLiteral("track Moon");
+    EXPECT_EQ(reportText(report),
+              QStringLiteral("station:  127.0.0.1:4533\nstate:    TRACK\nmotion:   track Moon\nactual:   unknown\n"));
+    report[QStringLiteral("state")] = QStringLiteral("FAULT");
+    report[QStringLiteral("reason")] = QStringLiteral("both drives stopped replying");
+    report[QStringLiteral("motion")] = QString();
+    EXPECT_EQ(reportText(report),
+              QStringLiteral("station:  127.0.0.1:4533\nstate:    FAULT\nreason:   both drives stopped replying\n"
+                             "actual:   unknown\n"));
+}
+
 }  // namespace
 }  // namespace boresight::ctl

@@ -9,6 +9,17 @@ namespace boresight::ui {
 
 namespace {
 
+// "1.3", "655", "6.6 k", "66 k": never wider than its column.
+QString rateText(double perSecond)
+{
+    constexpr double kThousand = 1000.0;
+    const auto digits = [](double value, double exactBelow) {
+        return QString::number(value, 'f', value < exactBelow ? 1 : 0);
+    };
+    return perSecond < kThousand - 0.5 ? digits(perSecond, 99.95)
+                                       : ClientModel::tr("%1 k", "thousand").arg(digits(perSecond / kThousand, 9.95));
+}
+
 QString cell(const ClientStatus& client, int column)
 {
     switch (column) {
@@ -17,7 +28,7 @@ QString cell(const ClientStatus& client, int column)
         case ClientModel::Program:
             return client.program.isEmpty() ? ClientModel::tr("unknown") : client.program;
         case ClientModel::Rate:
-            return QString::number(client.commandsPerSecond, 'f', 1);
+            return rateText(client.commandsPerSecond);
         case ClientModel::LastCommand:
             return client.lastCommand;
         default:

@@ -123,7 +123,8 @@ QTableView* ClientsPanel::makeTable()
         header->resizeSection(column, metrics.horizontalAdvance(widest(table->font(), texts)) + kCellMargins);
     };
     reserve(ClientModel::Address, {QStringLiteral("000.000.000.000:00000")});
-    reserve(ClientModel::Rate, {QStringLiteral("000.0")});
+    reserve(ClientModel::Rate,
+            {QStringLiteral("00.0"), ClientModel::tr("%1 k", "thousand").arg(QStringLiteral("000"))});
     reserve(ClientModel::Role, roleWords());
     return table;
 }

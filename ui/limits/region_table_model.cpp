@@ -42,7 +42,7 @@ QVariant RegionTableModel::data(const QModelIndex& index, int role) const
             return text(index.row(), index.column());
         case Qt::ToolTipRole: {
             const QString problem = m_draft.problem(key(index.row()));
-            return problem.isEmpty() ? QVariant() : problem;
+            return problem.isEmpty() ? text(index.row(), index.column()) : problem;  // a long name has no room
         }
         case Qt::ForegroundRole:
             return m_draft.problem(key(index.row())).isEmpty() ? QVariant() : QBrush(currentTheme().warning);

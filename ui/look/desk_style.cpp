@@ -164,6 +164,12 @@ void DeskStyle::install()
     }
 }
 
+void DeskStyle::polish(QWidget* widget)
+{
+    QProxyStyle::polish(widget);
+    m_wheel.watch(*widget);
+}
+
 int DeskStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const
 {
     switch (metric) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/look/wheel_guard.h"
+
 #include <QProxyStyle>
 
 // The look of every widget: flat buttons with rounded corners, hairline edges, cards, fields with a step button at
@@ -16,6 +18,9 @@ public:
 
     // Once per program. Again does nothing.
     static void install();
+
+    using QProxyStyle::polish;
+    void polish(QWidget* widget) override;
 
     [[nodiscard]] int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override;
     [[nodiscard]] int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
@@ -33,6 +38,9 @@ public:
                      const QWidget* widget) const override;
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                             const QWidget* widget) const override;
+
+private:
+    WheelGuard m_wheel;
 };
 
 }  // namespace boresight::ui

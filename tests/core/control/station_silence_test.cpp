@@ -84,6 +84,37 @@ TEST(StationControl, ABusThatIsGoneIsOneAlarm)
     EXPECT_FALSE(rig.control.status().alarms.front().active);
 }
 
+// Story: after 8 s of silence the drive check read for 2 s until the wraps were confirmed. The alarm of the return was
+// made after 1 s, and never said how far the mount had moved.
+// REQ-ALARMS-303: The alarm of drives that are back says how far the mount moved as soon as its position is confirmed,
+// also when that is after the alarm was raised.
+TEST(StationControl, HowFarTheMountMovedIsAddedWhenItIsKnown)
+{
+    StationRig rig;
+    ASSERT_TRUE(rig.setsOff(100.0, 60.0, Seconds(2.0)));
+    rig.azimuth.silent = rig.elevation.silent = true;
+    rig.azimuth.mode = rig.elevation.mode = Mode::PositionTimeout;
+    rig.run(Seconds(8.0));
+    rig.azimuth.position += 0.4 / 360.0;
+    rig.originIsRead = false;
+    rig.azimuth.silent = rig.elevation.silent = false;
+    rig.run(Seconds(2.0));
+    const StationStatus unconfirmed = rig.control.status();
+    EXPECT_EQ(unconfirmed.alarms.front().what, QStringLiteral("Both drives were silent for 8 s and are back."))
+        << "nobody waits for the number";
+    EXPECT_EQ(unconfirmed.alarms.front().action,
+              QStringLiteral("Boresight ended the motion. Nothing moves before a re-arm."));
+    rig.originIsRead = true;
+    rig.run(Seconds(0.5));
+    const StationStatus confirmed = rig.control.status();
+    ASSERT_EQ(confirmed.alarms.size(), 1U) << "the same alarm, completed";
+    EXPECT_EQ(confirmed.alarms.front().what, unconfirmed.alarms.front().what);
+    EXPECT_EQ(confirmed.alarms.front().action,
+              QStringLiteral("Boresight ended the motion. Azimuth moved 0.4° and elevation 0.0° while no reply came. "
+                             "The position is continuous."));
+    EXPECT_EQ(confirmed.alarms.front().since, unconfirmed.alarms.front().since);
+}
+
 // REQ-ALARMS-61: Of two drives that fell silent together, one that comes back alone has an alarm of its own, and so has
 // the other.
 TEST(StationControl, OneOfTwoSilentDrivesThatComesBackIsTold)
@@ -197,6 +228,49 @@ TEST(StationControl, EverySilenceBeforeTheRearmIsTold)
     EXPECT_EQ(rig.shown(), "");
     rig.falls(true, Seconds(1.0));
     EXPECT_EQ(rig.shown(), kNoReply) << "and after it";
+}
+
+// REQ-ALARMS-303
+TEST(StationControl, HowFarOneAxisMovedIsAddedWhenItIsKnown)
+{
+    SilenceRig rig;
+    rig.falls(true, Seconds(8.0));
+    rig.azimuth.position += 0.4 / 360.0;
+    rig.originIsRead = false;
+    rig.falls(false, Seconds(2.0));
+    EXPECT_EQ(rig.shown(), "The azimuth drive was silent for 8 s and is back.");
+    rig.falls(true, Seconds(1.0));
+    EXPECT_EQ(rig.shown(), kNoReply) << "a second silence is reported";
+    rig.falls(false, Seconds(2.0));
+    EXPECT_EQ(rig.shown(), kBack);
+    rig.originIsRead = true;
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.shown(), kBack);
+    EXPECT_EQ(rig.control.status().alarms.front().action,
+              QStringLiteral("Boresight ended the motion. Nothing moves before a re-arm."))
+        << "the position before the second silence was not confirmed";
+}
+
+// What the operator has entered does not prove that the axis only moved that far.
+// REQ-ALARMS-303
+TEST(StationControl, APositionThatWasEnteredIsNotCalledContinuous)
+{
+    SilenceRig rig;
+    rig.falls(true, Seconds(8.0));
+    rig.originIsRead = false;
+    rig.azimuth.position = 0.0;
+    rig.azimuth.home = moteus::HomeState::Relative;  // restarted
+    rig.falls(false, Seconds(2.0));
+    rig.originIsRead = true;
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.control.status().drives->azimuth.turnQuestion);
+    ASSERT_TRUE(rig.ask(request::ChooseTurn{.axis = Axis::Azimuth, .angle = Angle::fromDegrees(28.8)}));
+    rig.run(Seconds(3.0));
+    ASSERT_TRUE(rig.control.status().azimuth.turnKnown);
+    EXPECT_EQ(rig.shown(), "The azimuth drive was silent for 8 s and is back.");
+    EXPECT_TRUE(std::ranges::none_of(rig.control.status().alarms, [](const Alarm& alarm) {
+        return alarm.active && alarm.action.contains(QStringLiteral("continuous"));
+    }));
 }
 
 // A loose plug: more changes than the log takes in a second.

@@ -227,7 +227,7 @@ TEST(StationCalibration, ASwingOfTheSimulatedMountFindsItsHiddenNorth)
     ASSERT_TRUE(rig.calibration()->proposal) << rig.calibration()->progress.outcome.toStdString();
     EXPECT_EQ(StationState::Hold, rig.station->status().state);
     const QString motions = rig.motionsLogged();
-    EXPECT_TRUE(motions.contains(QStringLiteral("compass swing, to its start at ")));
+    EXPECT_TRUE(motions.contains(QStringLiteral("compass swing, to its start (axes ")));
     EXPECT_TRUE(motions.contains(QStringLiteral("compass swing, turning clockwise")));
     EXPECT_TRUE(motions.contains(QStringLiteral("compass swing, turning counter-clockwise")));
     EXPECT_FALSE(motions.contains(QStringLiteral(": move"))) << motions.toStdString();

@@ -116,6 +116,7 @@ struct ShellRig : StationRig
                             },
                         .satellites = [this] { return known; },
                         .antennas = [] { return antennas(); },
+                        .status = [this] { return control.status(); },
                         .transmit = [this] { return transmit; }},
                        log,
                        clock,
@@ -277,6 +278,20 @@ TEST(StationShell, TracksWhatReportsItsPosition)
     EXPECT_EQ(rig.answerTo("track position\n"), "ok\nposition\n");
     rig.run(Seconds(0.2));
     EXPECT_EQ(rig.control.status().position.phase, PositionPhase::Following);
+}
+
+// Story: while the mount tracked the Moon at 0.004°/s, boresightctl reported NOT MOVING.
+// REQ-STATION-943: The shell reports the state, its reason and the motion as the header of the window shows them.
+TEST(StationShell, ReportsTheStateOfTheWindow)
+{
+    ShellRig rig;
+    EXPECT_EQ(rig.answerTo("status\n"), "ok\n{\"motion\":\"\",\"reason\":\"\",\"state\":\"STANDBY\"}\n");
+    EXPECT_EQ(rig.answerTo("track azel 20,30\n"), "ok\n20.00° 30.00°\n");
+    rig.run(Seconds(1.0));
+    EXPECT_THAT(rig.answerTo("status\n"),
+                HasSubstr("{\"motion\":\"track 20.00° 30.00°\",\"reason\":\"\",\"state\":\"SLEW\"}"));
+    EXPECT_EQ(rig.answerTo("stop\n"), "ok\n");
+    EXPECT_THAT(rig.answerTo("status\n"), HasSubstr("\"state\":\"STOPPED\""));
 }
 
 // REQ-TRANSMIT-31: The shell reports whether the transmit output is on, and what keeps it off. Without an output the

@@ -54,6 +54,27 @@ protected:
     }
 };
 
+// Story: a client that sent 6553 commands a second had "655…" in its row.
+// REQ-UI-992: The rate of a client is never cut in the list of clients, however large it is.
+TEST_F(ClientsPanelTest, NoRateIsCut)
+{
+    StationStatus status = samples::fighting();
+    for (const auto& [rate, text] : std::initializer_list<std::pair<double, const char*>>{{0.0, "0.0"},
+                                                                                          {99.94, "99.9"},
+                                                                                          {99.96, "100"},
+                                                                                          {655.36, "655"},
+                                                                                          {999.6, "1.0 k"},
+                                                                                          {6553.6, "6.6 k"},
+                                                                                          {65536.0, "66 k"},
+                                                                                          {655360.0, "655 k"}}) {
+        status.clients.front().commandsPerSecond = rate;
+        give(samples::update(status));
+        EXPECT_EQ(cell(0, ClientModel::Rate).toStdString(), text);
+        const QModelIndex index = table().model()->index(0, ClientModel::Rate);
+        EXPECT_LE(table().sizeHintForIndex(index).width(), table().columnWidth(ClientModel::Rate)) << text;
+    }
+}
+
 // REQ-UI-25: The panel Clients shows which clients are there, which of them moves the mount, and by which rule. The
 // rule shown is the one in force. A client that asks in vain is asked about over the plot, whichever panel is open,
 // until that is answered.

@@ -279,6 +279,15 @@ TEST_F(LimitsTest, TheLiveCheckSpeaksBeforeApply)
     EXPECT_EQ(model.index(0, 4).data().toString(), QStringLiteral("48.0"));
 }
 
+// REQ-UI-994: The tooltip of a row of the limits has the whole text of the cell, because a long name has no room in it.
+TEST_F(LimitsTest, TheTooltipHasTheWholeName)
+{
+    QAbstractItemModel& model = *named<QTableView>("Keep-outs")->model();
+    const QString name = QStringLiteral("the chimney of the neighbour and the mast behind it");
+    EXPECT_TRUE(model.setData(model.index(0, 0), name, Qt::EditRole));
+    EXPECT_EQ(model.index(0, 0).data(Qt::ToolTipRole).toString(), name);
+}
+
 TEST_F(LimitsTest, UndoAsksForWhatWasInForceBefore)
 {
     named<QDoubleSpinBox>("Lowest elevation")->setValue(9.0);
