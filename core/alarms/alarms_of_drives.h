@@ -49,6 +49,20 @@ inline constexpr std::array kDriveAlarms{
         .examples = {"azimuth drive"},
         .placeOf = "drive.fault"},
     AlarmEntry{
+        .id = "drive.timed-out-by-stall",
+        .source = "%1 drive",
+        .severity = Severity::Alarm,
+        .what = QT_TRANSLATE_NOOP("Text", "The %1 timed out because this computer stalled for %2"),
+        .action = QT_TRANSLATE_NOOP("Text", "The watchdog stopped the drive. Boresight ended the motion of the mount"),
+        .remedy =
+            QT_TRANSLATE_NOOP("Text", "Switch off the sleep of this computer, or find the program that blocks it."),
+        .thenRearm = true,
+        .help = AlarmHelp::Rearm,
+        .kin = AlarmKin::Drive,
+        .examples = {"azimuth drive", "20 s"},
+        .identifying = 1,
+        .placeOf = "drive.fault"},
+    AlarmEntry{
         .id = "drive.switched-off",
         .source = "%1 drive",
         .severity = Severity::Alarm,

@@ -114,7 +114,7 @@ Result<LocalRequest> parseRequest(const QByteArray& line)
     if (found == kWords.end() || hasTarget == (word == text)) {
         return failure(ErrorCode::InvalidInput,
                        Text::tr("This is not a command. The commands are take, release, stop, reset-stop, satellites, "
-                                "transmit, track TARGET, antennas, antenna NAME and those of the schedule."));
+                                "status, transmit, track TARGET, antennas, antenna NAME and those of the schedule."));
     }
     return LocalRequest{.command = found->first, .target = hasTarget ? text.mid(word.size()).trimmed() : QByteArray()};
 }

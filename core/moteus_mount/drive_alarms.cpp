@@ -134,6 +134,11 @@ AlarmCase bothAnswerAgain(Seconds silent, const std::optional<Angle>& azimuth, c
     return {alarmEntry("drives.answer-again"), {durationText(silent), how()}};
 }
 
+AlarmCase timedOutByStall(const QString& drive, Seconds stalled)
+{
+    return {alarmEntry("drive.timed-out-by-stall"), {drive, durationText(stalled)}};
+}
+
 AlarmCase lost(const QString& drive, DriveLoss loss, int faultCode)
 {
     switch (loss) {

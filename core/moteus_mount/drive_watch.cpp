@@ -89,7 +89,9 @@ std::optional<DriveWatch::Trouble> DriveWatch::watchLoss(Drive& drive, const Con
                        .loss = classOf(*loss, code),
                        .fellSilent = true};
     }
-    const AlarmCase lost = drive_alarms::lost(drive.label(), *loss, code);
+    const AlarmCase lost = *loss == DriveLoss::TimedOut && context.stalled
+                               ? drive_alarms::timedOutByStall(drive.label(), *context.stalled)
+                               : drive_alarms::lost(drive.label(), *loss, code);
     m_alarms.raise(lost.entry.of(m_which), lost.arguments);
     return Trouble{.what = whatOf(lost), .loss = classOf(*loss, code)};
 }

@@ -28,8 +28,9 @@ public:
         bool turnKnown = false;
         bool turnAsked = false;  // only the operator knows it
         bool faultLatched = false;
-        bool ownOrders = false;        // an active drive may still carry out what was ours
-        bool silenceExpected = false;  // the bus is left to other tools
+        bool ownOrders = false;            // an active drive may still carry out what was ours
+        bool silenceExpected = false;      // the bus is left to other tools
+        std::optional<Seconds> stalled{};  // this computer, for so long, until a moment ago
     };
     struct Trouble
     {

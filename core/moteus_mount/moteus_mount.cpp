@@ -240,7 +240,8 @@ void MoteusMount::watchDrives(const MountSituation& known, MountFindings& found)
                                           .turnAsked = m_turns.asked(axis),
                                           .faultLatched = known.faultLatched || !found.troubles.empty(),
                                           .ownOrders = known.closing,
-                                          .silenceExpected = m_busLeft};
+                                          .silenceExpected = m_busLeft,
+                                          .stalled = m_stall.recent(m_now)};
         const auto trouble = m_watches[index(axis)].watch(m_drives.drive(axis), m_setpoints[index(axis)], context);
         if (trouble && trouble->stops) {
             stopFor(axis, *trouble, found);

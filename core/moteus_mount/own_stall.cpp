@@ -42,6 +42,11 @@ bool OwnStall::explainsTimeOut(SteadyTime now) const
     return m_possible && now - m_end <= kOwnStallPatience;
 }
 
+std::optional<Seconds> OwnStall::recent(SteadyTime now) const
+{
+    return m_gap > Seconds(0.0) && now - m_end <= kOwnStallPatience ? std::optional(m_gap) : std::nullopt;
+}
+
 bool OwnStall::isNear(Axis axis, Angle measured) const
 {
     return abs(measured - (axis == Axis::Azimuth ? m_setpoints.azimuth : m_setpoints.elevation)) < kDisplaced;

@@ -30,6 +30,9 @@ public:
     // The station has handed the frames of this tick to the link.
     void framesSent(Seconds watchdog, const AxisPosition& held, SteadyTime now);
 
+    // How long this computer stalled, if that ended a moment ago.
+    [[nodiscard]] std::optional<Seconds> recent(SteadyTime now) const { return m_stall.recent(now); }
+
     // Takes over the drives that timed out by a stall; `allowed`: nothing else stands in the way.
     void resume(bool allowed, SteadyTime now);
     // Once all drives are taken over and report where they stand, or when it is too late: the first axis that is not

@@ -8456,8 +8456,8 @@ até %1</translation>
         <translation>%1 não funciona: %2</translation>
     </message>
     <message>
-        <source>This is not a command. The commands are take, release, stop, reset-stop, satellites, transmit, track TARGET, antennas, antenna NAME and those of the schedule.</source>
-        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, satellites, transmit, track TARGET, antennas, antenna NAME e os da agenda.</translation>
+        <source>This is not a command. The commands are take, release, stop, reset-stop, satellites, status, transmit, track TARGET, antennas, antenna NAME and those of the schedule.</source>
+        <translation>Isto não é um comando. Os comandos são take, release, stop, reset-stop, satellites, status, transmit, track TARGET, antennas, antenna NAME e os da agenda.</translation>
     </message>
     <message>
         <source>its time and the clock of this computer differ by %1 s</source>
@@ -8914,6 +8914,14 @@ até %1</translation>
     <message>
         <source>%1 (axes %2)</source>
         <translation>%1 (eixos %2)</translation>
+    </message>
+    <message>
+        <source>The %1 timed out because this computer stalled for %2</source>
+        <translation>O %1 excedeu o tempo porque este computador parou durante %2</translation>
+    </message>
+    <message>
+        <source>Switch off the sleep of this computer, or find the program that blocks it.</source>
+        <translation>Desative a suspensão deste computador, ou procure o programa que o bloqueia.</translation>
     </message>
 </context>
 <context>

@@ -47,6 +47,26 @@ TEST(StationStall, TheMotionGoesOnByItself)
     }
 }
 
+// Story: after a sleep of 20 s the window blamed the bus, and only the log had the reason.
+// REQ-ALARMS-304: Drives that timed out because this computer stalled have an alarm that says so, and for how long it
+// stalled. Of a time-out without a stall it says nothing.
+TEST(StationStall, TheAlarmAfterALongOneNamesIt)
+{
+    StationRig rig;
+    ASSERT_TRUE(rig.setsOff(100.0, 60.0, Seconds(2.0)));
+    stall(rig, Seconds(20.0));
+    rig.run(Seconds(0.5));
+    ASSERT_EQ(rig.state(), StationState::Fault);
+    EXPECT_EQ(rig.control.status().alarms.front().what,
+              QStringLiteral("The azimuth drive timed out because this computer stalled for 20 s."));
+    StationRig other;
+    ASSERT_TRUE(other.setsOff(100.0, 60.0, Seconds(2.0)));
+    other.azimuth.mode = other.elevation.mode = Mode::PositionTimeout;
+    other.run(Seconds(0.5));
+    EXPECT_EQ(other.control.status().alarms.front().what,
+              QStringLiteral("The azimuth drive timed out because it received no command in time."));
+}
+
 // Story: under load a tick began 65 ms after the one before and sent its frames 45 ms later. The drives timed out, no
 // stall was seen, and a pass of two hours lost its last quarter.
 TEST(StationStall, TwoDelaysThatAddUpAreOne)
