@@ -9281,6 +9281,96 @@ SDL 2, toml++</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::AntennaModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>Beam °</source>
+        <translation>Feixe °</translation>
+    </message>
+    <message>
+        <source>Across °</source>
+        <translation>Lateral °</translation>
+    </message>
+    <message>
+        <source>Up °</source>
+        <translation>Acima °</translation>
+    </message>
+    <message>
+        <source>The offsets of the other antennas are measured from the main antenna.</source>
+        <translation>Os desvios das outras antenas são medidos a partir da antena principal.</translation>
+    </message>
+    <message>
+        <source>There is already an antenna &quot;%1&quot;.</source>
+        <translation>Já existe uma antena &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>Antenna %1</source>
+        <translation>Antena %1</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::AntennaPage</name>
+    <message>
+        <source>About the antennas</source>
+        <translation>Sobre as antenas</translation>
+    </message>
+    <message>
+        <source>Antennas</source>
+        <translation>Antenas</translation>
+    </message>
+    <message>
+        <source>Type into a cell to change it.</source>
+        <translation>Escreva numa célula para a alterar.</translation>
+    </message>
+    <message>
+        <source>All settings</source>
+        <translation>Todos os parâmetros</translation>
+    </message>
+    <message>
+        <source>Back to all settings of the mount</source>
+        <translation>Voltar a todas as definições da montagem</translation>
+    </message>
+    <message>
+        <source>Add antenna</source>
+        <translation>Adicionar antena</translation>
+    </message>
+    <message>
+        <source>Add an antenna to the mount</source>
+        <translation>Adicionar uma antena à montagem</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirar</translation>
+    </message>
+    <message>
+        <source>Remove the antenna</source>
+        <translation>Remover a antena</translation>
+    </message>
+    <message>
+        <source>Remove the selected antenna (Del)</source>
+        <translation>Remover a antena selecionada (Del)</translation>
+    </message>
+    <message>
+        <source>The mount already has %1 antennas besides the main one. No more are possible.</source>
+        <translation>A montagem já tem %1 antenas além da principal. Não são possíveis mais.</translation>
+    </message>
+    <message>
+        <source>The main antenna cannot be removed. North is found with it.</source>
+        <translation>A antena principal não pode ser removida. O norte é encontrado com ela.</translation>
+    </message>
+    <message>
+        <source>Satellites that had this antenna: %1. They now use the antenna that you choose by hand.</source>
+        <translation>Satélites que tinham esta antena: %1. Usam agora a antena que escolher à mão.</translation>
+    </message>
+    <message>
+        <source>Each antenna has a name, a beam width, and two offsets from the beam of the main antenna.</source>
+        <translation>Cada antena tem um nome, uma largura de feixe e dois desvios em relação ao feixe da antena principal.</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::AntennaRow</name>
     <message>
         <source>Antenna</source>
@@ -9301,6 +9391,18 @@ SDL 2, toml++</translation>
     <message>
         <source>Antenna: %1</source>
         <translation>Antena: %1</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Editar</translation>
+    </message>
+    <message>
+        <source>Edit the antennas</source>
+        <translation>Editar as antenas</translation>
+    </message>
+    <message>
+        <source>Add, name, measure and remove antennas</source>
+        <translation>Adicionar, dar nome, medir e remover antenas</translation>
     </message>
 </context>
 <context>
@@ -10295,6 +10397,41 @@ velocidade %1</translation>
     <message>
         <source>forbidden: %1</source>
         <translation>proibido: %1</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::DraftTableModel</name>
+    <message>
+        <source>Az °</source>
+        <translation>Az °</translation>
+    </message>
+    <message>
+        <source>El °</source>
+        <translation>El °</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>From °</source>
+        <translation>De °</translation>
+    </message>
+    <message>
+        <source>To °</source>
+        <translation>A °</translation>
+    </message>
+    <message>
+        <source>Min °</source>
+        <translation>Mín °</translation>
+    </message>
+    <message>
+        <source>Max °</source>
+        <translation>Máx °</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number (decimal point, e.g. 113.5)</source>
+        <translation>&quot;%1&quot; não é um número (ponto decimal, p. ex. 113.5)</translation>
     </message>
 </context>
 <context>
@@ -14551,41 +14688,6 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
     </message>
 </context>
 <context>
-    <name>boresight::ui::RegionTableModel</name>
-    <message>
-        <source>&quot;%1&quot; is not a number (decimal point, e.g. 113.5)</source>
-        <translation>&quot;%1&quot; não é um número (ponto decimal, p. ex. 113.5)</translation>
-    </message>
-    <message>
-        <source>Az °</source>
-        <translation>Az °</translation>
-    </message>
-    <message>
-        <source>El °</source>
-        <translation>El °</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nome</translation>
-    </message>
-    <message>
-        <source>From °</source>
-        <translation>De °</translation>
-    </message>
-    <message>
-        <source>To °</source>
-        <translation>A °</translation>
-    </message>
-    <message>
-        <source>Min °</source>
-        <translation>Mín °</translation>
-    </message>
-    <message>
-        <source>Max °</source>
-        <translation>Máx °</translation>
-    </message>
-</context>
-<context>
     <name>boresight::ui::RequestDesk</name>
     <message>
         <source>The station does not answer.</source>
@@ -15520,8 +15622,8 @@ Erro máximo: %6</translation>
         <translation>%1 antenas</translation>
     </message>
     <message>
-        <source>Antennas besides the main one. They are in the file of the profile. The manual shows how.</source>
-        <translation>Antenas além da principal. Estão no ficheiro do perfil. O manual mostra como.</translation>
+        <source>Antennas with name, beam width and two offsets. Press Enter to edit them.</source>
+        <translation>Antenas com nome, largura de feixe e dois desvios. Prima Enter para as editar.</translation>
     </message>
 </context>
 <context>
@@ -15569,6 +15671,14 @@ Erro máximo: %6</translation>
     <message>
         <source>Drive board: warn mm</source>
         <translation>Placa do acionamento: aviso mm</translation>
+    </message>
+    <message>
+        <source>Edit antennas</source>
+        <translation>Editar antenas</translation>
+    </message>
+    <message>
+        <source>Add, name, measure and remove the antennas of the mount</source>
+        <translation>Adicionar, dar nome, medir e remover as antenas da montagem</translation>
     </message>
 </context>
 <context>
