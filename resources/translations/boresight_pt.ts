@@ -10618,6 +10618,65 @@ Mantenha pessoas e cordas longe da antena. STOP termina a prova.</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::ElementsButton</name>
+    <message>
+        <source>File …</source>
+        <translation>Arquivo …</translation>
+    </message>
+    <message>
+        <source>Amateur radio (CelesTrak)</source>
+        <translation>Radioamadorismo (CelesTrak)</translation>
+    </message>
+    <message>
+        <source>Space stations (CelesTrak)</source>
+        <translation>Estações espaciais (CelesTrak)</translation>
+    </message>
+    <message>
+        <source>Weather (CelesTrak)</source>
+        <translation>Meteorologia (CelesTrak)</translation>
+    </message>
+    <message>
+        <source>Cubesats (CelesTrak)</source>
+        <translation>Cubesats (CelesTrak)</translation>
+    </message>
+    <message>
+        <source>Another address …</source>
+        <translation>Outro endereço …</translation>
+    </message>
+    <message>
+        <source>Add elements</source>
+        <translation>Adicionar elementos</translation>
+    </message>
+    <message>
+        <source>Enter the site</source>
+        <translation>Introduzir o local</translation>
+    </message>
+    <message>
+        <source>Add a file, or a group of CelesTrak</source>
+        <translation>Adicionar um ficheiro, ou um grupo do CelesTrak</translation>
+    </message>
+    <message>
+        <source>Open the step Site of the guide</source>
+        <translation>Abrir o passo Local do guia</translation>
+    </message>
+    <message>
+        <source>Choose a file with orbital elements</source>
+        <translation>Escolher um ficheiro com elementos orbitais</translation>
+    </message>
+    <message>
+        <source>Elements (*.tle *.txt *.json *.csv *.xml *.kvn *.sat)</source>
+        <translation>Elementos (*.tle *.txt *.json *.csv *.xml *.kvn *.sat)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos os arquivos (*)</translation>
+    </message>
+    <message>
+        <source>Elements: %1</source>
+        <translation>Elementos: %1</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::ErrorBar</name>
     <message>
         <source>%1 beam widths</source>
@@ -13479,14 +13538,6 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Sobre as passagens</translation>
     </message>
     <message>
-        <source>Open the setting</source>
-        <translation>Abrir o ajuste</translation>
-    </message>
-    <message>
-        <source>The files with element sets</source>
-        <translation>Os ficheiros com os elementos</translation>
-    </message>
-    <message>
         <source>Searching for passes: %1 %</source>
         <translation>A procurar passagens: %1 %</translation>
     </message>
@@ -13495,20 +13546,12 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>elementos</translation>
     </message>
     <message>
-        <source>The site is not set. Enter it on the page Profile, or in the guide.</source>
-        <translation>O local não está definido. Indique-o na página Perfil, ou no guia.</translation>
-    </message>
-    <message>
         <source>%1 passes of %2 satellites within a day</source>
         <translation>%1 passagens de %2 satélites num dia</translation>
     </message>
     <message>
         <source>Problems with the elements</source>
         <translation>Problemas com os elementos</translation>
-    </message>
-    <message>
-        <source>Boresight knows no satellites. Open the setting and name a file or address with their elements.</source>
-        <translation>O Boresight não conhece satélites. Abra a definição e indique um ficheiro ou endereço com os respetivos elementos.</translation>
     </message>
     <message>
         <source>The log has more problems.</source>
@@ -13525,6 +13568,14 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     <message>
         <source>No favourite passes within a day. Click the star of a row to add one.</source>
         <translation>Nenhum favorito passa dentro de um dia. Clique na estrela de uma linha para juntar um.</translation>
+    </message>
+    <message>
+        <source>Boresight knows no satellites. Add their elements.</source>
+        <translation>O Boresight não conhece satélites. Adicione os elementos deles.</translation>
+    </message>
+    <message>
+        <source>The site is not set. Passes depend on it.</source>
+        <translation>O local não está definido. As passagens dependem dele.</translation>
     </message>
 </context>
 <context>
