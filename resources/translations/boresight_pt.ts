@@ -526,6 +526,10 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <source>elements %1 days old, %2 off</source>
         <translation>elementos com %1 dias, %2 de erro</translation>
     </message>
+    <message>
+        <source>hidden for %1</source>
+        <translation>oculto durante %1</translation>
+    </message>
 </context>
 <context>
     <name>PlotPicture</name>
@@ -15048,6 +15052,10 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
     <message>
         <source>Warnings in the table: %1.</source>
         <translation>Avisos na tabela: %1.</translation>
+    </message>
+    <message>
+        <source>No satellite is watched. Add one on the page Coming.</source>
+        <translation>A agenda não tem satélites. Junte um na página Próximas.</translation>
     </message>
 </context>
 <context>

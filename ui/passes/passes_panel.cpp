@@ -193,6 +193,7 @@ void PassesPanel::showStatus(const StationStatus& status)
         }
     }
     m_selection->showStatus(status);
+    m_elements->showStatus(status);
     if (!m_searcher->isSearching()) {
         showNote(status);
     }
@@ -298,7 +299,6 @@ void PassesPanel::showFavourites(const StationStatus& status)
 void PassesPanel::showNote(const StationStatus& status)
 {
     const bool areKnown = status.satellites && !status.satellites->empty();
-    m_elements->showStatus(status);
     m_choices->setVisible(areKnown && status.profile->site.known);
     if (!m_elements->refusal().isEmpty()) {
         m_note->setValue(m_elements->refusal(), Tone::Warning, Symbol::Warning);

@@ -84,7 +84,7 @@ TEST_F(PassesPanelTest, TheButtonLeadsToTheSite)
     EXPECT_TRUE(guide->isVisible());
     EXPECT_EQ(guide->progress().current, GuideStep::Site);
     give(samples::update(withSatellites()));
-    EXPECT_FALSE(named<QPushButton>("Enter the site")->isVisible());
+    EXPECT_TRUE(named<QPushButton>("Enter the site")->isHidden()) << "also while passes are searched for";
 }
 
 TEST_F(PassesPanelTest, ListsThePassesInTheOrderInWhichTheyRise)
@@ -235,6 +235,12 @@ TEST_F(PassesPanelTest, TellsWhatTheLimitsHide)
     profile.limits.horizon = {{0_deg, 20_deg}, {180_deg, 20_deg}};
     status.profile = std::make_shared<const profile::Profile>(profile);
     giveFound(status);
+    const auto& model = *qobject_cast<PassTable*>(table().model());
+    const auto number = model.book()->elementsOf(model.pass(table().currentIndex().row())).number;
+    profile.satellites = {{.number = static_cast<int>(number), .note = "145.800 MHz"}};
+    status.profile = std::make_shared<const profile::Profile>(profile);
+    give(samples::update(status));
+    EXPECT_EQ(text("The selected pass").count(QLatin1Char('\n')), 3) << "note, limits, age and light fit four lines";
     EXPECT_TRUE(text("The selected pass").contains(QStringLiteral("hidden for ")))
         << text("The selected pass").toStdString();
     ASSERT_TRUE(way);
