@@ -526,6 +526,10 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <source>elements %1 days old, %2 off</source>
         <translation>elementos com %1 dias, %2 de erro</translation>
     </message>
+    <message>
+        <source>hidden for %1</source>
+        <translation>oculto durante %1</translation>
+    </message>
 </context>
 <context>
     <name>PlotPicture</name>
@@ -9289,6 +9293,96 @@ SDL 2, toml++</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::AntennaModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>Beam °</source>
+        <translation>Feixe °</translation>
+    </message>
+    <message>
+        <source>Across °</source>
+        <translation>Lateral °</translation>
+    </message>
+    <message>
+        <source>Up °</source>
+        <translation>Acima °</translation>
+    </message>
+    <message>
+        <source>The offsets of the other antennas are measured from the main antenna.</source>
+        <translation>Os desvios das outras antenas são medidos a partir da antena principal.</translation>
+    </message>
+    <message>
+        <source>There is already an antenna &quot;%1&quot;.</source>
+        <translation>Já existe uma antena &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>Antenna %1</source>
+        <translation>Antena %1</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::AntennaPage</name>
+    <message>
+        <source>About the antennas</source>
+        <translation>Sobre as antenas</translation>
+    </message>
+    <message>
+        <source>Antennas</source>
+        <translation>Antenas</translation>
+    </message>
+    <message>
+        <source>Type into a cell to change it.</source>
+        <translation>Escreva numa célula para a alterar.</translation>
+    </message>
+    <message>
+        <source>All settings</source>
+        <translation>Todos os parâmetros</translation>
+    </message>
+    <message>
+        <source>Back to all settings of the mount</source>
+        <translation>Voltar a todas as definições da montagem</translation>
+    </message>
+    <message>
+        <source>Add antenna</source>
+        <translation>Adicionar antena</translation>
+    </message>
+    <message>
+        <source>Add an antenna to the mount</source>
+        <translation>Adicionar uma antena à montagem</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirar</translation>
+    </message>
+    <message>
+        <source>Remove the antenna</source>
+        <translation>Remover a antena</translation>
+    </message>
+    <message>
+        <source>Remove the selected antenna (Del)</source>
+        <translation>Remover a antena selecionada (Del)</translation>
+    </message>
+    <message>
+        <source>The mount already has %1 antennas besides the main one. No more are possible.</source>
+        <translation>A montagem já tem %1 antenas além da principal. Não são possíveis mais.</translation>
+    </message>
+    <message>
+        <source>The main antenna cannot be removed. North is found with it.</source>
+        <translation>A antena principal não pode ser removida. O norte é encontrado com ela.</translation>
+    </message>
+    <message>
+        <source>Satellites that had this antenna: %1. They now use the antenna that you choose by hand.</source>
+        <translation>Satélites que tinham esta antena: %1. Usam agora a antena que escolher à mão.</translation>
+    </message>
+    <message>
+        <source>Each antenna has a name, a beam width, and two offsets from the beam of the main antenna.</source>
+        <translation>Cada antena tem um nome, uma largura de feixe e dois desvios em relação ao feixe da antena principal.</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::AntennaRow</name>
     <message>
         <source>Antenna</source>
@@ -9309,6 +9403,18 @@ SDL 2, toml++</translation>
     <message>
         <source>Antenna: %1</source>
         <translation>Antena: %1</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Editar</translation>
+    </message>
+    <message>
+        <source>Edit the antennas</source>
+        <translation>Editar as antenas</translation>
+    </message>
+    <message>
+        <source>Add, name, measure and remove antennas</source>
+        <translation>Adicionar, dar nome, medir e remover antenas</translation>
     </message>
 </context>
 <context>
@@ -10311,6 +10417,41 @@ velocidade %1</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::DraftTableModel</name>
+    <message>
+        <source>Az °</source>
+        <translation>Az °</translation>
+    </message>
+    <message>
+        <source>El °</source>
+        <translation>El °</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>From °</source>
+        <translation>De °</translation>
+    </message>
+    <message>
+        <source>To °</source>
+        <translation>A °</translation>
+    </message>
+    <message>
+        <source>Min °</source>
+        <translation>Mín °</translation>
+    </message>
+    <message>
+        <source>Max °</source>
+        <translation>Máx °</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number (decimal point, e.g. 113.5)</source>
+        <translation>&quot;%1&quot; não é um número (ponto decimal, p. ex. 113.5)</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::DrivesPanel</name>
     <message>
         <source>id %1 (%2, %3)</source>
@@ -10491,6 +10632,65 @@ Mantenha pessoas e cordas longe da antena. STOP termina a prova.</translation>
     <message>
         <source>Move the mount at %1 and stop the commands?</source>
         <translation>Mover a montagem a %1 e cortar as ordens?</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::ElementsButton</name>
+    <message>
+        <source>File …</source>
+        <translation>Arquivo …</translation>
+    </message>
+    <message>
+        <source>Amateur radio (CelesTrak)</source>
+        <translation>Radioamadorismo (CelesTrak)</translation>
+    </message>
+    <message>
+        <source>Space stations (CelesTrak)</source>
+        <translation>Estações espaciais (CelesTrak)</translation>
+    </message>
+    <message>
+        <source>Weather (CelesTrak)</source>
+        <translation>Meteorologia (CelesTrak)</translation>
+    </message>
+    <message>
+        <source>Cubesats (CelesTrak)</source>
+        <translation>Cubesats (CelesTrak)</translation>
+    </message>
+    <message>
+        <source>Another address …</source>
+        <translation>Outro endereço …</translation>
+    </message>
+    <message>
+        <source>Add elements</source>
+        <translation>Adicionar elementos</translation>
+    </message>
+    <message>
+        <source>Enter the site</source>
+        <translation>Introduzir o local</translation>
+    </message>
+    <message>
+        <source>Add a file, or a group of CelesTrak</source>
+        <translation>Adicionar um ficheiro, ou um grupo do CelesTrak</translation>
+    </message>
+    <message>
+        <source>Open the step Site of the guide</source>
+        <translation>Abrir o passo Local do guia</translation>
+    </message>
+    <message>
+        <source>Choose a file with orbital elements</source>
+        <translation>Escolher um ficheiro com elementos orbitais</translation>
+    </message>
+    <message>
+        <source>Elements (*.tle *.txt *.json *.csv *.xml *.kvn *.sat)</source>
+        <translation>Elementos (*.tle *.txt *.json *.csv *.xml *.kvn *.sat)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos os arquivos (*)</translation>
+    </message>
+    <message>
+        <source>Elements: %1</source>
+        <translation>Elementos: %1</translation>
     </message>
 </context>
 <context>
@@ -13355,14 +13555,6 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Sobre as passagens</translation>
     </message>
     <message>
-        <source>Open the setting</source>
-        <translation>Abrir o ajuste</translation>
-    </message>
-    <message>
-        <source>The files with element sets</source>
-        <translation>Os ficheiros com os elementos</translation>
-    </message>
-    <message>
         <source>Searching for passes: %1 %</source>
         <translation>A procurar passagens: %1 %</translation>
     </message>
@@ -13371,20 +13563,12 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>elementos</translation>
     </message>
     <message>
-        <source>The site is not set. Enter it on the page Profile, or in the guide.</source>
-        <translation>O local não está definido. Indique-o na página Perfil, ou no guia.</translation>
-    </message>
-    <message>
         <source>%1 passes of %2 satellites within a day</source>
         <translation>%1 passagens de %2 satélites num dia</translation>
     </message>
     <message>
         <source>Problems with the elements</source>
         <translation>Problemas com os elementos</translation>
-    </message>
-    <message>
-        <source>Boresight knows no satellites. Open the setting and name a file or address with their elements.</source>
-        <translation>O Boresight não conhece satélites. Abra a definição e indique um ficheiro ou endereço com os respetivos elementos.</translation>
     </message>
     <message>
         <source>The log has more problems.</source>
@@ -13401,6 +13585,14 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     <message>
         <source>No favourite passes within a day. Click the star of a row to add one.</source>
         <translation>Nenhum favorito passa dentro de um dia. Clique na estrela de uma linha para juntar um.</translation>
+    </message>
+    <message>
+        <source>Boresight knows no satellites. Add their elements.</source>
+        <translation>O Boresight não conhece satélites. Adicione os elementos deles.</translation>
+    </message>
+    <message>
+        <source>The site is not set. Passes depend on it.</source>
+        <translation>O local não está definido. As passagens dependem dele.</translation>
     </message>
 </context>
 <context>
@@ -14564,41 +14756,6 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
     </message>
 </context>
 <context>
-    <name>boresight::ui::RegionTableModel</name>
-    <message>
-        <source>&quot;%1&quot; is not a number (decimal point, e.g. 113.5)</source>
-        <translation>&quot;%1&quot; não é um número (ponto decimal, p. ex. 113.5)</translation>
-    </message>
-    <message>
-        <source>Az °</source>
-        <translation>Az °</translation>
-    </message>
-    <message>
-        <source>El °</source>
-        <translation>El °</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nome</translation>
-    </message>
-    <message>
-        <source>From °</source>
-        <translation>De °</translation>
-    </message>
-    <message>
-        <source>To °</source>
-        <translation>A °</translation>
-    </message>
-    <message>
-        <source>Min °</source>
-        <translation>Mín °</translation>
-    </message>
-    <message>
-        <source>Max °</source>
-        <translation>Máx °</translation>
-    </message>
-</context>
-<context>
     <name>boresight::ui::RequestDesk</name>
     <message>
         <source>The station does not answer.</source>
@@ -14908,6 +15065,10 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
     <message>
         <source>Warnings in the table: %1.</source>
         <translation>Avisos na tabela: %1.</translation>
+    </message>
+    <message>
+        <source>No satellite is watched. Add one on the page Coming.</source>
+        <translation>A agenda não tem satélites. Junte um na página Próximas.</translation>
     </message>
 </context>
 <context>
@@ -15533,8 +15694,8 @@ Erro máximo: %6</translation>
         <translation>%1 antenas</translation>
     </message>
     <message>
-        <source>Antennas besides the main one. They are in the file of the profile. The manual shows how.</source>
-        <translation>Antenas além da principal. Estão no ficheiro do perfil. O manual mostra como.</translation>
+        <source>Antennas with name, beam width and two offsets. Press Enter to edit them.</source>
+        <translation>Antenas com nome, largura de feixe e dois desvios. Prima Enter para as editar.</translation>
     </message>
 </context>
 <context>
@@ -15582,6 +15743,14 @@ Erro máximo: %6</translation>
     <message>
         <source>Drive board: warn mm</source>
         <translation>Placa do acionamento: aviso mm</translation>
+    </message>
+    <message>
+        <source>Edit antennas</source>
+        <translation>Editar antenas</translation>
+    </message>
+    <message>
+        <source>Add, name, measure and remove the antennas of the mount</source>
+        <translation>Adicionar, dar nome, medir e remover as antenas da montagem</translation>
     </message>
 </context>
 <context>

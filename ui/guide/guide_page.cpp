@@ -200,6 +200,12 @@ void GuidePage::focusStep()
     m_buttons.at(m_progress.current)->setFocus();
 }
 
+void GuidePage::open(GuideStep step)
+{
+    go(step);
+    focusStep();
+}
+
 void GuidePage::go(GuideStep step)
 {
     m_progress.current = step;

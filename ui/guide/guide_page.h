@@ -34,6 +34,7 @@ public:
     void showStatus(const StationStatus& status);
     void setOpen(bool on);  // to be kept: the guide is on the screen
     void focusStep();       // the keyboard is at the current step
+    void open(GuideStep step);
 
     [[nodiscard]] const GuideProgress& progress() const { return m_progress; }
 

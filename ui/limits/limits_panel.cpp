@@ -60,7 +60,7 @@ void LimitsPanel::build()
     column->addWidget(m_bar);
 }
 
-QTableView* LimitsPanel::makeTable(RegionTableModel& model, const QString& name)
+QTableView* LimitsPanel::makeTable(DraftTableModel& model, const QString& name)
 {
     auto* const table = new QTableView(this);
     table->setModel(&model);
@@ -80,7 +80,7 @@ QTableView* LimitsPanel::makeTable(RegionTableModel& model, const QString& name)
     header->setHighlightSections(false);
     header->setMinimumSectionSize(1);
     header->setSectionResizeMode(QHeaderView::Stretch);
-    connect(&model, &RegionTableModel::refused, this, &LimitsPanel::say);
+    connect(&model, &DraftTableModel::refused, this, &LimitsPanel::say);
     return table;
 }
 

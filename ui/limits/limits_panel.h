@@ -16,7 +16,7 @@ namespace boresight::ui {
 
 class LimitRow;
 class ProfileDraftBar;
-class RegionTableModel;
+class DraftTableModel;
 class ValueLabel;
 
 class LimitsPanel : public QWidget
@@ -32,7 +32,7 @@ public:
 
 private:
     void build();
-    QTableView* makeTable(RegionTableModel& model, const QString& name);
+    QTableView* makeTable(DraftTableModel& model, const QString& name);
     QWidget* makeHorizonBox();
     QWidget* makeKeepOutBox();
     QPushButton* makeButton(const QString& text, const QString& name);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/limits/region_table_model.h"
+#include "ui/link/draft_table_model.h"
 
 // The two lists of the region as tables, a column for each setting of a row.
 namespace boresight::ui {
 
-class HorizonModel : public RegionTableModel
+class HorizonModel : public DraftTableModel
 {
     Q_OBJECT
 
@@ -16,11 +16,11 @@ public:
 protected:
     [[nodiscard]] std::size_t rowsOfDraft() const override;
     [[nodiscard]] QString text(int row, int column) const override;
-    [[nodiscard]] Result<> put(pointing::Region& region, int row, int column, const QString& text) const override;
+    [[nodiscard]] Result<> put(profile::Profile& profile, int row, int column, const QString& text) const override;
     [[nodiscard]] std::string key(int row) const override;
 };
 
-class KeepOutModel : public RegionTableModel
+class KeepOutModel : public DraftTableModel
 {
     Q_OBJECT
 
@@ -30,7 +30,7 @@ public:
 protected:
     [[nodiscard]] std::size_t rowsOfDraft() const override;
     [[nodiscard]] QString text(int row, int column) const override;
-    [[nodiscard]] Result<> put(pointing::Region& region, int row, int column, const QString& text) const override;
+    [[nodiscard]] Result<> put(profile::Profile& profile, int row, int column, const QString& text) const override;
     [[nodiscard]] std::string key(int row) const override;
 };
 

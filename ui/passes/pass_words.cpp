@@ -129,13 +129,15 @@ QString briefFactsOf(const BookedPass& one, const PassBook& book, UtcTime now, b
     const orbit::ElementSet& elements = book.elementsOf(one);
     const QString words = isNamed ? PassWords::tr("%1, from %2 to %3") : PassWords::tr("number %1, from %2 to %3");
     const QString which = isNamed ? targets::satelliteName(elements) : QString::number(elements.number);
-    QStringList lines{
+    QStringList first{
         words.arg(which, azimuthText(pass.aos.direction.azimuth, 0), azimuthText(pass.los.direction.azimuth, 0))};
+    // A number leaves room beside it, a name does not.
     if (const Seconds hidden = hiddenTime(pass); hidden >= Seconds(1.0)) {
-        lines << PassWords::tr("hidden for %1 by the limits").arg(lengthText(hidden));
+        first << (isNamed ? PassWords::tr("hidden for %1 by the limits") : PassWords::tr("hidden for %1"))
+                     .arg(lengthText(hidden));
     }
-    lines << briefAgeText(ageOf(one, book, now));
-    return lines.join(QLatin1Char('\n'));
+    return first.join(isNamed ? QStringLiteral("\n") : QStringLiteral(", ")) + QLatin1Char('\n') +
+           briefAgeText(ageOf(one, book, now));
 }
 
 // A pass of many hours may have more changes. The first two are shown.

@@ -2,10 +2,10 @@
 #include "ui/passes/passes_panel.h"
 
 #include "core/profile/clear_sky.h"
-#include "ui/kit/push_button.h"
 #include "ui/kit/read_table.h"
 #include "ui/kit/value_label.h"
 #include "ui/look/paint.h"
+#include "ui/passes/elements_button.h"
 #include "ui/passes/pass_filter.h"
 #include "ui/passes/pass_table.h"
 #include "ui/passes/pass_views.h"
@@ -55,8 +55,8 @@ PassesPanel::PassesPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent
       m_choices(m_views->makeChoices(this)),
       m_filter(new PassFilter(this)),
       m_note(new ValueLabel(tr("About the passes"), fonts::label(), {}, this)),
-      m_openSetting(makePushButton({.text = tr("Open the setting"), .help = tr("The files with element sets")}, this)),
       m_problem(new ValueLabel(tr("Problems with the elements"), fonts::label(), {}, this)),
+      m_elements(new ElementsButton(draft, this)),
       m_selection(new SelectedPass(draft, desk, this))
 {
     build();
@@ -75,7 +75,8 @@ PassesPanel::PassesPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent
         }
     });
     connect(m_views, &PassViews::viewChanged, this, &PassesPanel::fitHeight);
-    connect(m_openSetting, &QPushButton::clicked, this, [this] { Q_EMIT settingsWanted(tr("elements")); });
+    connect(m_elements, &ElementsButton::settingsWanted, this, [this] { Q_EMIT settingsWanted(tr("elements")); });
+    connect(m_elements, &ElementsButton::siteWanted, this, &PassesPanel::siteWanted);
 }
 
 void PassesPanel::build()
@@ -90,7 +91,7 @@ void PassesPanel::build()
     notes->setSpacing(kGrid);
     notes->addWidget(m_choices);
     notes->addWidget(m_note, 1);
-    notes->addWidget(m_openSetting);
+    notes->addWidget(m_elements);
     column->addLayout(notes);
     m_problem->setLines(kProblemLines);
     m_problem->setStretching(true);
@@ -192,6 +193,7 @@ void PassesPanel::showStatus(const StationStatus& status)
         }
     }
     m_selection->showStatus(status);
+    m_elements->showStatus(status);
     if (!m_searcher->isSearching()) {
         showNote(status);
     }
@@ -297,15 +299,13 @@ void PassesPanel::showFavourites(const StationStatus& status)
 void PassesPanel::showNote(const StationStatus& status)
 {
     const bool areKnown = status.satellites && !status.satellites->empty();
-    m_openSetting->setVisible(!areKnown);
     m_choices->setVisible(areKnown && status.profile->site.known);
-    if (!areKnown) {
-        m_note->setValue(
-            tr("Boresight knows no satellites. Open the setting and name a file or address with their elements."),
-            Tone::Warning, Symbol::Warning);
+    if (!m_elements->refusal().isEmpty()) {
+        m_note->setValue(m_elements->refusal(), Tone::Warning, Symbol::Warning);
+    } else if (!areKnown) {
+        m_note->setValue(tr("Boresight knows no satellites. Add their elements."), Tone::Warning, Symbol::Warning);
     } else if (!status.profile->site.known) {
-        m_note->setValue(tr("The site is not set. Enter it on the page Profile, or in the guide."), Tone::Warning,
-                         Symbol::Warning);
+        m_note->setValue(tr("The site is not set. Passes depend on it."), Tone::Warning, Symbol::Warning);
     } else if (m_passes->rowCount() == 0 && m_filter->choice().onlyFavourites) {
         m_note->setValue(tr("No favourite passes within a day. Click the star of a row to add one."), Tone::Secondary);
     } else {

@@ -12,7 +12,6 @@
 #include <memory>
 #include <optional>
 
-class QPushButton;
 class QTableView;
 
 // The coming passes of the satellites whose elements the station knows, to search, as a list and in pictures, and below
@@ -20,6 +19,7 @@ class QTableView;
 // ahead, and again when the elements, the site or the limits change. Gui thread.
 namespace boresight::ui {
 
+class ElementsButton;
 class PassFilter;
 class PassTable;
 class PassViews;
@@ -41,6 +41,7 @@ public:
 
 Q_SIGNALS:
     void settingsWanted(const QString& words);  // of the page Profile
+    void siteWanted();                          // where it is entered
     // Of the selected pass, while it is seen here; null: of none.
     void wayChosen(const boresight::targets::SkyWay& way);
     void favouritesMoved(const std::vector<boresight::ui::SatellitePlace>& places);  // that are up, once a second
@@ -96,8 +97,8 @@ private:
     QWidget* m_choices;  // of the view
     PassFilter* m_filter;
     ValueLabel* m_note;
-    QPushButton* m_openSetting;
     ValueLabel* m_problem;
+    ElementsButton* m_elements;
     SelectedPass* m_selection;
     orbit::SatelliteMarks m_marks;
     FavouritePlaces m_favourites;

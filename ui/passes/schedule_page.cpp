@@ -21,14 +21,16 @@ namespace boresight::ui {
 
 namespace {
 
-QString nextText(const ScheduleStatus& schedule, UtcTime now)
+QString nextText(const ScheduleStatus& schedule, bool isWatching, UtcTime now)
 {
     const auto next = std::ranges::find_if(schedule.plan.chosen,
                                            [&](const schedule::WatchedPass& pass) { return pass.begins() > now; });
-    return next == schedule.plan.chosen.end()
-               ? SchedulePage::tr("No pass within a day.")
-               : SchedulePage::tr("Next: %1 at %2Z, in %3.")
-                     .arg(next->name, clockText(next->begins()), waitText(next->begins() - now));
+    if (next == schedule.plan.chosen.end()) {
+        return isWatching ? SchedulePage::tr("No pass within a day.")
+                          : SchedulePage::tr("No satellite is watched. Add one on the page Coming.");
+    }
+    return SchedulePage::tr("Next: %1 at %2Z, in %3.")
+        .arg(next->name, clockText(next->begins()), waitText(next->begins() - now));
 }
 
 QString reportText(const schedule::NightReport& report)
@@ -39,7 +41,7 @@ QString reportText(const schedule::NightReport& report)
                                        .arg(report.passes.size());
 }
 
-QString stateText(const ScheduleStatus& schedule, UtcTime now)
+QString stateText(const ScheduleStatus& schedule, bool isWatching, UtcTime now)
 {
     const QString state = schedule.armed ? SchedulePage::tr("Armed. The mount moves by itself for each pass.")
                                          : SchedulePage::tr("Off. Nothing moves by itself.");
@@ -47,7 +49,7 @@ QString stateText(const ScheduleStatus& schedule, UtcTime now)
     if (!schedule.why.isEmpty()) {
         sentences << schedule.why.left(1).toUpper() + schedule.why.mid(1) + QLatin1Char('.');
     }
-    sentences << nextText(schedule, now) << reportText(schedule.report);
+    sentences << nextText(schedule, isWatching, now) << reportText(schedule.report);
     return sentences.join(QLatin1Char(' ')).trimmed();
 }
 
@@ -133,7 +135,8 @@ void SchedulePage::showStatus(const StationStatus& status)
         m_isArmed ? tr("Disarm") : tr("Arm schedule"),
         m_isArmed ? tr("End the schedule. The mount holds") : tr("Let the mount track each listed pass by itself"));
     m_arm->setBlocked(m_isArmed ? QString() : status.permissions.reason(Action::ArmSchedule));
-    m_state->setValue(stateText(schedule, status.utc), m_isArmed ? Tone::Normal : Tone::Secondary);
+    m_state->setValue(stateText(schedule, !status.profile->schedule.watch.empty(), status.utc),
+                      m_isArmed ? Tone::Normal : Tone::Secondary);
     showRehearsal(status);
     m_night->show(schedule, status.rehearsal.night.get(), status.utc);
     m_watched->showStatus(status);

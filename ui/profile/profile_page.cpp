@@ -6,6 +6,7 @@
 #include "ui/kit/push_button.h"
 #include "ui/kit/value_label.h"
 #include "ui/link/profile_draft_bar.h"
+#include "ui/profile/antenna_page.h"
 #include "ui/profile/settings_view.h"
 
 #include <QComboBox>
@@ -28,6 +29,7 @@ ProfilePage::ProfilePage(ProfileDraft& draft, RequestDesk& desk, const QString& 
                          this)),
       m_menu(new QMenu(m_menuButton)),
       m_settings(new SettingsView(draft, this)),
+      m_antennas(new AntennaPage(draft, this)),
       m_notice(new ValueLabel(tr("Outcome"), fonts::label(), {}, this)),
       m_switch(
           new CommandButton(tr("Switch …"), tr("Connect to the chosen mount (asks first)"), desk, *m_notice, this)),
@@ -35,6 +37,8 @@ ProfilePage::ProfilePage(ProfileDraft& draft, RequestDesk& desk, const QString& 
 {
     build();
     connect(m_switch, &QPushButton::clicked, this, [this] { m_mounts.switchTo(chosen()); });
+    connect(m_settings, &SettingsView::antennasWanted, this, &ProfilePage::showAntennas);
+    connect(m_antennas, &AntennaPage::settingsWanted, this, &ProfilePage::showSettings);
     connect(m_choice, &QComboBox::currentIndexChanged, this, &ProfilePage::showChoice);
     connect(&m_draft, &ProfileDraft::changed, this, &ProfilePage::showChoice);
     connect(&m_mounts, &StoredMounts::listed, this, &ProfilePage::showMounts);
@@ -53,6 +57,8 @@ void ProfilePage::build()
     column->addWidget(m_mountRow);
     column->addWidget(m_notice);
     column->addWidget(m_settings, 1);
+    column->addWidget(m_antennas, 1);
+    m_antennas->hide();
     column->addWidget(m_bar);
     m_bar->setCollapsing(true);  // the settings get its room
     m_notice->setStretching(true);
@@ -95,8 +101,25 @@ void ProfilePage::addAction(const QString& text, const std::function<void()>& ac
     });
 }
 
+void ProfilePage::showAntennas()
+{
+    m_settings->hide();
+    m_antennas->show();
+    showChoice();
+    m_antennas->setFocus();
+}
+
+void ProfilePage::showSettings()
+{
+    m_antennas->hide();
+    m_settings->show();
+    showChoice();
+    m_settings->setFocus();
+}
+
 void ProfilePage::seek(const QString& words)
 {
+    showSettings();
     m_settings->seek(words);
 }
 
@@ -142,7 +165,8 @@ void ProfilePage::showMounts()
 void ProfilePage::showChoice()
 {
     m_switch->setBlocked(whyNoSwitch());
-    m_mountRow->setVisible(!m_draft.hasEdits());  // nothing is switched over edits, and their buttons need its room
+    // Nothing is switched over edits, and their buttons need its room, as the antennas do.
+    m_mountRow->setVisible(!m_draft.hasEdits() && m_antennas->isHidden());
     if (const QString problem = chosen().problem; !problem.isEmpty()) {
         warn(problem);
     }

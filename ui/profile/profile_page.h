@@ -15,6 +15,7 @@ class QPushButton;
 // the list does nothing; Switch, and all that writes a file, asks first and shows what would change.
 namespace boresight::ui {
 
+class AntennaPage;
 class ProfileDraftBar;
 class SettingsView;
 
@@ -27,6 +28,7 @@ public:
     ProfilePage(ProfileDraft& draft, RequestDesk& desk, const QString& configDir, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
+    void showAntennas();              // their table in the place of the settings
     void seek(const QString& words);  // the settings that have them in their name or meaning
 
 protected:
@@ -38,6 +40,7 @@ private:
     void addAction(const QString& text, const std::function<void()>& act);
     void showMounts();
     void showChoice();
+    void showSettings();
     void chooseImport();
     void chooseExport();
     [[nodiscard]] profile::StoredProfile chosen() const;
@@ -52,6 +55,7 @@ private:
     QPushButton* m_menuButton;
     QMenu* m_menu;
     SettingsView* m_settings;
+    AntennaPage* m_antennas;  // or these are shown
     QWidget* m_mountRow = nullptr;
     ValueLabel* m_notice;
     CommandButton* m_switch;

@@ -291,9 +291,9 @@ QString SettingTree::explanation(const Line& line) const
     }
     if (line.setting == nullptr) {
         sentences << (line.key == profile::kPresetKey ? tr("Your own directions. The panel Jog (Ctrl+1) changes them.")
-                      : line.key == profile::kAntennaKey ? tr("Antennas besides the main one. They are in the file of "
-                                                              "the profile. The manual shows how.")
-                                                         : tr("The panel Limits (Ctrl+3) and the sky change them."));
+                      : line.key == profile::kAntennaKey
+                          ? tr("Antennas with name, beam width and two offsets. Press Enter to edit them.")
+                          : tr("The panel Limits (Ctrl+3) and the sky change them."));
         return sentences.join(QLatin1Char(' '));
     }
     const profile::Setting& setting = *line.setting;

@@ -2,6 +2,7 @@
 #include "ui/profile/settings_view.h"
 
 #include "ui/kit/command_button.h"
+#include "ui/kit/push_button.h"
 #include "ui/kit/value_label.h"
 #include "ui/profile/beam_box.h"
 #include "ui/profile/setting_delegate.h"
@@ -34,9 +35,14 @@ SettingsView::SettingsView(ProfileDraft& draft, QWidget* parent)
       m_tree(new QTreeView(this)),
       m_picture(new SettingPictureView(this)),
       m_explanation(new ValueLabel(tr("What the selected setting means"), fonts::label(), {}, this)),
-      m_beam(new BeamBox(draft, this))
+      m_beam(new BeamBox(draft, this)),
+      m_antennas(makePushButton({.text = tr("Edit antennas"),
+                                 .name = {},
+                                 .help = tr("Add, name, measure and remove the antennas of the mount")},
+                                this))
 {
     m_filter->setSourceModel(m_model);
+    setFocusProxy(m_tree);
     buildTree();
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -49,9 +55,11 @@ SettingsView::SettingsView(ProfileDraft& draft, QWidget* parent)
     meaning->addWidget(m_explanation, 1);
     column->addLayout(meaning);
     column->addWidget(m_beam);
+    column->addWidget(m_antennas);
     m_explanation->setStretching(true);
     m_explanation->setLines(3);
     m_explanation->setCollapsing(true);
+    connect(m_antennas, &QPushButton::clicked, this, &SettingsView::antennasWanted);
     connect(m_model, &SettingTree::refused, this, [this](const QString& reason) {
         m_refusal = reason;
         explain();
@@ -131,6 +139,10 @@ void SettingsView::openEditor(const QModelIndex& index)
         m_tree->setExpanded(first, !m_tree->isExpanded(first));
         return;
     }
+    if (first.data(SettingTree::KeyRole).toString().toStdString() == profile::kAntennaKey) {
+        Q_EMIT antennasWanted();
+        return;
+    }
     const QModelIndex value = index.siblingAtColumn(SettingTree::Value);
     if (value.flags().testFlag(Qt::ItemIsEditable)) {
         m_tree->setCurrentIndex(value);
@@ -183,6 +195,7 @@ void SettingsView::explain()
     const std::string key = m_tree->currentIndex().data(SettingTree::KeyRole).toString().toStdString();
     m_picture->setKey(isRoomy ? key : std::string());
     m_beam->setVisible(key == kBeamWidth);
+    m_antennas->setVisible(key == profile::kAntennaKey);
     if (!m_refusal.isEmpty()) {
         m_explanation->setValue(m_refusal, Tone::Warning, Symbol::Warning);
         return;

@@ -8,6 +8,7 @@
 class QComboBox;
 class QLineEdit;
 class QModelIndex;
+class QPushButton;
 class QTreeView;
 
 // The settings of the draft to look through and to edit: a search, a choice of what is shown, the groups, and what the
@@ -28,6 +29,9 @@ public:
     explicit SettingsView(ProfileDraft& draft, QWidget* parent = nullptr);
 
     void seek(const QString& words);  // as if typed into the search
+
+Q_SIGNALS:
+    void antennasWanted();  // their table, which has more than one value
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -50,7 +54,8 @@ private:
     QTreeView* m_tree;
     SettingPictureView* m_picture;
     ValueLabel* m_explanation;
-    BeamBox* m_beam;  // below the explanation of the beam width
+    BeamBox* m_beam;          // below the explanation of the beam width
+    QPushButton* m_antennas;  // the same of the antennas
     QString m_refusal;
 };
 

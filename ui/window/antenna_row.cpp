@@ -3,6 +3,7 @@
 
 #include "ui/kit/caption.h"
 #include "ui/kit/format.h"
+#include "ui/kit/push_button.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/touch_combo.h"
 #include "ui/kit/value_label.h"
@@ -38,6 +39,11 @@ AntennaRow::AntennaRow(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
     row->addWidget(makeCaption(tr("Antenna"), this));
     row->addWidget(m_antennas, 1);
     row->addWidget(m_beam);
+    QPushButton* const edit = makePushButton(
+        {.text = tr("Edit"), .name = tr("Edit the antennas"), .help = tr("Add, name, measure and remove antennas")},
+        this);
+    row->addWidget(edit);
+    connect(edit, &QPushButton::clicked, this, &AntennaRow::editWanted);
     connect(m_antennas, &QComboBox::activated, this, &AntennaRow::choose);
     hide();
 }

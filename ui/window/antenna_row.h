@@ -7,7 +7,8 @@
 #include <QWidget>
 
 // Which antenna is in use, to choose another one, and how wide its beam is. What the station refuses is told in the
-// notice line. Not there where the mount has one antenna only. Gui thread.
+// notice line. A button leads to where the antennas are edited. Not there where the mount has one antenna only. Gui
+// thread.
 namespace boresight::ui {
 
 class TouchCombo;
@@ -22,6 +23,9 @@ public:
 
     void showStatus(const StationStatus& status);
     [[nodiscard]] bool hasChoice() const { return m_names.size() > 1; }
+
+Q_SIGNALS:
+    void editWanted();  // of the antennas
 
 private:
     void choose(int index);

@@ -28,6 +28,7 @@ ColumnHead::ColumnHead(AlarmCard& alarms, RequestDesk& desk, QWidget* parent)
     column->addWidget(m_antenna);
     column->addWidget(m_sensor);
     column->addStretch(1);
+    connect(m_antenna, &AntennaRow::editWanted, this, &ColumnHead::antennasWanted);
 }
 
 void ColumnHead::showStatus(const StationStatus& status)

@@ -27,6 +27,9 @@ public:
     void showStatus(const StationStatus& status);
     void setRoom(QSize window);
 
+Q_SIGNALS:
+    void antennasWanted();  // where they are edited
+
 private:
     void arrange();
     [[nodiscard]] int heightOfAlarm() const;

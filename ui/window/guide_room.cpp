@@ -4,6 +4,7 @@
 #include "ui/guide/guide_page.h"
 #include "ui/kit/page_room.h"
 #include "ui/north/calibration_panel.h"
+#include "ui/passes/passes_panel.h"
 #include "ui/window/last_status.h"
 #include "ui/window/panel_tabs.h"
 
@@ -23,6 +24,10 @@ GuideRoom::GuideRoom(PanelTabs& panels, const LastStatus& last, ProfileDraft& dr
 {
     addWidget(&m_panels);
     keepHeightOfShownPage(*this);
+    connect(&m_panels.passes(), &PassesPanel::siteWanted, this, [this] {
+        showGuide();
+        m_guide->open(GuideStep::Site);
+    });
     connect(&m_panels, &PanelTabs::broughtUp, this, &GuideRoom::showPanels);
     connect(this, &QStackedWidget::currentChanged, this, [this] { Q_EMIT guideShown(showsGuide()); });
 }

@@ -241,6 +241,10 @@ void MainWindow::connectMenu()
     connect(m_menu, &MainMenu::manualWanted, this, &MainWindow::showManual);
     connect(m_menu, &MainMenu::keysWanted, this, &MainWindow::showHelp);
     connect(m_menu, &MainMenu::guideWanted, m_side, &GuideRoom::showGuide);
+    connect(m_head, &ColumnHead::antennasWanted, this, [this] {
+        m_panels->bringUp(m_panels->profile());
+        m_panels->profile().showAntennas();
+    });
     connect(m_menu, &MainMenu::profileWanted, this, [this] { m_panels->bringUp(m_panels->profile()); });
     connect(m_menu, &MainMenu::diagnosticsWanted, this, &MainWindow::saveDiagnostics);
     connect(m_menu, &MainMenu::aboutWanted, this, [this] { showBelowHead(*m_about); });

@@ -3,6 +3,7 @@
 
 #include "tests/ui/event_loop.h"
 #include "tests/ui/passes/passes_fixture.h"
+#include "ui/guide/guide_page.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
 #include "ui/passes/note_line.h"
@@ -13,6 +14,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
+#include <QMenu>
 #include <QToolButton>
 
 #include <gmock/gmock.h>
@@ -40,6 +42,49 @@ TEST_F(PassesPanelTest, SaysWhatToDoWithoutSatellites)
     status.profile = std::make_shared<const profile::Profile>(nowhere);
     give(samples::update(status));
     EXPECT_TRUE(text("About the passes").startsWith(QStringLiteral("The site is not set.")));
+}
+
+// REQ-PASSES-990: What the list lacks is mended from the page itself. Without elements its button adds a file or a
+// group of CelesTrak to the profile at once, and a refusal stays readable. Without a site it opens that step of the
+// guide.
+TEST_F(PassesPanelTest, TheButtonAddsElements)
+{
+    StationStatus status = samples::idle();
+    status.permissions = Permissions::all();
+    give(samples::update(status));
+    auto* const button = named<QPushButton>("Add elements");
+    ASSERT_TRUE(button->isVisible());
+    const QList<QAction*> lines = button->menu()->actions();
+    const auto stations = std::ranges::find(lines, QStringLiteral("Space stations (CelesTrak)"), &QAction::text);
+    ASSERT_NE(stations, lines.end());
+    (*stations)->trigger();
+    ASSERT_EQ(asked<request::ApplyProfile>().size(), 1U);
+    EXPECT_EQ(asked<request::ApplyProfile>().back().profile.orbit.elements,
+              std::vector<std::string>{"celestrak:stations"});
+    StationUpdate refused = samples::update(status);
+    refused.answers.push_back(
+        {.requestId = requests.back().id, .error = Error{ErrorCode::Refused, QStringLiteral("No.")}});
+    give(refused);
+    give(samples::update(status));
+    EXPECT_EQ(text("About the passes"), QStringLiteral("Elements: No."));
+}
+
+// REQ-PASSES-990
+TEST_F(PassesPanelTest, TheButtonLeadsToTheSite)
+{
+    StationStatus status = withSatellites();
+    profile::Profile nowhere = *status.profile;
+    nowhere.site.known = false;
+    status.profile = std::make_shared<const profile::Profile>(nowhere);
+    give(samples::update(status));
+    EXPECT_EQ(window.findChild<GuidePage*>(), nullptr);
+    QTest::mouseClick(named<QPushButton>("Enter the site"), Qt::LeftButton);
+    const auto* const guide = window.findChild<GuidePage*>();
+    ASSERT_NE(guide, nullptr);
+    EXPECT_TRUE(guide->isVisible());
+    EXPECT_EQ(guide->progress().current, GuideStep::Site);
+    give(samples::update(withSatellites()));
+    EXPECT_TRUE(named<QPushButton>("Enter the site")->isHidden()) << "also while passes are searched for";
 }
 
 TEST_F(PassesPanelTest, ListsThePassesInTheOrderInWhichTheyRise)
@@ -190,6 +235,12 @@ TEST_F(PassesPanelTest, TellsWhatTheLimitsHide)
     profile.limits.horizon = {{0_deg, 20_deg}, {180_deg, 20_deg}};
     status.profile = std::make_shared<const profile::Profile>(profile);
     giveFound(status);
+    const auto& model = *qobject_cast<PassTable*>(table().model());
+    const auto number = model.book()->elementsOf(model.pass(table().currentIndex().row())).number;
+    profile.satellites = {{.number = static_cast<int>(number), .note = "145.800 MHz"}};
+    status.profile = std::make_shared<const profile::Profile>(profile);
+    give(samples::update(status));
+    EXPECT_EQ(text("The selected pass").count(QLatin1Char('\n')), 3) << "note, limits, age and light fit four lines";
     EXPECT_TRUE(text("The selected pass").contains(QStringLiteral("hidden for ")))
         << text("The selected pass").toStdString();
     ASSERT_TRUE(way);

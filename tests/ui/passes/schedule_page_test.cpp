@@ -90,6 +90,20 @@ TEST_F(SchedulePageTest, ShowsTheNightInTheOrderOfTime)
     EXPECT_TRUE(state.endsWith(QStringLiteral("1 of 1 passes tracked to the end."))) << state.toStdString();
 }
 
+// REQ-SCHEDULE-950
+TEST_F(SchedulePageTest, SaysWhatToDoWhileNothingIsWatched)
+{
+    StationStatus status = samples::idle();
+    show(status);
+    EXPECT_EQ(text("State of the schedule"),
+              QStringLiteral("Off. Nothing moves by itself. No satellite is watched. Add one on the page Coming."));
+    profile::Profile profile = *status.profile;
+    profile.schedule.watch = {{.number = 25544}};
+    status.profile = std::make_shared<const profile::Profile>(profile);
+    show(status);
+    EXPECT_EQ(text("State of the schedule"), QStringLiteral("Off. Nothing moves by itself. No pass within a day."));
+}
+
 // REQ-SCHEDULE-954: Rehearse and Stop rehearsal are one button. Its progress, what came of it, and why it came to
 // nothing stand above the table. In the table each pass has the part of its time within 3 dB as rehearsed, with the
 // seconds in the tooltip. Each warning has a row.

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/link/profile_draft.h"
+
+#include <QWidget>
+
+class QHBoxLayout;
+class QTableView;
+
+// The antennas of the mount, to add, name, measure and remove: in the draft, as all settings. Gui thread.
+namespace boresight::ui {
+
+class AntennaModel;
+class ValueLabel;
+
+class AntennaPage : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit AntennaPage(ProfileDraft& draft, QWidget* parent = nullptr);
+
+Q_SIGNALS:
+    void settingsWanted();  // back to them
+
+private:
+    void buildTable();
+    [[nodiscard]] QHBoxLayout* makeButtons();
+    void add();
+    void removeCurrent();
+    void explain();
+    void refuse(const QString& reason);
+
+    ProfileDraft& m_draft;
+    AntennaModel* m_model;
+    QTableView* m_table;
+    ValueLabel* m_line;  // what the current column means, or why the entry was refused
+};
+
+}  // namespace boresight::ui
