@@ -190,8 +190,9 @@ TEST(Rooms, MessagesAreMadeOfValues)
 TEST(Rooms, TheControlKnowsNoKindOfRotator)
 {
     Rooms permitted = roomsOf("core");
-    for (const char* const room : {"core/moteus", "core/moteus_mount", "core/simple_mount", "core/survey",
-                                   "core/memory", "core/can", "core/sim", "core/sim_bus", "core/station"}) {
+    for (const char* const room :
+         {"core/moteus", "core/moteus_mount", "core/gs232", "core/gs232_mount", "core/simple_mount", "core/survey",
+          "core/memory", "core/can", "core/sim", "core/sim_bus", "core/station"}) {
         permitted.erase(room);
     }
     EXPECT_THAT(wrong(kAboveTheDriver, permitted), IsEmpty());

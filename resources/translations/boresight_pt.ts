@@ -949,16 +949,8 @@ até %1</translation>
         <translation>&quot;%1&quot; não pode ser o nome de uma interface: no máximo 15 caracteres, sem espaço e sem &quot;/&quot;</translation>
     </message>
     <message>
-        <source>bus &apos;fdcanusb:&apos; names no port; write for example fdcanusb:/dev/boresight/fdcanusb</source>
-        <translation>o barramento &quot;fdcanusb:&quot; não indica nenhuma porta; escreva por exemplo fdcanusb:/dev/boresight/fdcanusb</translation>
-    </message>
-    <message>
         <source>a port&apos;s path has no control characters</source>
         <translation>o caminho de uma porta não tem caracteres de controle</translation>
-    </message>
-    <message>
-        <source>unknown bus &apos;%1&apos;; write simulated, socketcan:INTERFACE or fdcanusb:PATH</source>
-        <translation>barramento &quot;%1&quot; desconhecido; escreva simulated, socketcan:INTERFACE ou fdcanusb:CAMINHO</translation>
     </message>
     <message>
         <source>bit rate %1 (wanted %2)</source>
@@ -4924,16 +4916,8 @@ até %1</translation>
         <translation>Barramento</translation>
     </message>
     <message>
-        <source>How Boresight reaches the drives: &quot;fdcanusb:PATH&quot;, &quot;socketcan:INTERFACE&quot; or &quot;simulated&quot;.</source>
-        <translation>Como o Boresight chega aos acionamentos: &quot;fdcanusb:PATH&quot;, &quot;socketcan:INTERFACE&quot; ou &quot;simulated&quot;.</translation>
-    </message>
-    <message>
         <source>Driver</source>
         <translation>Driver</translation>
-    </message>
-    <message>
-        <source>What turns the axis. Each axis may have its own driver. &quot;simple&quot; is simulated only: a rotator of whole degrees without a watchdog. With &quot;none&quot; the mount has no such axis.</source>
-        <translation>O que gira o eixo. Cada eixo pode ter o seu próprio driver. &quot;simple&quot; só existe simulado: um rotor de graus inteiros sem watchdog. Com &quot;none&quot; a montagem não tem esse eixo.</translation>
     </message>
     <message>
         <source>CAN id</source>
@@ -8330,6 +8314,162 @@ até %1</translation>
     <message>
         <source>A line of the operator&apos;s own, such as frequency and polarisation.</source>
         <translation>Uma linha do próprio operador, como frequência e polarização.</translation>
+    </message>
+    <message>
+        <source>The line to the rotator is down: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight can command nothing. It tries to open the line again each second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the cable and the box. If the port is wrong, choose another one on the page Profile (bus.name)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device on %1 is not a GS-232 rotator. It says &quot;%2&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight asked for its position only, and closed the line. It sends nothing more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the port of the rotator on the page Profile (bus.name), check the speed (bus.baud), then press Reconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rotator does not answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight asks for its position once a second. It sends no motion commands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rotator fell silent in motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight sent a stop. It stops the rotator again as soon as an answer comes. Until then the rotator may run to where it was sent last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the mount. Check the power of the box and the cable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %1 stands at %2 although it was sent to %3 twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight sent a stop and ended the motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look for a blocked axis, a motor without power, or a box that was switched to manual.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The position of the %1 jumped from %2 to %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare the position with the mount and its cable. Calibrate the box if it is wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %1 still turns after several stops</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boresight repeats the stop each second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the rotator off at its box.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the bus names no port; write for example %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no address with a port; write for example tcp:192.168.1.20:4001</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown bus &apos;%1&apos;; write simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH or tcp:HOST:PORT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 answers as a %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The travel %1…%2 does not fit this rotator, which counts %3…%4. Change %5.travel_min_deg and %5.travel_max_deg in the profile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The line returns what Boresight sends. Check the plug of the rotator, and switch a modem off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rotator refuses the question for both axes. If it has no elevation, set elevation.driver to &quot;none&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check its power, the cable, and its speed (bus.baud, %1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is gone. Plug its cable in again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is gone. Plug its cable in again, in any socket. Boresight finds it as %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the other end closed the connection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2. Check its power, its address and its network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: no answer. Check its power, its address and its network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no CAN bus. A moteus needs fdcanusb:PATH or socketcan:INTERFACE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What turns the axis. Each axis may have its own driver. &quot;gs232&quot; is a Yaesu GS-232A, a GS-232B or a box that speaks as they do. &quot;simple&quot; is simulated only: a rotator of whole degrees without a watchdog. With &quot;none&quot; the mount has no such axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The driver &quot;%1&quot; needs fdcanusb:PATH or socketcan:INTERFACE.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The driver &quot;%1&quot; needs serial:PATH or tcp:HOST:PORT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How Boresight reaches the drives: &quot;fdcanusb:PATH&quot; or &quot;socketcan:INTERFACE&quot; for moteus, &quot;serial:PATH&quot; or &quot;tcp:HOST:PORT&quot; for a GS-232 rotator, or &quot;simulated&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the serial port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the serial port of a GS-232 rotator, as its switches are set. A CAN bus does not use it.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
