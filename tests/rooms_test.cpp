@@ -191,8 +191,8 @@ TEST(Rooms, TheControlKnowsNoKindOfRotator)
 {
     Rooms permitted = roomsOf("core");
     for (const char* const room :
-         {"core/moteus", "core/moteus_mount", "core/simple_mount", "core/survey", "core/memory", "core/can", "core/sim",
-          "core/sim_bus", "core/station", "core/perfect_mount"}) {
+         {"core/moteus", "core/moteus_mount", "core/gs232", "core/gs232_mount", "core/simple_mount", "core/survey",
+          "core/memory", "core/can", "core/sim", "core/sim_bus", "core/station", "core/perfect_mount"}) {
         permitted.erase(room);
     }
     EXPECT_THAT(wrong(kAboveTheDriver, permitted), IsEmpty());

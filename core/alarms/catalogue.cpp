@@ -45,6 +45,7 @@ std::vector<const AlarmEntry*> alarmCatalogue()
     add(kDriveAlarms);
     add(kAxisAlarms);
     add(kSurveyAlarms);
+    add(kRotatorAlarms);
     add(kStationAlarms);
     add(kPointingAlarms);
     add(kWindowAlarms);

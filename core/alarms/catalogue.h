@@ -5,6 +5,7 @@
 #include "core/alarms/alarms_of_axes.h"
 #include "core/alarms/alarms_of_drives.h"
 #include "core/alarms/alarms_of_pointing.h"
+#include "core/alarms/alarms_of_rotators.h"
 #include "core/alarms/alarms_of_the_station.h"
 #include "core/alarms/alarms_of_the_survey.h"
 #include "core/alarms/alarms_of_the_window.h"
@@ -42,6 +43,7 @@ template <class List>
     found = found != nullptr ? found : detail::findAlarm(kAxisAlarms, id);
     found = found != nullptr ? found : detail::findAlarm(kSurveyAlarms, id);
     found = found != nullptr ? found : detail::findAlarm(kStationAlarms, id);
+    found = found != nullptr ? found : detail::findAlarm(kRotatorAlarms, id);
     found = found != nullptr ? found : detail::findAlarm(kPointingAlarms, id);
     found = found != nullptr ? found : detail::findAlarm(kWindowAlarms, id);
     if (found == nullptr) {

@@ -2,6 +2,7 @@
 #include "core/base/bus_name.h"
 
 #include "core/base/control_characters.h"
+#include "core/base/numbers.h"
 #include "core/base/text.h"
 
 namespace boresight {
@@ -10,6 +11,8 @@ namespace {
 constexpr std::string_view kSimulated = "simulated";
 constexpr std::string_view kSocketCan = "socketcan:";
 constexpr std::string_view kFdcanusb = "fdcanusb:";
+constexpr std::string_view kSerial = "serial:";
+constexpr std::string_view kTcp = "tcp:";
 
 Result<BusName> parseInterface(std::string_view name)
 {
@@ -23,7 +26,46 @@ Result<BusName> parseInterface(std::string_view name)
                        Text::tr("'%1' cannot be an interface name: at most 15 characters, no space and no '/'")
                            .arg(toQString(name)));
     }
-    return BusName{BusKind::SocketCan, std::string(name)};
+    return BusName{.kind = BusKind::SocketCan, .target = std::string(name)};
+}
+
+Result<BusName> parsePath(BusKind kind, std::string_view path, const char* example)
+{
+    if (path.empty()) {
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("the bus names no port; write for example %1").arg(QLatin1String(example)));
+    }
+    if (hasControlCharacters(path)) {
+        return failure(ErrorCode::InvalidInput, Text::tr("a port's path has no control characters"));
+    }
+    return BusName{.kind = kind, .target = std::string(path)};
+}
+
+// "HOST:PORT", an IPv6 address in brackets.
+Result<BusName> parseHost(std::string_view text)
+{
+    const auto colon = text.rfind(':');
+    const auto port = colon == std::string_view::npos ? std::nullopt : parseInteger(text.substr(colon + 1));
+    std::string_view host = text.substr(0, colon);
+    const bool bracketed = host.size() > 2 && host.front() == '[' && host.back() == ']';
+    if (bracketed) {
+        host = host.substr(1, host.size() - 2);
+    }
+    const bool isIpv6 = host.find(':') != std::string_view::npos;
+    const bool odd = host.empty() || isIpv6 != bracketed || host.find_first_of(" []/") != std::string_view::npos ||
+                     hasControlCharacters(host);
+    if (odd || !port || *port < 1 || *port > 65535) {
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("'%1' is no address with a port; write for example tcp:192.168.1.20:4001")
+                           .arg(toQString(printable(std::string(text)))));
+    }
+    return BusName{.kind = BusKind::Tcp, .target = std::string(host), .port = static_cast<std::uint16_t>(*port)};
+}
+
+std::string hostText(const BusName& bus)
+{
+    const bool isIpv6 = bus.target.find(':') != std::string::npos;
+    return (isIpv6 ? "[" + bus.target + "]" : bus.target) + ":" + std::to_string(bus.port);
 }
 
 }  // namespace
@@ -31,26 +73,24 @@ Result<BusName> parseInterface(std::string_view name)
 Result<BusName> parseBusName(std::string_view text)
 {
     if (text == kSimulated) {
-        return BusName{BusKind::Simulated, {}};
+        return BusName{};
     }
     if (text.starts_with(kSocketCan)) {
         return parseInterface(text.substr(kSocketCan.size()));
     }
     if (text.starts_with(kFdcanusb)) {
-        const std::string_view path = text.substr(kFdcanusb.size());
-        if (path.empty()) {
-            return failure(
-                ErrorCode::InvalidInput,
-                Text::tr("bus 'fdcanusb:' names no port; write for example fdcanusb:/dev/boresight/fdcanusb"));
-        }
-        if (hasControlCharacters(path)) {
-            return failure(ErrorCode::InvalidInput, Text::tr("a port's path has no control characters"));
-        }
-        return BusName{BusKind::Fdcanusb, std::string(path)};
+        return parsePath(BusKind::Fdcanusb, text.substr(kFdcanusb.size()), "fdcanusb:/dev/boresight/fdcanusb");
+    }
+    if (text.starts_with(kSerial)) {
+        return parsePath(BusKind::Serial, text.substr(kSerial.size()), "serial:/dev/ttyUSB0");
+    }
+    if (text.starts_with(kTcp)) {
+        return parseHost(text.substr(kTcp.size()));
     }
     return failure(
         ErrorCode::InvalidInput,
-        Text::tr("unknown bus '%1'; write simulated, socketcan:INTERFACE or fdcanusb:PATH").arg(toQString(text)));
+        Text::tr("unknown bus '%1'; write simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH or tcp:HOST:PORT")
+            .arg(toQString(text)));
 }
 
 std::string toString(const BusName& bus)
@@ -60,6 +100,10 @@ std::string toString(const BusName& bus)
             return std::string(kSocketCan) + bus.target;
         case BusKind::Fdcanusb:
             return std::string(kFdcanusb) + bus.target;
+        case BusKind::Serial:
+            return std::string(kSerial) + bus.target;
+        case BusKind::Tcp:
+            return std::string(kTcp) + hostText(bus);
         case BusKind::Simulated:
             break;
     }

@@ -3,11 +3,12 @@
 
 #include "core/base/result.h"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 // The name of a bus as the user writes it, on the command line or in the profile: "simulated", "socketcan:can0",
-// "fdcanusb:/dev/boresight/fdcanusb".
+// "fdcanusb:/dev/boresight/fdcanusb", "serial:/dev/ttyUSB0", "tcp:rotator.local:4001".
 namespace boresight {
 
 enum class BusKind
@@ -15,12 +16,15 @@ enum class BusKind
     Simulated,
     SocketCan,
     Fdcanusb,
+    Serial,  // of a box that speaks text
+    Tcp,
 };
 
 struct BusName
 {
     BusKind kind = BusKind::Simulated;
-    std::string target;  // interface or path; empty for the simulated bus
+    std::string target;      // interface, path or host; empty for the simulated bus
+    std::uint16_t port = 0;  // of the host
 
     bool operator==(const BusName&) const = default;
 };

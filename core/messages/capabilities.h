@@ -14,6 +14,7 @@ namespace boresight {
 struct AxisCapabilities
 {
     Angle step{};                          // its places are multiples of it: it reports and reaches nothing else
+    Angle miss{};                          // it may end this far beyond a step from where it was sent
     std::optional<AngularRate> fastest{};  // empty: whatever the profile permits
     Seconds silence{0.0};                  // after this long without an answer it is reported
     bool watchdog = false;                 // it stops by itself when the orders end
@@ -25,7 +26,10 @@ struct Capabilities
 
     [[nodiscard]] bool has(Axis axis) const { return axes[index(axis)].has_value(); }
     // A place of an axis that was reached can be this far from what was asked for.
-    [[nodiscard]] Angle inexactness(Axis axis) const { return has(axis) ? 0.5 * axes[index(axis)]->step : Angle{}; }
+    [[nodiscard]] Angle inexactness(Axis axis) const
+    {
+        return has(axis) ? 0.5 * axes[index(axis)]->step + axes[index(axis)]->miss : Angle{};
+    }
 };
 
 }  // namespace boresight

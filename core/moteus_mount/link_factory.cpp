@@ -2,6 +2,7 @@
 #include "core/moteus_mount/link_factory.h"
 
 #include "core/base/bus_name.h"
+#include "core/base/text.h"
 #include "core/can/fdcanusb_link.h"
 #include "core/can/socketcan_link.h"
 #include "core/can/unusable_link.h"
@@ -30,13 +31,18 @@ void protect(sim::DriveConfig& drive, const profile::Profile& profile, Axis axis
 Result<std::unique_ptr<CanLink>> makeLinkTo(const std::string& busName, const Clock& clock,
                                             const std::shared_ptr<SimulatedMount>& simulated)
 {
-    return parseBusName(busName).map([&](const BusName& bus) -> std::unique_ptr<CanLink> {
+    return parseBusName(busName).and_then([&](const BusName& bus) -> Result<std::unique_ptr<CanLink>> {
         const QString target = QString::fromStdString(bus.target);
         switch (bus.kind) {
             case BusKind::SocketCan:
                 return std::make_unique<SocketCanLink>(target, clock);
             case BusKind::Fdcanusb:
                 return std::make_unique<FdcanusbLink>(target, clock);
+            case BusKind::Serial:
+            case BusKind::Tcp:
+                return failure(ErrorCode::InvalidInput,
+                               Text::tr("%1 is no CAN bus. A moteus needs fdcanusb:PATH or socketcan:INTERFACE")
+                                   .arg(toQString(busName)));
             case BusKind::Simulated:
                 break;
         }

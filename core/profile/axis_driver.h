@@ -14,8 +14,17 @@ namespace boresight::profile {
 enum class AxisDriver
 {
     Moteus,
+    Gs232,
     Simple,
     None
+};
+
+// What leads to it.
+enum class DriverLine
+{
+    None,
+    Can,
+    Text  // a serial port or a TCP connection that carries lines of text
 };
 
 struct DriverKind
@@ -23,6 +32,7 @@ struct DriverKind
     AxisDriver driver;
     std::string_view name;       // in the profile
     std::string_view simulated;  // what turns an axis in a simulation; English
+    DriverLine line = DriverLine::None;
     bool onlySimulated = false;
     bool hasId = false;         // each axis has a controller of its own, with an id on the bus
     bool sensorInside = false;  // two simulated axes carry a simulated orientation sensor
@@ -33,8 +43,13 @@ inline constexpr std::array kDriverKinds{
     DriverKind{.driver = AxisDriver::Moteus,
                .name = "moteus",
                .simulated = "a moteus drive",
+               .line = DriverLine::Can,
                .hasId = true,
                .sensorInside = true},
+    DriverKind{.driver = AxisDriver::Gs232,
+               .name = "gs232",
+               .simulated = "a GS-232 box with relays, whole degrees and a coast",
+               .line = DriverLine::Text},
     DriverKind{.driver = AxisDriver::Simple,
                .name = "simple",
                .simulated = "a rotator of whole degrees, without rates and watchdog",
@@ -50,7 +65,8 @@ inline constexpr std::array kDriverKinds{
 // Of the setting, for people. Names what is not plain from the name of a driver.
 inline constexpr const char* kDriverMeaning = QT_TRANSLATE_NOOP(
     "Text",
-    "What turns the axis. Each axis may have its own driver. \"simple\" is simulated only: a rotator of whole degrees "
-    "without a watchdog. With \"none\" the mount has no such axis.");
+    "What turns the axis. Each axis may have its own driver. \"gs232\" is a Yaesu GS-232A, a GS-232B or a box that "
+    "speaks as they do. \"simple\" is simulated only: a rotator of whole degrees without a watchdog. With \"none\" the "
+    "mount has no such axis.");
 
 }  // namespace boresight::profile

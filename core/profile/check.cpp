@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The checks of a profile that are more than type and range.
+#include "core/base/bus_name.h"
 #include "core/base/control_characters.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
@@ -98,6 +99,22 @@ void checkSupervision(std::vector<Problem>& problems, const Profile& profile)
            Text::tr("must be below %1").arg(QLatin1String("supervision.board_limit_c")));
 }
 
+// The bus of the profile is of another kind than the driver of this axis speaks on.
+std::optional<Problem> wrongBus(const Profile& profile, const DriverKind& kind)
+{
+    const auto bus = parseBusName(profile.bus);
+    if (!bus || kind.line == DriverLine::None || bus->kind == BusKind::Simulated) {
+        return std::nullopt;
+    }
+    const bool isText = bus->kind == BusKind::Serial || bus->kind == BusKind::Tcp;
+    if (isText == (kind.line == DriverLine::Text)) {
+        return std::nullopt;
+    }
+    return Problem{"bus.name", (isText ? Text::tr("The driver \"%1\" needs fdcanusb:PATH or socketcan:INTERFACE.")
+                                       : Text::tr("The driver \"%1\" needs serial:PATH or tcp:HOST:PORT."))
+                                   .arg(toQString(kind.name))};
+}
+
 template <class Row>
 void checkRow(std::vector<Problem>& problems, const std::string& prefix, std::span<const SettingOf<Row>> all, Row row)
 {
@@ -181,6 +198,9 @@ std::vector<Problem> problemsOfReal(const Profile& profile)
             problems.push_back(
                 {axis == Axis::Azimuth ? "azimuth.driver" : "elevation.driver",
                  Text::tr("\"%1\" is only simulated. Start Boresight with --simulate.").arg(toQString(kind.name))});
+        }
+        if (auto wrong = wrongBus(profile, kind)) {
+            problems.push_back(*std::move(wrong));
         }
     }
     return problems;

@@ -385,7 +385,8 @@ struct BrokerSettings
 struct Profile
 {
     MountSettings mount;
-    std::string bus = "simulated";           // "fdcanusb:PATH", "socketcan:IFACE" or "simulated"
+    std::string bus = "simulated";           // "fdcanusb:PATH", "socketcan:IFACE", "serial:PATH", "tcp:HOST:PORT"
+    int baud = 9600;                         // of a serial bus
     std::vector<std::string> watchedBoards;  // on it, that turn no axis: "3 polarisation", see WatchedBoard
     AxisSettings azimuth = referenceAzimuth();
     AxisSettings elevation = referenceElevation();

@@ -121,7 +121,10 @@ bool isSimulatedBus(const QString& bus)
             return true;
         case BusKind::SocketCan:
             return socketcan::looksVirtual(QString::fromStdString(name->target));
+        case BusKind::Tcp:
+            return false;
         case BusKind::Fdcanusb:
+        case BusKind::Serial:
             break;
     }
     const auto port = portIdentity(QString::fromStdString(name->target));

@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/can/unusable_link.h"
+#include "core/gs232_mount/gs232_connection.h"
 #include "core/moteus_mount/link_factory.h"
 #include "core/moteus_mount/moteus_connection.h"
 #include "core/mount/paired_connection.h"
@@ -20,6 +21,7 @@ MountFactory::MountFactory(const profile::Profile& profile, const Clock& clock) 
     // Every kind of rotator: a new one is a line here, and its name in core/profile/axis_driver.h.
     m_kinds = {
         {AxisDriver::Moteus, moteusRotators(links)},
+        {AxisDriver::Gs232, gs232::gs232Rotators()},
         {AxisDriver::Simple, simpleRotators()},
     };
 }

@@ -973,16 +973,8 @@ até %1</translation>
         <translation>&quot;%1&quot; não pode ser o nome de uma interface: no máximo 15 caracteres, sem espaço e sem &quot;/&quot;</translation>
     </message>
     <message>
-        <source>bus &apos;fdcanusb:&apos; names no port; write for example fdcanusb:/dev/boresight/fdcanusb</source>
-        <translation>o barramento &quot;fdcanusb:&quot; não indica nenhuma porta; escreva por exemplo fdcanusb:/dev/boresight/fdcanusb</translation>
-    </message>
-    <message>
         <source>a port&apos;s path has no control characters</source>
         <translation>o caminho de uma porta não tem caracteres de controle</translation>
-    </message>
-    <message>
-        <source>unknown bus &apos;%1&apos;; write simulated, socketcan:INTERFACE or fdcanusb:PATH</source>
-        <translation>barramento &quot;%1&quot; desconhecido; escreva simulated, socketcan:INTERFACE ou fdcanusb:CAMINHO</translation>
     </message>
     <message>
         <source>bit rate %1 (wanted %2)</source>
@@ -4868,16 +4860,8 @@ até %1</translation>
         <translation>Barramento</translation>
     </message>
     <message>
-        <source>How Boresight reaches the drives: &quot;fdcanusb:PATH&quot;, &quot;socketcan:INTERFACE&quot; or &quot;simulated&quot;.</source>
-        <translation>Como o Boresight chega aos acionamentos: &quot;fdcanusb:PATH&quot;, &quot;socketcan:INTERFACE&quot; ou &quot;simulated&quot;.</translation>
-    </message>
-    <message>
         <source>Driver</source>
         <translation>Driver</translation>
-    </message>
-    <message>
-        <source>What turns the axis. Each axis may have its own driver. &quot;simple&quot; is simulated only: a rotator of whole degrees without a watchdog. With &quot;none&quot; the mount has no such axis.</source>
-        <translation>O que gira o eixo. Cada eixo pode ter o seu próprio driver. &quot;simple&quot; só existe simulado: um rotor de graus inteiros sem watchdog. Com &quot;none&quot; a montagem não tem esse eixo.</translation>
     </message>
     <message>
         <source>CAN id</source>
@@ -8926,6 +8910,166 @@ até %1</translation>
     <message>
         <source>Switch off the sleep of this computer, or find the program that blocks it.</source>
         <translation>Desative a suspensão deste computador, ou procure o programa que o bloqueia.</translation>
+    </message>
+    <message>
+        <source>The line to the rotator is down: %1</source>
+        <translation>A ligação ao rotor está em baixo: %1</translation>
+    </message>
+    <message>
+        <source>Boresight can command nothing. It tries to open the line again each second</source>
+        <translation>O Boresight não pode comandar nada. Tenta abrir a ligação de novo a cada segundo</translation>
+    </message>
+    <message>
+        <source>Check the cable and the box. If the port is wrong, choose another one on the page Profile (bus.name)</source>
+        <translation>Verifique o cabo e a caixa. Se a porta estiver errada, escolha outra na página Perfil (bus.name)</translation>
+    </message>
+    <message>
+        <source>The device on %1 is not a GS-232 rotator. It says &quot;%2&quot;</source>
+        <translation>O dispositivo em %1 não é um rotor GS-232. Envia &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>Boresight asked for its position only, and closed the line. It sends nothing more</source>
+        <translation>O Boresight só perguntou a posição e fechou a ligação. Não envia mais nada</translation>
+    </message>
+    <message>
+        <source>Choose the port of the rotator on the page Profile (bus.name), check the speed (bus.baud), then press Reconnect</source>
+        <translation>Escolha a porta do rotor na página Perfil (bus.name), verifique a velocidade (bus.baud) e prima Reconectar</translation>
+    </message>
+    <message>
+        <source>The rotator does not answer</source>
+        <translation>O rotor não responde</translation>
+    </message>
+    <message>
+        <source>Boresight asks for its position once a second. It sends no motion commands</source>
+        <translation>O Boresight pergunta a posição uma vez por segundo. Não envia comandos de movimento</translation>
+    </message>
+    <message>
+        <source>The rotator fell silent in motion</source>
+        <translation>O rotor deixou de responder em movimento</translation>
+    </message>
+    <message>
+        <source>Boresight sent a stop. It stops the rotator again as soon as an answer comes. Until then the rotator may run to where it was sent last</source>
+        <translation>O Boresight enviou uma paragem. Volta a parar o rotor assim que vier uma resposta. Até lá, o rotor pode continuar até ao último destino enviado</translation>
+    </message>
+    <message>
+        <source>Look at the mount. Check the power of the box and the cable.</source>
+        <translation>Observe a montagem. Verifique a alimentação da caixa e o cabo.</translation>
+    </message>
+    <message>
+        <source>The %1 stands at %2 although it was sent to %3 twice</source>
+        <translation>O %1 está parado em %2 embora tenha sido enviado duas vezes para %3</translation>
+    </message>
+    <message>
+        <source>Boresight sent a stop and ended the motion</source>
+        <translation>O Boresight enviou uma paragem e terminou o movimento</translation>
+    </message>
+    <message>
+        <source>Look for a blocked axis, a motor without power, or a box that was switched to manual.</source>
+        <translation>Procure um eixo bloqueado, um motor sem alimentação ou uma caixa em modo manual.</translation>
+    </message>
+    <message>
+        <source>The position of the %1 jumped from %2 to %3</source>
+        <translation>A posição do %1 saltou de %2 para %3</translation>
+    </message>
+    <message>
+        <source>Compare the position with the mount and its cable. Calibrate the box if it is wrong.</source>
+        <translation>Compare a posição com a montagem e o seu cabo. Calibre a caixa se estiver errada.</translation>
+    </message>
+    <message>
+        <source>The %1 still turns after several stops</source>
+        <translation>O %1 continua a rodar depois de várias paragens</translation>
+    </message>
+    <message>
+        <source>Boresight repeats the stop each second</source>
+        <translation>O Boresight repete a paragem a cada segundo</translation>
+    </message>
+    <message>
+        <source>Switch the rotator off at its box.</source>
+        <translation>Desligue o rotor na sua caixa.</translation>
+    </message>
+    <message>
+        <source>the bus names no port; write for example %1</source>
+        <translation>o barramento não indica porta; escreva por exemplo %1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no address with a port; write for example tcp:192.168.1.20:4001</source>
+        <translation>&apos;%1&apos; não é um endereço com porta; escreva por exemplo tcp:192.168.1.20:4001</translation>
+    </message>
+    <message>
+        <source>unknown bus &apos;%1&apos;; write simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH or tcp:HOST:PORT</source>
+        <translation>barramento desconhecido &apos;%1&apos;; escreva simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH ou tcp:HOST:PORT</translation>
+    </message>
+    <message>
+        <source>%1 answers as a %2</source>
+        <translation>%1 responde como um %2</translation>
+    </message>
+    <message>
+        <source>The travel %1…%2 does not fit this rotator, which counts %3…%4. Change %5.travel_min_deg and %5.travel_max_deg in the profile.</source>
+        <translation>O curso %1…%2 não serve a este rotor, que conta %3…%4. Mude %5.travel_min_deg e %5.travel_max_deg no perfil.</translation>
+    </message>
+    <message>
+        <source>the %1 fell silent</source>
+        <translation>o %1 ficou mudo</translation>
+    </message>
+    <message>
+        <source>The line returns what Boresight sends. Check the plug of the rotator, and switch a modem off</source>
+        <translation>A ligação devolve o que o Boresight envia. Verifique a ficha do rotor e desligue um modem</translation>
+    </message>
+    <message>
+        <source>The rotator refuses the question for both axes. If it has no elevation, set elevation.driver to &quot;none&quot;</source>
+        <translation>O rotor recusa a pergunta sobre os dois eixos. Se não tiver elevação, ponha elevation.driver em &quot;none&quot;</translation>
+    </message>
+    <message>
+        <source>Check its power, the cable, and its speed (bus.baud, %1)</source>
+        <translation>Verifique a alimentação, o cabo e a velocidade (bus.baud, %1)</translation>
+    </message>
+    <message>
+        <source>%1 is gone. Plug its cable in again</source>
+        <translation>%1 desapareceu. Volte a ligar o cabo</translation>
+    </message>
+    <message>
+        <source>%1 is gone. Plug its cable in again, in any socket. Boresight finds it as %2</source>
+        <translation>%1 desapareceu. Volte a ligar o cabo, em qualquer tomada. O Boresight encontra-o como %2</translation>
+    </message>
+    <message>
+        <source>the other end closed the connection</source>
+        <translation>o outro lado fechou a ligação</translation>
+    </message>
+    <message>
+        <source>%1: %2. Check its power, its address and its network</source>
+        <translation>%1: %2. Verifique a alimentação, o endereço e a rede</translation>
+    </message>
+    <message>
+        <source>%1: no answer. Check its power, its address and its network</source>
+        <translation>%1: sem resposta. Verifique a alimentação, o endereço e a rede</translation>
+    </message>
+    <message>
+        <source>%1 is no CAN bus. A moteus needs fdcanusb:PATH or socketcan:INTERFACE</source>
+        <translation>%1 não é um barramento CAN. Um moteus precisa de fdcanusb:PATH ou socketcan:INTERFACE</translation>
+    </message>
+    <message>
+        <source>What turns the axis. Each axis may have its own driver. &quot;gs232&quot; is a Yaesu GS-232A, a GS-232B or a box that speaks as they do. &quot;simple&quot; is simulated only: a rotator of whole degrees without a watchdog. With &quot;none&quot; the mount has no such axis.</source>
+        <translation>O que roda o eixo. Cada eixo pode ter o seu próprio controlador. &quot;gs232&quot; é um Yaesu GS-232A, um GS-232B ou uma caixa que fala como eles. &quot;simple&quot; é só simulado: um rotor de graus inteiros sem watchdog. Com &quot;none&quot; a montagem não tem esse eixo.</translation>
+    </message>
+    <message>
+        <source>The driver &quot;%1&quot; needs fdcanusb:PATH or socketcan:INTERFACE.</source>
+        <translation>O controlador &quot;%1&quot; precisa de fdcanusb:PATH ou socketcan:INTERFACE.</translation>
+    </message>
+    <message>
+        <source>The driver &quot;%1&quot; needs serial:PATH or tcp:HOST:PORT.</source>
+        <translation>O controlador &quot;%1&quot; precisa de serial:PATH ou tcp:HOST:PORT.</translation>
+    </message>
+    <message>
+        <source>How Boresight reaches the drives: &quot;fdcanusb:PATH&quot; or &quot;socketcan:INTERFACE&quot; for moteus, &quot;serial:PATH&quot; or &quot;tcp:HOST:PORT&quot; for a GS-232 rotator, or &quot;simulated&quot;.</source>
+        <translation>Como o Boresight chega aos acionamentos: &quot;fdcanusb:PATH&quot; ou &quot;socketcan:INTERFACE&quot; para moteus, &quot;serial:PATH&quot; ou &quot;tcp:HOST:PORT&quot; para um rotor GS-232, ou &quot;simulated&quot;.</translation>
+    </message>
+    <message>
+        <source>Speed of the serial port</source>
+        <translation>Velocidade da porta série</translation>
+    </message>
+    <message>
+        <source>Speed of the serial port of a GS-232 rotator, as its switches are set. A CAN bus does not use it.</source>
+        <translation>Velocidade da porta série de um rotor GS-232, como estão os seus interruptores. Um barramento CAN não a usa.</translation>
     </message>
 </context>
 <context>

@@ -15,7 +15,11 @@ TEST(BusName, ReadsTheThreeKindsAndWritesThemBack)
     EXPECT_EQ(parseBusName("socketcan:can0"), (BusName{BusKind::SocketCan, "can0"}));
     EXPECT_EQ(parseBusName("fdcanusb:/dev/ttyACM0"), (BusName{BusKind::Fdcanusb, "/dev/ttyACM0"}));
     EXPECT_EQ(parseBusName("fdcanusb:C:odd"), (BusName{BusKind::Fdcanusb, "C:odd"}));
-    for (const char* const name : {"simulated", "socketcan:vcan12", "fdcanusb:/dev/boresight/fdcanusb"}) {
+    EXPECT_EQ(parseBusName("serial:/dev/ttyUSB0"), (BusName{BusKind::Serial, "/dev/ttyUSB0"}));
+    EXPECT_EQ(parseBusName("tcp:rotator.local:4001"), (BusName{BusKind::Tcp, "rotator.local", 4001}));
+    EXPECT_EQ(parseBusName("tcp:[fe80::1]:1"), (BusName{BusKind::Tcp, "fe80::1", 1}));
+    for (const char* const name : {"simulated", "socketcan:vcan12", "fdcanusb:/dev/boresight/fdcanusb",
+                                   "serial:/dev/ttyS0", "tcp:10.0.0.7:65535", "tcp:[::1]:4001"}) {
         EXPECT_EQ(toString(parseBusName(name).value()), name);
     }
 }
@@ -26,9 +30,30 @@ TEST(BusName, RefusesWithWhatToWrite)
     EXPECT_THAT(textOf(parseBusName("can0").error()), testing::HasSubstr("socketcan:INTERFACE"));
     EXPECT_THAT(textOf(parseBusName("socketcan:").error()), testing::HasSubstr("names no interface"));
     EXPECT_THAT(textOf(parseBusName("fdcanusb:").error()), testing::HasSubstr("names no port"));
-    for (const char* const bad : {"", "simulated ", "Simulated", "simulated:x", "socketcan:can 0", "socketcan:a/b",
-                                  "socketcan:sixteen-letters0", "socketcan", "fdcanusb:/dev/a\nb", "socketcan:a\nb",
-                                  "socketcan:\x7f", "fdcanusb:/dev/a\x7f"}) {
+    for (const char* const bad : {"",
+                                  "simulated ",
+                                  "Simulated",
+                                  "simulated:x",
+                                  "socketcan:can 0",
+                                  "socketcan:a/b",
+                                  "socketcan:sixteen-letters0",
+                                  "socketcan",
+                                  "fdcanusb:/dev/a\nb",
+                                  "socketcan:a\nb",
+                                  "socketcan:\x7f",
+                                  "fdcanusb:/dev/a\x7f",
+                                  "serial:",
+                                  "serial:/dev/a\nb",
+                                  "tcp:",
+                                  "tcp:a",
+                                  "tcp::1",
+                                  "tcp:a:0",
+                                  "tcp:a:65536",
+                                  "tcp:a:-1",
+                                  "tcp:a:x",
+                                  "tcp:a b:1",
+                                  "tcp:::1:4001",
+                                  "tcp:[a]:1"}) {
         const auto result = parseBusName(bad);
         ASSERT_FALSE(result.has_value()) << bad;
         EXPECT_EQ(result.error().code, ErrorCode::InvalidInput) << bad;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What every rotator promises behind the port of the mount, tried with the control above it.
+#include "tests/core/gs232_mount/gs232_bench.h"
 #include "tests/core/mount/mount_bench.h"
 
 #include <gtest/gtest.h>
@@ -245,6 +246,16 @@ std::unique_ptr<Bench> moteusBench(AxisDriver azimuth, AxisDriver elevation)
     return std::make_unique<MoteusBench>(slowProfile(azimuth, elevation));
 }
 
+std::unique_ptr<Bench> gs232Bench(gs232::Dialect dialect, bool azimuth = true, bool elevation = true)
+{
+    const gs232::Gs232Box::Habits habits{.dialect = dialect,
+                                         .acknowledge = dialect == gs232::Dialect::A
+                                                            ? gs232::Gs232Box::Acknowledge::Cr
+                                                            : gs232::Gs232Box::Acknowledge::Prompt,
+                                         .elevation = elevation};
+    return std::make_unique<gs232::Gs232Bench>(habits, axesIf(azimuth, elevation));
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Drivers, MountPromises,
     testing::Values(Kind{"TwoMoteus", [] { return std::make_unique<MoteusBench>(); }},
@@ -255,6 +266,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Kind{"Simple", [] { return simpleBench(true, true); }},
                     Kind{"SimpleAzimuthOnly", [] { return simpleBench(true, false); }},
                     Kind{"SimpleElevationOnly", [] { return simpleBench(false, true); }},
+                    Kind{"Gs232A", [] { return gs232Bench(gs232::Dialect::A); }},
+                    Kind{"Gs232B", [] { return gs232Bench(gs232::Dialect::B); }},
+                    Kind{"Gs232AzimuthOnly", [] { return gs232Bench(gs232::Dialect::B, true, false); }},
+                    Kind{"Gs232ElevationOnly", [] { return gs232Bench(gs232::Dialect::A, false, true); }},
                     Kind{"Pair", [] { return std::make_unique<PairBench>(); }}),
     [](const auto& one) { return std::string(one.param.name); });
 

@@ -43,7 +43,8 @@ TEST(CrossCheck, FindsEveryClashAtOnce)
 }
 
 // REQ-MOUNT-06: A profile has at least one axis. What turns it is known to Boresight, and the two axes may be turned by
-// different kinds. The simple rotator, which is only simulated, is refused on a bus.
+// different kinds. The simple rotator, which is only simulated, is refused on a bus,
+// and each driver on a bus of another kind than its own.
 TEST(CrossCheck, TheDriversOfTheAxesMakeSense)
 {
     const auto found = [](AxisDriver azimuth, AxisDriver elevation, const char* bus) {
@@ -64,6 +65,18 @@ TEST(CrossCheck, TheDriversOfTheAxesMakeSense)
     EXPECT_EQ(found(AxisDriver::None, AxisDriver::Moteus, "socketcan:can0"), nothing);
     EXPECT_EQ(found(AxisDriver::Moteus, AxisDriver::Simple, "simulated"), nothing);
     EXPECT_EQ(found(AxisDriver::Simple, AxisDriver::Moteus, "simulated"), nothing);
+    const auto onBus = [](AxisDriver azimuth, AxisDriver elevation, const char* bus) {
+        Profile profile;
+        profile.bus = bus;
+        profile.azimuth.driver = azimuth;
+        profile.elevation.driver = elevation;
+        return keysOf(problemsOfReal(profile));
+    };
+    EXPECT_EQ(onBus(AxisDriver::Gs232, AxisDriver::Gs232, "serial:/dev/ttyUSB0"), nothing);
+    EXPECT_EQ(onBus(AxisDriver::Gs232, AxisDriver::None, "tcp:10.0.0.7:4001"), nothing);
+    EXPECT_EQ(onBus(AxisDriver::Gs232, AxisDriver::None, "socketcan:can0"), only("bus.name"));
+    EXPECT_EQ(onBus(AxisDriver::None, AxisDriver::Moteus, "serial:/dev/ttyUSB0"), only("bus.name"));
+    EXPECT_EQ(onBus(AxisDriver::Gs232, AxisDriver::Moteus, "serial:/dev/ttyUSB0"), only("bus.name"));
     Profile simple;
     simple.azimuth.driver = AxisDriver::None;
     simple.elevation.driver = AxisDriver::Simple;

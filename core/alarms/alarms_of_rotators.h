@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/alarm_entry.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+// The alarms of a rotator with a control box of its own: its line, its answers, and whether it does what it was told.
+namespace boresight {
+
+inline constexpr std::array kRotatorAlarms{
+    AlarmEntry{.id = "rotator.line-down",
+               .source = "rotator",
+               .severity = Severity::Alarm,
+               .what = QT_TRANSLATE_NOOP("Text", "The line to the rotator is down: %1"),
+               .action = QT_TRANSLATE_NOOP(
+                   "Text", "Boresight can command nothing. It tries to open the line again each second"),
+               .remedy = QT_TRANSLATE_NOOP(
+                   "Text",
+                   "Check the cable and the box. If the port is wrong, choose another one on the page Profile "
+                   "(bus.name)"),
+               .brief = "%1",
+               .help = AlarmHelp::OpenProfile,
+               .kin = AlarmKin::BusGone,
+               .examples = {"/dev/ttyUSB0 is in use by rotctld (process 1234). End that program first"}},
+    AlarmEntry{
+        .id = "rotator.foreign",
+        .source = "rotator",
+        .severity = Severity::Alarm,
+        .what = QT_TRANSLATE_NOOP("Text", "The device on %1 is not a GS-232 rotator. It says \"%2\""),
+        .action = QT_TRANSLATE_NOOP(
+            "Text", "Boresight asked for its position only, and closed the line. It sends nothing more"),
+        .remedy = QT_TRANSLATE_NOOP("Text",
+                                    "Choose the port of the rotator on the page Profile (bus.name), check the speed "
+                                    "(bus.baud), then press Reconnect"),
+        .help = AlarmHelp::Reconnect,
+        .kin = AlarmKin::BusGone,
+        .examples = {"serial:/dev/ttyUSB0", "IF00014250000"},
+        .placeOf = "rotator.line-down"},
+    AlarmEntry{.id = "rotator.no-answer",
+               .source = "rotator",
+               .severity = Severity::Alarm,
+               .what = QT_TRANSLATE_NOOP("Text", "The rotator does not answer"),
+               .action = QT_TRANSLATE_NOOP(
+                   "Text", "Boresight asks for its position once a second. It sends no motion commands"),
+               .remedy = "%1",
+               .help = AlarmHelp::OpenProfile,
+               .kin = AlarmKin::Silence,
+               .examples = {"Check its power, the cable, and its speed (bus.baud, 9600)"},
+               .identifying = 0},
+    AlarmEntry{.id = "rotator.silent",
+               .source = "rotator",
+               .severity = Severity::Alarm,
+               .what = QT_TRANSLATE_NOOP("Text", "The rotator fell silent in motion"),
+               .action = QT_TRANSLATE_NOOP(
+                   "Text",
+                   "Boresight sent a stop. It stops the rotator again as soon as an answer comes. Until then the "
+                   "rotator may run to where it was sent last"),
+               .remedy = QT_TRANSLATE_NOOP("Text", "Look at the mount. Check the power of the box and the cable."),
+               .thenRearm = true,
+               .help = AlarmHelp::Rearm,
+               .kin = AlarmKin::Silence,
+               .placeOf = "rotator.no-answer"},
+    AlarmEntry{.id = "rotator.stuck",
+               .source = "%1",
+               .severity = Severity::Alarm,
+               .what = QT_TRANSLATE_NOOP("Text", "The %1 stands at %2 although it was sent to %3 twice"),
+               .action = QT_TRANSLATE_NOOP("Text", "Boresight sent a stop and ended the motion"),
+               .remedy = QT_TRANSLATE_NOOP(
+                   "Text", "Look for a blocked axis, a motor without power, or a box that was switched to manual."),
+               .thenRearm = true,
+               .help = AlarmHelp::Rearm,
+               .kin = AlarmKin::Drive,
+               .examples = {"azimuth drive", "34°", "60°"},
+               .identifying = 1},
+    AlarmEntry{.id = "rotator.jumped",
+               .source = "%1",
+               .severity = Severity::Alarm,
+               .what = QT_TRANSLATE_NOOP("Text", "The position of the %1 jumped from %2 to %3"),
+               .action = QT_TRANSLATE_NOOP("Text", "Boresight sent a stop and ended the motion"),
+               .remedy = QT_TRANSLATE_NOOP(
+                   "Text", "Compare the position with the mount and its cable. Calibrate the box if it is wrong."),
+               .thenRearm = true,
+               .help = AlarmHelp::Rearm,
+               .kin = AlarmKin::Drive,
+               .examples = {"azimuth drive", "34°", "394°"},
+               .identifying = 1,
+               .placeOf = "rotator.stuck"},
+    AlarmEntry{.id = "rotator.runs-on",
+               .source = "%1",
+               .severity = Severity::Alarm,
+               .what = QT_TRANSLATE_NOOP("Text", "The %1 still turns after several stops"),
+               .action = QT_TRANSLATE_NOOP("Text", "Boresight repeats the stop each second"),
+               .remedy = QT_TRANSLATE_NOOP("Text", "Switch the rotator off at its box."),
+               .thenRearm = true,
+               .help = AlarmHelp::Rearm,
+               .kin = AlarmKin::Drive,
+               .examples = {"azimuth drive"},
+               .placeOf = "rotator.stuck"},
+};
+
+}  // namespace boresight

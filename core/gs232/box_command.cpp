@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/gs232/box_command.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace boresight::gs232 {
+namespace {
+
+std::optional<std::string> threeDigits(Angle angle, const TravelRange& reach)
+{
+    const double degrees = std::round(angle.degrees());
+    if (!(degrees >= reach.min.degrees() && degrees <= reach.max.degrees())) {  // also what is no number
+        return std::nullopt;
+    }
+    const std::string digits = std::to_string(static_cast<int>(degrees));
+    return std::string(3 - digits.size(), '0') + digits;
+}
+
+// 'd' in the form stands for a digit.
+bool hasForm(std::string_view line, std::string_view form)
+{
+    return std::ranges::equal(
+        line, form, [](char one, char wanted) { return wanted == 'd' ? one >= '0' && one <= '9' : one == wanted; });
+}
+
+}  // namespace
+
+std::optional<std::string> goTo(const AxisPosition& place)
+{
+    const auto azimuth = threeDigits(place.azimuth, kAzimuthReach);
+    const auto elevation = threeDigits(place.elevation, kElevationReach);
+    return azimuth && elevation ? std::optional("W" + *azimuth + " " + *elevation + "\r") : std::nullopt;
+}
+
+std::optional<std::string> goToAzimuth(Angle azimuth)
+{
+    const auto digits = threeDigits(azimuth, kAzimuthReach);
+    return digits ? std::optional("M" + *digits + "\r") : std::nullopt;
+}
+
+bool isOwnCommand(std::string_view line)
+{
+    constexpr std::array<std::string_view, 5> kForms{"C2", "C", "S", "Wddd ddd", "Mddd"};
+    return std::ranges::any_of(kForms, [line](std::string_view form) { return hasForm(line, form); });
+}
+
+}  // namespace boresight::gs232

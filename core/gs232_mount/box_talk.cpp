@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/gs232_mount/box_talk.h"
+
+#include "core/base/control_characters.h"
+#include "core/gs232/box_command.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+namespace boresight::gs232 {
+namespace {
+
+constexpr std::size_t kBitsOfAByte = 10;     // 8N1
+constexpr std::size_t kLongestAnswer = 20;   // bytes, with what stands before it
+constexpr std::size_t kShownOfStrange = 24;  // bytes
+
+// A break of the line is read as NUL.
+std::string withoutNulls(std::string_view bytes)
+{
+    std::string text(bytes);
+    std::erase(text, '\0');
+    return text;
+}
+
+std::string shown(std::string_view bytes)
+{
+    std::string text = printable(std::string(bytes.substr(0, kShownOfStrange)));
+    std::ranges::replace_if(
+        text, [](char one) { return static_cast<unsigned char>(one) >= 0x80; }, '?');
+    return text;
+}
+
+}  // namespace
+
+void BoxTalk::restart()
+{
+    *this = BoxTalk(m_question, m_baud);
+}
+
+void BoxTalk::take(std::string_view bytes, SteadyTime now)
+{
+    if (m_proof == Proof::Foreign) {
+        return;
+    }
+    const std::string text = withoutNulls(bytes);
+    // Of a radio there may never come a line end.
+    const bool ends = text.find_first_of("\r\n") != std::string::npos;
+    if (m_proof == Proof::Unknown && !ends && !text.empty()) {
+        takeStrange(text, now);
+    }
+    m_splitter.add(text, [this, now](std::string_view line) { takeLine(line, now); });
+}
+
+void BoxTalk::takeLine(std::string_view line, SteadyTime now)
+{
+    const Reply reply = parseReply(line);
+    const auto* const position = std::get_if<Position>(&reply);
+    if (position != nullptr && isWhole(*position)) {
+        m_proof = Proof::Box;
+        m_dialect = position->dialect;
+        m_position = *position;
+        m_echoes = m_refuses = false;
+        m_firstStrange.reset();
+        m_strange.clear();
+        m_times.asked.reset();
+        ++m_counts.received;
+        return;
+    }
+    m_echoes = m_echoes || std::holds_alternative<Echo>(reply);
+    if (std::holds_alternative<Refused>(reply)) {
+        m_refuses = true;
+        m_times.asked.reset();
+    } else if (position != nullptr || std::holds_alternative<Unknown>(reply)) {
+        ++m_counts.unknown;
+        takeStrange(line, now);
+    }
+}
+
+void BoxTalk::takeStrange(std::string_view bytes, SteadyTime now)
+{
+    m_strange = shown(bytes);
+    m_firstStrange = m_firstStrange.value_or(now);
+}
+
+// Whatever it said in pieces has become an answer, or nothing.
+void BoxTalk::judge(SteadyTime now)
+{
+    if (m_proof == Proof::Unknown && m_firstStrange && now - *m_firstStrange >= kProbeTime) {
+        m_proof = Proof::Foreign;
+        m_go.clear();
+        m_stop = false;
+    }
+}
+
+bool BoxTalk::isWhole(const Position& position) const
+{
+    return position.azimuth && (m_question == Question::Azimuth || position.elevation);
+}
+
+std::optional<Position> BoxTalk::takePosition()
+{
+    return std::exchange(m_position, std::nullopt);
+}
+
+void BoxTalk::stop()
+{
+    m_go.clear();
+    m_stop = true;
+}
+
+SteadyTime::duration BoxTalk::timeOf(std::size_t bytes) const
+{
+    return std::chrono::round<SteadyTime::duration>(
+        Seconds(static_cast<double>(bytes * kBitsOfAByte) / static_cast<double>(m_baud)));
+}
+
+std::string BoxTalk::say(std::string command, SteadyTime now)
+{
+    m_times.free = now + kPause + timeOf(command.size());
+    ++m_counts.sent;
+    return command;
+}
+
+std::string BoxTalk::send(SteadyTime now)
+{
+    judge(now);
+    if (m_proof != Proof::Box) {
+        m_go.clear();
+        m_stop = false;
+    }
+    if (m_proof == Proof::Foreign) {
+        return {};
+    }
+    if (std::exchange(m_stop, false)) {
+        return say(std::string(kStopAll), now);
+    }
+    const bool waits = m_times.asked && now - *m_times.asked < kAnswerTime + timeOf(kAskBoth.size() + kLongestAnswer);
+    if (now < m_times.free || waits) {
+        return {};
+    }
+    if (!m_go.empty() && (!m_times.lastGo || now - *m_times.lastGo >= kBetweenGoes)) {
+        m_times.lastGo = now;
+        return say(std::exchange(m_go, {}), now);
+    }
+    const auto pause = m_proof == Proof::Box ? kBetweenAsks : kBetweenTries;
+    if (m_times.lastAsk && now - *m_times.lastAsk < pause) {
+        return {};
+    }
+    m_times.lastAsk = m_times.asked = now;
+    m_splitter.clear();  // half a line would spoil the answer
+    return say(std::string(m_question == Question::Both ? kAskBoth : kAskAzimuth), now);
+}
+
+}  // namespace boresight::gs232

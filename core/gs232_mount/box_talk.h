@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/gs232/box_reply.h"
+#include "core/serial/line_splitter.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+// The conversation with a GS-232 box: what is sent when, and what of the answers counts. Such a box works at one
+// command at a time, so the next one waits: 50 ms after each, and for an answer. It is asked where it stands four times
+// a second at most, and sent somewhere twice a second at most. A stop waits for nothing.
+//
+// Behind the port may be a radio, which would take our lines for its commands. So only questions are sent before the
+// port has answered as such a box does. A port that talks and never answers so is foreign, and nothing more is sent.
+// Pure: time and bytes are passed in.
+namespace boresight::gs232 {
+
+// What the box is asked for.
+enum class Question
+{
+    Both,
+    Azimuth  // an azimuth-only box answers this one too
+};
+
+enum class Proof
+{
+    Unknown,  // it has not answered yet
+    Box,
+    Foreign
+};
+
+class BoxTalk
+{
+public:
+    static constexpr std::chrono::milliseconds kPause{50};           // after each command
+    static constexpr std::chrono::milliseconds kAnswerTime{400};     // beside the time of the bytes on the line
+    static constexpr std::chrono::milliseconds kBetweenAsks{250};    // from one question to the next
+    static constexpr std::chrono::milliseconds kBetweenGoes{500};    // from one target to the next
+    static constexpr std::chrono::milliseconds kBetweenTries{1000};  // of questions while nothing answers
+    static constexpr std::chrono::seconds kProbeTime{3};             // from the first bytes that mean nothing
+
+    // `baud` as bits per second of the line.
+    BoxTalk(Question question, int baud) : m_question(question), m_baud(baud) {}
+
+    // Another line, another box perhaps: it has to prove itself again.
+    void restart();
+    void take(std::string_view bytes, SteadyTime now);
+    // The newest that came since the last time. It has what was asked for.
+    [[nodiscard]] std::optional<Position> takePosition();
+
+    // Replaces the target that was not sent yet.
+    void go(std::string command) { m_go = std::move(command); }
+    void stop();
+    // What is to be sent now. Once per tick.
+    [[nodiscard]] std::string send(SteadyTime now);
+
+    [[nodiscard]] Proof proof() const { return m_proof; }
+    [[nodiscard]] Dialect dialect() const { return m_dialect; }
+    [[nodiscard]] bool echoes() const { return m_echoes; }    // our commands came back since the last answer
+    [[nodiscard]] bool refuses() const { return m_refuses; }  // it said ?> since the last answer
+    struct Counts
+    {
+        std::uint64_t sent = 0;
+        std::uint64_t received = 0;  // answers
+        std::uint64_t unknown = 0;   // lines that mean nothing
+    };
+    [[nodiscard]] const Counts& counts() const { return m_counts; }
+    // What came in place of an answer, as printable text.
+    [[nodiscard]] const std::string& strange() const { return m_strange; }
+
+private:
+    void takeLine(std::string_view line, SteadyTime now);
+    void takeStrange(std::string_view bytes, SteadyTime now);
+    void judge(SteadyTime now);
+    [[nodiscard]] bool isWhole(const Position& position) const;
+    [[nodiscard]] SteadyTime::duration timeOf(std::size_t bytes) const;  // on the line
+    [[nodiscard]] std::string say(std::string command, SteadyTime now);
+
+    Question m_question;
+    int m_baud;
+    LineSplitter m_splitter;
+    Proof m_proof = Proof::Unknown;
+    Dialect m_dialect = Dialect::A;
+    std::optional<Position> m_position;
+    std::string m_go;
+    bool m_stop = false;
+    bool m_echoes = false;
+    bool m_refuses = false;
+    std::string m_strange;
+    std::optional<SteadyTime> m_firstStrange;  // since it last answered
+    struct
+    {
+        SteadyTime free{};                // of the pause after the last command
+        std::optional<SteadyTime> asked;  // and not answered yet
+        std::optional<SteadyTime> lastAsk;
+        std::optional<SteadyTime> lastGo;
+    } m_times;
+    Counts m_counts;
+};
+
+}  // namespace boresight::gs232

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/gs232/box_reply.h"
+#include "core/units/sky.h"
+
+#include <array>
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+
+// A simulated GS-232 rotator with its box: relays that switch the motors on and off, one speed, a coast after the relay
+// opens, a potentiometer of whole degrees. Bytes in, bytes out, as the sheets of the real ones and the recordings of
+// Hamlib have them. It fails on request. Pure: time is passed in. Angles as the box counts them.
+namespace boresight::gs232 {
+
+class Gs232Box
+{
+public:
+    static constexpr AngularRate kSpeed = AngularRate::fromDegrees(6.0);
+    static constexpr Angle kCoast = Angle::fromDegrees(0.5);
+
+    enum class Acknowledge
+    {
+        None,
+        Cr,
+        Prompt
+    };
+    struct Habits
+    {
+        Dialect dialect = Dialect::B;
+        Acknowledge acknowledge = Acknowledge::Cr;
+        bool elevation = true;  // false: it has one axis, and refuses what is about the other one
+        std::chrono::milliseconds latency{60};
+    };
+    struct Faults
+    {
+        bool silent = false;      // acts, but answers nothing
+        bool deaf = false;        // takes nothing
+        bool echoes = false;      // sends back what it receives
+        bool halfLines = false;   // each second answer to a question is cut in the middle
+        bool frozen = false;      // the motors stand, whatever the relays do
+        bool stuckRelay = false;  // a stop does not open the relays
+        Angle offset{};           // of what the potentiometer of the azimuth reports
+    };
+
+    Gs232Box(const AxisPosition& place, const Habits& habits);
+    explicit Gs232Box(const AxisPosition& place = {}) : Gs232Box(place, Habits{}) {}
+
+    void take(std::string_view bytes, SteadyTime now);
+    // What has come out of it by now.
+    [[nodiscard]] std::string answers(SteadyTime now);
+
+    // Off: it stands, answers nothing and forgets where it was going.
+    void setPower(bool on, SteadyTime now);
+    void restart(SteadyTime now);  // in a moment
+    [[nodiscard]] Faults& faults() { return m_faults; }
+
+    // Where it really stands at the time of the last call.
+    [[nodiscard]] AxisPosition truth() const { return {.azimuth = m_axes[0].place, .elevation = m_axes[1].place}; }
+    [[nodiscard]] int moves() const { return m_moves; }    // commands to move or stop, accepted so far
+    [[nodiscard]] int starts() const { return m_starts; }  // of a motor
+    [[nodiscard]] const std::deque<std::string>& heard() const { return m_heard; }  // commands, without line ends
+    void moveOn(SteadyTime now);
+
+private:
+    struct Motor
+    {
+        Angle place;
+        TravelRange reach;
+        std::optional<Angle> target;
+        bool runs = false;
+        Angle coast{};  // still to come, with its sign
+    };
+    struct Due
+    {
+        SteadyTime when;
+        std::string bytes;
+    };
+
+    void run(Motor& motor, Seconds time);
+    void obey(const std::string& command, SteadyTime now);
+    [[nodiscard]] std::optional<std::string> query(const std::string& command) const;
+    [[nodiscard]] bool move(const std::string& command);
+    [[nodiscard]] bool send(Axis axis, std::string_view digits);
+    void stop(Axis axis);
+    void reply(std::string text, SteadyTime now);
+
+    Habits m_habits;
+    Faults m_faults;
+    std::array<Motor, 2> m_axes;
+    bool m_powered = true;
+    std::string m_line;
+    std::deque<Due> m_due;
+    std::deque<std::string> m_heard;
+    std::optional<SteadyTime> m_moved;
+    int m_moves = 0;
+    int m_starts = 0;
+    int m_questions = 0;
+};
+
+}  // namespace boresight::gs232

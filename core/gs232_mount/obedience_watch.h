@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/units/quantity.h"
+
+#include <optional>
+
+// Whether one axis of a rotator does what it was told. Nothing tells the end of a motion, so its places are compared.
+// An axis that stands away from where it was sent is sent there once more, then it is stuck. An axis that goes on after
+// a stop is stopped again each second, then it runs on. Pure.
+namespace boresight::gs232 {
+
+class ObedienceWatch
+{
+public:
+    static constexpr Angle kMet = Angle::fromDegrees(2.0);  // such a rotator ends that far from its target
+    static constexpr std::chrono::seconds kSendAgain{2};
+    static constexpr std::chrono::seconds kStuck{5};
+    static constexpr std::chrono::seconds kCoast{3};  // after a stop; then it is stopped again
+    static constexpr std::chrono::seconds kRunsOn{6};
+    static constexpr std::chrono::seconds kStands{
+        2};  // no other place for so long: slower than half a degree in a second is none
+
+    enum class Verdict
+    {
+        Obeys,
+        SendAgain,
+        Stuck,
+        StopAgain,
+        RunsOn
+    };
+
+    void sent(Angle target, SteadyTime now);
+    void stopped(SteadyTime now);
+    // It is not told anything any more, and not looked after.
+    void release();
+    void place(Angle place, SteadyTime now);
+    [[nodiscard]] Verdict judge(SteadyTime now);
+
+    // It was stopped, and not seen to stand since.
+    [[nodiscard]] bool stopping() const { return m_stopped.has_value(); }
+    // Its place has changed within kStands.
+    [[nodiscard]] bool moves(SteadyTime now) const { return m_changed && now - *m_changed < kStands; }
+
+private:
+    [[nodiscard]] Verdict judgeTarget(SteadyTime now);
+    [[nodiscard]] Verdict judgeStop(SteadyTime now);
+
+    std::optional<Angle> m_place;
+    std::optional<SteadyTime> m_changed;  // its place, from one that was known
+    std::optional<Angle> m_target;
+    SteadyTime m_progress{};  // it was near its target, moved, or was sent elsewhere
+    bool m_sentAgain = false;
+    std::optional<SteadyTime> m_stopped;  // and not seen to stand since
+    SteadyTime m_lastStop{};
+};
+
+}  // namespace boresight::gs232

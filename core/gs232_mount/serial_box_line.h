@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/gs232_mount/box_line.h"
+#include "core/serial/stable_port.h"
+
+#include <QSerialPort>
+
+// A box on a serial port, 8N1 without a handshake. A port that another program has open is left alone, and that program
+// is named. After a replug the port is found again by the maker and number of its adapter.
+namespace boresight {
+
+class SerialBoxLine final : public BoxLine
+{
+    Q_OBJECT
+
+public:
+    SerialBoxLine(const QString& path, int baud, QObject* parent = nullptr);
+    ~SerialBoxLine() override;
+
+    [[nodiscard]] QString name() const override;
+    void open() override;
+    void close() override;
+    void write(const QByteArray& bytes) override;
+
+private:
+    [[nodiscard]] Result<> openPort(const QString& device);
+    [[nodiscard]] Result<> claimPort();
+    void read();
+    void lose(QSerialPort::SerialPortError error);
+
+    StablePort m_path;
+    int m_baud;
+    QSerialPort m_port{this};
+};
+
+}  // namespace boresight

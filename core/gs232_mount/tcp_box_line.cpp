@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/gs232_mount/tcp_box_line.h"
+
+#include "core/base/text.h"
+
+namespace boresight {
+
+TcpBoxLine::TcpBoxLine(const QString& host, quint16 port, QObject* parent) : BoxLine(parent), m_host(host), m_port(port)
+{
+    m_socket.setReadBufferSize(kBytesAtOnce);
+    m_patience.setSingleShot(true);
+    connect(&m_patience, &QTimer::timeout, this, &TcpBoxLine::giveUp);
+    connect(&m_socket, &QTcpSocket::connected, this, &TcpBoxLine::begin);
+    connect(&m_socket, &QTcpSocket::readyRead, this, &TcpBoxLine::read);
+    connect(&m_socket, &QTcpSocket::errorOccurred, this, &TcpBoxLine::lose);
+}
+
+TcpBoxLine::~TcpBoxLine()
+{
+    m_socket.disconnect(this);
+}
+
+QString TcpBoxLine::name() const
+{
+    return QStringLiteral("tcp:%1:%2").arg(m_host, QString::number(m_port));
+}
+
+void TcpBoxLine::open()
+{
+    if (m_socket.state() == QAbstractSocket::UnconnectedState) {
+        m_patience.start(kConnectTime);
+        m_socket.connectToHost(m_host, m_port);
+    }
+}
+
+void TcpBoxLine::begin()
+{
+    m_patience.stop();
+    m_socket.setSocketOption(QAbstractSocket::LowDelayOption, 1);
+    m_socket.setSocketOption(QAbstractSocket::KeepAliveOption, 1);
+    show(State::Up);
+}
+
+void TcpBoxLine::close()
+{
+    m_patience.stop();
+    show(State::Closed);
+    m_socket.flush();
+    m_socket.disconnectFromHost();
+    m_socket.abort();
+}
+
+void TcpBoxLine::write(const QByteArray& bytes)
+{
+    if (state() == State::Up && m_socket.bytesToWrite() < kMostUnwritten) {
+        m_socket.write(bytes);
+        m_socket.flush();
+    }
+}
+
+void TcpBoxLine::read()
+{
+    const QByteArray bytes = m_socket.readAll();
+    if (state() == State::Up && !bytes.isEmpty()) {
+        Q_EMIT received(bytes);
+    }
+}
+
+void TcpBoxLine::lose()
+{
+    m_patience.stop();
+    const bool closed = m_socket.error() == QAbstractSocket::RemoteHostClosedError;
+    const QString reason = closed ? Text::tr("the other end closed the connection") : m_socket.errorString();
+    show(State::Lost, Text::tr("%1: %2. Check its power, its address and its network").arg(name(), reason));
+}
+
+void TcpBoxLine::giveUp()
+{
+    m_socket.abort();
+    show(State::Lost, Text::tr("%1: no answer. Check its power, its address and its network").arg(name()));
+}
+
+}  // namespace boresight
+
+#include "moc_tcp_box_line.cpp"

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/gs232_mount/box_line.h"
+
+#include <QTcpSocket>
+#include <QTimer>
+
+// A box behind a serial server or with a network plug of its own.
+namespace boresight {
+
+class TcpBoxLine final : public BoxLine
+{
+    Q_OBJECT
+
+public:
+    static constexpr std::chrono::seconds kConnectTime{5};
+
+    TcpBoxLine(const QString& host, quint16 port, QObject* parent = nullptr);
+    ~TcpBoxLine() override;
+
+    [[nodiscard]] QString name() const override;
+    void open() override;
+    void close() override;
+    void write(const QByteArray& bytes) override;
+
+private:
+    void read();
+    void begin();
+    void lose();
+    void giveUp();
+
+    QString m_host;
+    quint16 m_port;
+    QTcpSocket m_socket{this};
+    QTimer m_patience{this};  // of a host that does not answer
+};
+
+}  // namespace boresight

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/gs232_mount/gs232_connection.h"
+#include "core/gs232_mount/serial_box_line.h"
+#include "core/gs232_mount/simulated_box_line.h"
+#include "core/gs232_mount/tcp_box_line.h"
+#include "tests/fakes/manual_clock.h"
+#include "tests/fakes/pseudo_terminal.h"
+#include "tests/fakes/wait_until.h"
+
+#include <QTcpServer>
+#include <QTcpSocket>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace boresight::gs232 {
+namespace {
+
+using fakes::waitUntil;
+
+QByteArray collected(BoxLine& line, QObject& context, QByteArray& into)
+{
+    QObject::connect(&line, &BoxLine::received, &context, [&into](const QByteArray& bytes) { into += bytes; });
+    return into;
+}
+
+// REQ-GS232-40: A rotator is reached over a serial port. A port that is gone is reported, and used again when it is
+// back.
+TEST(SerialBoxLine, CarriesBytesAndReportsAPortThatIsGone)
+{
+    auto terminal = std::make_unique<fakes::PseudoTerminal>();
+    SerialBoxLine line(terminal->path(), 9600);
+    QObject context;
+    QByteArray heard;
+    collected(line, context, heard);
+    line.open();
+    ASSERT_EQ(line.state(), BoxLine::State::Up) << line.problem().toStdString();
+    line.write("C2\r");
+    EXPECT_TRUE(waitUntil([&] { return terminal->written == "C2\r"; }));
+    terminal->write("AZ=180  EL=090\r\n");
+    EXPECT_TRUE(waitUntil([&] { return heard == "AZ=180  EL=090\r\n"; }));
+    terminal->unplug();
+    EXPECT_TRUE(waitUntil([&] { return line.state() == BoxLine::State::Lost; }));
+    EXPECT_TRUE(line.problem().contains(QStringLiteral("is gone")));
+}
+
+TEST(SerialBoxLine, APortThatIsNotThereHasAReason)
+{
+    SerialBoxLine line(QStringLiteral("/dev/does-not-exist"), 9600);
+    line.open();
+    EXPECT_EQ(line.state(), BoxLine::State::Lost);
+    EXPECT_TRUE(line.problem().contains(QStringLiteral("does not exist")));
+    line.write("C2\r");  // goes nowhere
+}
+
+// REQ-GS232-41: A port that another line has open is not shared.
+TEST(SerialBoxLine, APortInUseIsLeftAlone)
+{
+    const fakes::PseudoTerminal terminal;
+    SerialBoxLine first(terminal.path(), 9600);
+    first.open();
+    ASSERT_EQ(first.state(), BoxLine::State::Up);
+    SerialBoxLine second(terminal.path(), 9600);
+    second.open();
+    EXPECT_EQ(second.state(), BoxLine::State::Lost);
+    EXPECT_TRUE(second.problem().contains(QStringLiteral("in use"))) << second.problem().toStdString();
+}
+
+// REQ-GS232-42: A rotator is reached over TCP. A connection that ends is opened again.
+TEST(TcpBoxLine, CarriesBytesAndConnectsAgain)
+{
+    QTcpServer server;
+    ASSERT_TRUE(server.listen(QHostAddress::LocalHost));
+    TcpBoxLine line(QStringLiteral("127.0.0.1"), server.serverPort());
+    QObject context;
+    QByteArray heard;
+    collected(line, context, heard);
+    for (int i = 0; i < 2; ++i) {
+        line.open();
+        ASSERT_TRUE(waitUntil([&] { return line.state() == BoxLine::State::Up && server.hasPendingConnections(); }));
+        const std::unique_ptr<QTcpSocket> box(server.nextPendingConnection());
+        line.write("C2\r");
+        EXPECT_TRUE(waitUntil([&] { return box->bytesAvailable() == 3; }));
+        heard.clear();
+        box->write("+0180+0090\r\n");
+        EXPECT_TRUE(waitUntil([&] { return heard == "+0180+0090\r\n"; }));
+        box->close();
+        EXPECT_TRUE(waitUntil([&] { return line.state() == BoxLine::State::Lost; }));
+        EXPECT_TRUE(line.problem().contains(QStringLiteral("closed the connection"))) << line.problem().toStdString();
+    }
+}
+
+TEST(TcpBoxLine, APortWithoutABoxHasAReason)
+{
+    QTcpServer server;
+    ASSERT_TRUE(server.listen(QHostAddress::LocalHost));
+    const quint16 port = server.serverPort();
+    server.close();
+    TcpBoxLine line(QStringLiteral("127.0.0.1"), port);
+    line.open();
+    EXPECT_TRUE(waitUntil([&] { return line.state() == BoxLine::State::Lost; }));
+    EXPECT_TRUE(line.problem().contains(line.name()));
+}
+
+// A connection over a line that the test plays.
+class Wire final : public BoxLine
+{
+public:
+    [[nodiscard]] QString name() const override { return QStringLiteral("serial:/dev/rotator"); }
+    void open() override
+    {
+        ++opened;
+        show(State::Up);
+    }
+    void close() override { show(State::Closed); }
+    void write(const QByteArray& bytes) override { written += bytes; }
+    void say(const QByteArray& bytes) { Q_EMIT received(bytes); }
+    void breakDown() { show(State::Lost, QStringLiteral("it is gone")); }
+
+    QByteArray written;
+    int opened = 0;
+};
+
+struct Rig
+{
+    void run(Seconds time)
+    {
+        for (Seconds left = time; left > Seconds(0.0); left -= Seconds(0.02)) {
+            clock.advance(Seconds(0.02));
+            connection.driver().observe(clock.now());
+            (void)connection.driver().supervise({});
+            connection.send();
+        }
+    }
+    [[nodiscard]] bool warns(const char* alarm) const
+    {
+        return std::ranges::any_of(
+            alarms.list(), [alarm](const Alarm& one) { return one.active && one.name == QLatin1String(alarm); });
+    }
+
+    fakes::ManualClock clock;
+    EventLog log{clock};
+    AlarmBoard alarms{log, clock};
+    profile::InForce profile{profile::Profile{}};
+    Wire* wire = new Wire;
+    Gs232Connection connection{std::unique_ptr<BoxLine>(wire), {}, profile, clock, log, alarms};
+};
+
+// REQ-GS232-43: A device that is not a GS-232 box is asked for its position and never commanded. The line is closed and
+// not opened again.
+TEST(Gs232Connection, AForeignDeviceIsClosedAndLeftAlone)
+{
+    Rig rig;
+    rig.connection.open();
+    rig.run(Seconds(0.1));
+    rig.wire->say(QByteArray("\xfe\xfe\xe0\x94\x03\xfd", 6));
+    rig.run(Seconds(3.5));
+    EXPECT_TRUE(rig.warns("rotator.foreign"));
+    EXPECT_EQ(rig.wire->state(), BoxLine::State::Closed);
+    EXPECT_TRUE(rig.wire->written.startsWith("C2\r"));
+    rig.wire->written.replace("C2\r", "");
+    EXPECT_EQ(rig.wire->written, QByteArray());
+    rig.connection.open();
+    rig.run(Seconds(5.0));
+    EXPECT_EQ(rig.wire->opened, 1);
+    EXPECT_EQ(rig.wire->written, QByteArray());
+}
+
+TEST(Gs232Connection, ALineThatIsGoneIsAnAlarmAndNotACommand)
+{
+    Rig rig;
+    rig.connection.open();
+    rig.run(Seconds(0.5));
+    rig.wire->say("+0010+0020\r\n");
+    rig.run(Seconds(0.5));
+    StationStatus status;
+    rig.connection.describe(status);
+    EXPECT_EQ(status.line.kind, QStringLiteral("GS-232A"));
+    rig.wire->breakDown();
+    EXPECT_TRUE(rig.warns("rotator.line-down"));
+    rig.wire->written.clear();
+    rig.run(Seconds(5.0));
+    EXPECT_EQ(rig.wire->written, QByteArray());
+    rig.connection.open();
+    EXPECT_FALSE(rig.warns("rotator.line-down"));
+}
+
+}  // namespace
+}  // namespace boresight::gs232

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/gs232_mount/gs232_box.h"
+#include "core/gs232_mount/gs232_mount.h"
+#include "tests/core/mount/mount_bench.h"
+
+#include <string>
+
+// A GS-232 rotator, a control above it and a clock that is turned by hand.
+namespace boresight::gs232 {
+
+// As the manual advises for such a rotator.
+inline profile::Profile gs232Profile(profile::AxisDriver azimuth = profile::AxisDriver::Gs232,
+                                     profile::AxisDriver elevation = profile::AxisDriver::Gs232)
+{
+    profile::Profile profile = slowProfile(azimuth, elevation);
+    profile.azimuth.geometry.travel = {.min = 0_deg, .max = 450_deg};
+    for (profile::AxisSettings* const axis : {&profile.azimuth, &profile.elevation}) {
+        axis->limits.speed = 6_deg_s;
+        axis->limits.acceleration = 3_deg_s2;
+        axis->limits.jerk = AngularJerk::fromDegrees(6.0);
+    }
+    return profile;
+}
+
+class Gs232Bench final : public Bench
+{
+public:
+    explicit Gs232Bench(const Gs232Box::Habits& habits = {}, const AxisSet& axes = kAxes)
+        : m_profile(gs232Profile(driverIn(axes, Axis::Azimuth), driverIn(axes, Axis::Elevation))),
+          m_box(kBetweenDegrees, habits),
+          m_mount(m_profile, m_alarms, axes)
+    {
+        m_mount.lineOpened();
+    }
+
+    StationControl& control() override { return m_control; }
+    void tick() override
+    {
+        m_clock.advance(kOneTick);
+        if (m_connected) {
+            m_mount.take(m_box.answers(m_clock.now()), m_clock.now());
+        } else {
+            (void)m_box.answers(m_clock.now());
+        }
+        m_control.tick();
+        const std::string bytes = m_mount.send();
+        if (m_connected) {
+            m_box.take(bytes, m_clock.now());
+        }
+    }
+    AxisPosition truth() override { return m_box.truth(); }
+    bool ordered() override { return m_box.moves() > 0; }
+    // The cable: the box runs on to where it was sent.
+    void setLine(bool connected) override { m_connected = connected; }
+
+    [[nodiscard]] Gs232Box& box() { return m_box; }
+    [[nodiscard]] Gs232Mount& mount() { return m_mount; }
+    [[nodiscard]] fakes::ManualClock& clock() { return m_clock; }
+    [[nodiscard]] bool standsOnBoard(const char* alarm)
+    {
+        return std::ranges::any_of(control().status().alarms, [alarm](const Alarm& one) {
+            return one.active && one.name == QLatin1String(alarm);
+        });
+    }
+    [[nodiscard]] int heardOf(const std::string& command) const
+    {
+        return static_cast<int>(std::ranges::count(m_box.heard(), command));
+    }
+
+private:
+    static profile::AxisDriver driverIn(const AxisSet& axes, Axis axis)
+    {
+        return std::ranges::find(axes, axis) != axes.end() ? profile::AxisDriver::Gs232 : profile::AxisDriver::None;
+    }
+
+    const profile::InForce m_profile;
+    fakes::ManualClock m_clock;
+    EventLog m_log{m_clock};
+    AlarmBoard m_alarms{m_log, m_clock};
+    Gs232Box m_box;
+    Gs232Mount m_mount;
+    bool m_connected = true;
+    StationControl m_control{m_profile, m_clock, m_log, m_alarms, m_mount, motionSources};
+};
+
+}  // namespace boresight::gs232

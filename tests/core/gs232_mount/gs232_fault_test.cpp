@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The faults of a GS-232 rotator: what Boresight does, and what it says.
+#include "tests/core/gs232_mount/gs232_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+namespace boresight::gs232 {
+namespace {
+
+struct Fault
+{
+    const char* name;
+    std::function<void(Gs232Bench&)> happens;  // three seconds into a slew from 10° to 90°
+    const char* alarm;                         // "": it goes on
+    double within;                             // s
+};
+
+// REQ-GS232-20 (Faults/Gs232Fault.*): Each fault of a GS-232 rotator in motion ends the motion with a stop and an alarm
+// of its own, and nothing moves before a re-arm. A fault that passes by itself is survived.
+class Gs232Fault : public testing::TestWithParam<Fault>
+{
+protected:
+    Gs232Bench bench;
+};
+
+TEST_P(Gs232Fault, EndsTheMotionOrPasses)
+{
+    const Fault& fault = GetParam();
+    bench.run(Seconds(2.0));
+    ASSERT_TRUE(bench.goTo(90.0, 60.0));
+    bench.run(Seconds(3.0));
+    ASSERT_GT(bench.truth().azimuth, 14_deg);
+    const int stops = bench.heardOf("S");
+    fault.happens(bench);
+    bench.run(Seconds(fault.within));
+    if (*fault.alarm == '\0') {
+        EXPECT_FALSE(bench.control().faultLatched());
+        bench.run(Seconds(30.0));
+        bench.expectAt({90_deg, 60_deg}, {}, 1_deg);
+        EXPECT_EQ(bench.control().state(), StationState::Hold);
+        return;
+    }
+    EXPECT_TRUE(bench.standsOnBoard(fault.alarm));
+    EXPECT_TRUE(bench.control().faultLatched());
+    // The line and the box are well again.
+    bench.box().faults() = {};
+    bench.setLine(true);
+    bench.run(Seconds(8.0));
+    EXPECT_GT(bench.heardOf("S"), stops);
+    EXPECT_TRUE(bench.stands(Seconds(5.0)));
+    EXPECT_FALSE(bench.goTo(20.0, 20.0));
+    ASSERT_TRUE(bench.ask(request::Rearm{}));
+    bench.run(Seconds(1.0));
+    EXPECT_TRUE(bench.stands(Seconds(3.0))) << "a re-arm moves nothing";
+    EXPECT_FALSE(bench.standsOnBoard(fault.alarm));
+    ASSERT_TRUE(bench.goTo(20.0, 20.0));
+    bench.run(Seconds(30.0));
+    bench.expectAt({20_deg, 20_deg}, {}, 1_deg);
+}
+
+void jumpBy(Gs232Bench& bench, Angle angle)
+{
+    bench.box().faults().offset = angle;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Faults, Gs232Fault,
+    testing::Values(
+        Fault{"CableUnplugged", [](Gs232Bench& bench) { bench.setLine(false); }, "rotator.silent", 2.0},
+        Fault{"Silence", [](Gs232Bench& bench) { bench.box().faults().silent = true; }, "rotator.silent", 2.0},
+        Fault{"PowerOff", [](Gs232Bench& bench) { bench.box().faults().silent = bench.box().faults().deaf = true; },
+              "rotator.silent", 2.0},
+        Fault{"MotorsFreeze", [](Gs232Bench& bench) { bench.box().faults().frozen = true; }, "rotator.stuck", 6.0},
+        Fault{"JumpByAWholeTurn", [](Gs232Bench& bench) { jumpBy(bench, 360_deg); }, "rotator.jumped", 1.0},
+        Fault{"JumpBackwards", [](Gs232Bench& bench) { jumpBy(bench, -20_deg); }, "rotator.jumped", 1.0},
+        Fault{"OnlyItsEcho",
+              [](Gs232Bench& bench) { bench.box().faults().echoes = bench.box().faults().silent = true; },
+              "rotator.silent", 2.0},
+        Fault{"Echo", [](Gs232Bench& bench) { bench.box().faults().echoes = true; }, "", 3.0},
+        Fault{"HalfLines", [](Gs232Bench& bench) { bench.box().faults().halfLines = true; }, "", 3.0},
+        Fault{"RestartInMidMove", [](Gs232Bench& bench) { bench.box().restart(bench.clock().now()); }, "", 3.0}),
+    [](const auto& one) { return std::string(one.param.name); });
+
+// REQ-GS232-21: A stop is watched. One that the rotator does not obey is repeated each second, and after six seconds an
+// alarm says that it runs on.
+TEST(Gs232Stop, IsRepeatedUntilTheRotatorStands)
+{
+    Gs232Bench bench;
+    bench.run(Seconds(2.0));
+    ASSERT_TRUE(bench.goTo(400.0, 20.0));
+    bench.run(Seconds(3.0));
+    // Somebody holds the button of the box: it turns on whatever is sent.
+    bench.box().take("W440 020\r", bench.clock().now());
+    bench.box().faults().stuckRelay = true;
+    ASSERT_TRUE(bench.ask(request::Stop{}));
+    bench.run(Seconds(2.0));
+    EXPECT_EQ(bench.heardOf("S"), 1);
+    bench.run(Seconds(5.0));
+    EXPECT_GE(bench.heardOf("S"), 4);
+    EXPECT_TRUE(bench.standsOnBoard("rotator.runs-on"));
+    bench.box().faults().stuckRelay = false;
+    bench.run(Seconds(5.0));
+    EXPECT_TRUE(bench.stands(Seconds(5.0)));
+    EXPECT_LT(bench.truth().azimuth, 150_deg);
+}
+
+// A stop that works is sent once.
+TEST(Gs232Stop, IsSentOnce)
+{
+    Gs232Bench bench;
+    bench.run(Seconds(2.0));
+    ASSERT_TRUE(bench.goTo(200.0, 20.0));
+    bench.run(Seconds(5.0));
+    ASSERT_TRUE(bench.ask(request::Stop{}));
+    bench.run(Seconds(10.0));
+    EXPECT_EQ(bench.heardOf("S"), 1);
+    EXPECT_TRUE(bench.stands(Seconds(5.0)));
+}
+
+// REQ-GS232-22: A box that does not answer is asked once a second, and the alarm says what to check.
+TEST(Gs232Start, ASilentBoxIsAskedOnAndNothingElse)
+{
+    Gs232Bench bench;
+    bench.box().faults().silent = true;
+    bench.run(Seconds(10.0));
+    EXPECT_TRUE(bench.standsOnBoard("rotator.no-answer"));
+    EXPECT_EQ(bench.heardOf("C2"), static_cast<int>(bench.box().heard().size()));
+    EXPECT_LE(bench.heardOf("C2"), 11);
+    EXPECT_FALSE(bench.goTo(60.0, 45.0));
+    bench.box().faults().silent = false;
+    bench.run(Seconds(2.0));
+    EXPECT_FALSE(bench.standsOnBoard("rotator.no-answer"));
+    EXPECT_TRUE(bench.goTo(60.0, 45.0));
+}
+
+// REQ-GS232-23: A travel that the box cannot count is refused, with the keys to change.
+TEST(Gs232Start, ATravelThatItCannotCountIsRefused)
+{
+    profile::Profile profile = gs232Profile();
+    profile.azimuth.geometry.travel = {.min = -90_deg, .max = 450_deg};
+    const profile::InForce inForce(profile);
+    fakes::ManualClock clock;
+    EventLog log(clock);
+    AlarmBoard alarms(log, clock);
+    const Gs232Mount mount(inForce, alarms, kAxes);
+    ASSERT_FALSE(mount.fitness());
+    EXPECT_TRUE(mount.fitness().error().text.contains(QStringLiteral("azimuth.travel_min_deg")));
+    EXPECT_TRUE(Gs232Bench().mount().fitness());
+}
+
+}  // namespace
+}  // namespace boresight::gs232

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a box on a serial port says: any bytes through the conversation with it and the reading of its lines.
+#include "core/base/control_characters.h"
+#include "core/gs232/box_reply.h"
+#include "core/gs232_mount/box_talk.h"
+#include "core/serial/line_splitter.h"
+#include "tests/fuzz/harness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <variant>
+
+namespace boresight::fuzz {
+namespace {
+
+using namespace boresight::gs232;
+
+constexpr std::chrono::milliseconds kTick{20};
+
+bool isPossible(const std::optional<Angle>& angle)
+{
+    return !angle || (std::isfinite(angle->degrees()) && angle->degrees() >= -180.0 && angle->degrees() <= 540.0);
+}
+
+// False: it was not understood.
+bool checkLine(std::string_view line)
+{
+    const Reply reply = parseReply(line);
+    const auto* const position = std::get_if<Position>(&reply);
+    if (position == nullptr) {
+        return !std::holds_alternative<Unknown>(reply);
+    }
+    require(position->azimuth || position->elevation, "a position has an axis");
+    require(isPossible(position->azimuth) && isPossible(position->elevation), "an angle is one of a rotator");
+    require(parseReply(std::string("  ") + std::string(line) + " ") == reply, "blanks around a line change nothing");
+    return true;
+}
+
+// All lines of it.
+bool checkLines(std::string_view bytes)
+{
+    bool understood = true;
+    LineSplitter splitter;
+    splitter.add(bytes, [&](std::string_view line) { understood = checkLine(line) && understood; });
+    splitter.add("\n", [&](std::string_view line) { understood = checkLine(line) && understood; });
+    return understood && splitter.overlongLines() == 0;
+}
+
+void checkSent(const BoxTalk& talk, Proof before, const std::string& sent)
+{
+    if (before == Proof::Foreign) {
+        require(sent.empty(), "a foreign device gets nothing more");
+    } else if (before == Proof::Unknown) {
+        require(sent.empty() || sent == "C2\r", "before an answer nothing but the question is sent");
+    } else {
+        require(sent.empty() || sent == "C2\r" || sent == "S\r" || sent == "W123 045\r", "only our commands are sent");
+    }
+    require(!hasControlCharacters(talk.strange()) && talk.strange().size() <= 24,
+            "what is shown is printable and short");
+}
+
+// In pieces of this size, one each tick.
+Proof talked(std::string_view bytes, std::size_t piece)
+{
+    BoxTalk talk(Question::Both, 9600);
+    SteadyTime now = SteadyTime{} + std::chrono::hours(1);
+    for (; !bytes.empty(); bytes.remove_prefix(std::min(piece, bytes.size()))) {
+        talk.take(bytes.substr(0, piece), now);
+        if (const auto position = talk.takePosition()) {
+            require(position->azimuth && position->elevation, "an answer has what was asked for");
+            require(talk.proof() == Proof::Box, "who answers is a box");
+        }
+        talk.go("W123 045\r");
+        const Proof before = talk.proof();
+        checkSent(talk, before == Proof::Box ? before : Proof::Unknown, talk.send(now));
+        now += kTick;
+    }
+    for (const SteadyTime end = now + std::chrono::seconds(5); now < end; now += kTick) {
+        talk.stop();
+        const Proof before = talk.proof();
+        checkSent(talk, before, talk.send(now));
+    }
+    return talk.proof();
+}
+
+}  // namespace
+
+Grammar grammar()
+{
+    Grammar grammar;
+    grammar.corpus = {"+0180+0090\r\n",
+                      "AZ=180  EL=090\r\n",
+                      "AZ=450EL=000\r\n",
+                      "+0100\r\n",
+                      "\r\n>AZ=359 EL=012\r\n",
+                      "?>\r\n",
+                      "C2\rAZ=100  EL=010\r\n",
+                      "W123 046\r\r+0123.4+0046.0\r\n",
+                      "-0010+0003\r\n\r\r+0011+0004\r\n"};
+    grammar.tokens = {"AZ=",
+                      "EL=",
+                      "+0",
+                      "-0",
+                      "+",
+                      "-",
+                      "?>",
+                      ">",
+                      "\r",
+                      "\n",
+                      "\r\n",
+                      "C2",
+                      "S",
+                      "M123",
+                      "W123 046",
+                      "000",
+                      "450",
+                      "999",
+                      "180",
+                      "0090",
+                      ".5",
+                      ".",
+                      "  ",
+                      "nan",
+                      "inf",
+                      "1e3",
+                      "RPRT 0",
+                      "\xfe\xfe\xe0",
+                      "\xfd",
+                      "IF000142",
+                      ";",
+                      std::string(1, '\0'),
+                      "\x1b[2J",
+                      std::string(64, '1'),
+                      std::string(LineSplitter::kLongestLine, 'x')};
+    grammar.separators = " \r\n=+";
+    grammar.maxLength = 400;
+    grammar.persistence = 40;
+    return grammar;
+}
+
+void feed(std::span<const std::uint8_t> input)
+{
+    const std::string_view bytes = asText(input);
+    const bool understood = checkLines(bytes);
+    (void)talked(bytes, bytes.size() + 1);
+    (void)talked(bytes, 1);
+    (void)talked(bytes, 7);
+    if (understood && bytes.find_first_not_of("\r\n") != std::string_view::npos) {
+        accept();
+    }
+}
+
+}  // namespace boresight::fuzz
