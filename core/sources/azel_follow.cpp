@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sources/azel_follow.h"
 
-#include "core/alarms/catalogue.h"
 #include "core/base/text.h"
-#include "core/base/time_of_day.h"
+#include "core/sources/roomy_start.h"
 #include "core/units/angle_between.h"
 #include "core/units/degrees_text.h"
 
@@ -12,6 +11,8 @@ namespace {
 
 // The rate of a set-point is taken from where the Moon is this much later.
 constexpr std::chrono::milliseconds kMoonApart{20};
+// Of the way by which the wrap is chosen.
+constexpr std::chrono::minutes kWayStep{5};
 // At this interval the mount follows in each tick.
 constexpr Seconds kAllTheTime{1.0};
 // It has set when it is this low, and has risen at 0°: the steps of the file must not park the mount twice.
@@ -91,25 +92,18 @@ void AzelFollow::step(SteadyTime now)
     }
 }
 
-// A file that is written again soon goes on where it was. What is not there after a while is a fault: the mount must
-// not start by itself later.
+// A file that is written again soon goes on where it was.
 QString AzelFollow::whyToEnd(SteadyTime now)
 {
     const Result<> usable = isUsable();
     if (usable) {
-        m_followed->staleSince.reset();
-        helm().clearAlarm(alarmEntry("azel.stale"));
+        m_stale.end();
         return {};
     }
     if (usable.error().code == ErrorCode::Refused) {
         return usable.error().text;
     }
-    if (!m_followed->staleSince) {
-        m_followed->staleSince = now;
-        helm().raiseAlarm(alarmEntry("azel.stale"),
-                          {usable.error().text, timeOfDayText(helm().view().clock.utc() + kLongestStale)});
-    }
-    return now - *m_followed->staleSince >= kLongestStale ? usable.error().text : QString();
+    return m_stale.isTooLong(usable.error().text, now) ? usable.error().text : QString();
 }
 
 void AzelFollow::tellDifference()
@@ -123,7 +117,7 @@ void AzelFollow::tellDifference()
 
 AzelPhase AzelFollow::wantedPhase() const
 {
-    if (m_followed->staleSince) {
+    if (m_stale.isWaiting()) {
         return AzelPhase::Stale;
     }
     const ControlParts view = helm().view();
@@ -179,6 +173,18 @@ bool AzelFollow::isDue(const SkyPointing& moon, SteadyTime now) const
            angleBetween(target->now, moon) >= helm().view().antenna.inUse().beamWidth * profile.azel.beamFraction;
 }
 
+// On a wrap that has room until the Moon sets. Only our own Moon is known ahead.
+std::optional<AxisPosition> AzelFollow::roomyPlace(UtcTime utc)
+{
+    std::vector<targets::SkyMoment> way;
+    if (m_moon.interpolates() && m_followed->next) {
+        for (UtcTime then = utc; then < *m_followed->next; then += kWayStep) {
+            way.push_back({.utc = then, .direction = m_moon.at(then)});
+        }
+    }
+    return roomyStart(helm().view(), way);
+}
+
 Result<> AzelFollow::follow(SteadyTime now, UtcTime utc)
 {
     const auto at = [&](UtcTime when) {
@@ -192,6 +198,9 @@ Result<> AzelFollow::follow(SteadyTime now, UtcTime utc)
         m_followed->target = Target{.now = moon, .soon = isSteady ? at(utc + kMoonApart) : moon, .since = now};
     }
     m_followed->standing.reset();
+    if (!m_followed->place) {
+        m_followed->place = roomyPlace(utc);
+    }
     return helm()
         .lead({.now = m_followed->target->now,
                .soon = m_followed->target->soon,
@@ -238,7 +247,7 @@ Result<> AzelFollow::stand()
 void AzelFollow::forget()
 {
     m_followed.reset();
-    helm().clearAlarm(alarmEntry("azel.stale"));
+    m_stale.end();
     helm().clearAlarm(alarmEntry("azel.differs"));
 }
 

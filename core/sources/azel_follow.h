@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/alarms/catalogue.h"
 #include "core/control/motion_source.h"
 #include "core/sources/azel_moon.h"
+#include "core/sources/stale_wait.h"
 #include "core/sources/steered_utc.h"
 
 #include <optional>
@@ -15,9 +17,6 @@ namespace boresight::sources {
 class AzelFollow : public SourceOf<AzelFollow, request::FollowAzel>
 {
 public:
-    // A stale file is waited for no longer than this. Then the tracking ends.
-    static constexpr std::chrono::minutes kLongestStale{2};
-
     using SourceOf::SourceOf;
 
     Result<> ask(const request::FollowAzel& wanted, const Source& by);
@@ -40,7 +39,6 @@ private:
         std::optional<Target> target = {};
         std::optional<AxisPosition> place = {};     // of the axes for it: chooses the turn of the next
         std::optional<AxisPosition> standing = {};  // of the axes, while it stands still
-        std::optional<SteadyTime> staleSince = {};
     };
 
     [[nodiscard]] Result<> isUsable() const;
@@ -50,6 +48,7 @@ private:
     void setUp(bool isUp, UtcTime utc);
     void watchHorizon(UtcTime utc);
     void tellDifference();
+    [[nodiscard]] std::optional<AxisPosition> roomyPlace(UtcTime utc);
     [[nodiscard]] bool isDue(const SkyPointing& moon, SteadyTime now) const;
     Result<> drive(SteadyTime now, UtcTime utc);
     Result<> follow(SteadyTime now, UtcTime utc);
@@ -59,6 +58,7 @@ private:
     void end(Severity severity, const QString& why);
 
     AzelMoon m_moon;
+    StaleWait m_stale{helm(), alarmEntry("azel.stale")};
     SteeredUtc m_utc;
     std::optional<Followed> m_followed;
 };

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sources/position_follow.h"
 
-#include "core/alarms/catalogue.h"
 #include "core/base/text.h"
-#include "core/base/time_of_day.h"
 #include "core/orbit/topocentric.h"
 #include "core/units/angle_between.h"
 #include "core/units/degrees_text.h"
@@ -91,8 +89,7 @@ void PositionFollow::step(SteadyTime now)
     }
 }
 
-// What is reported again soon goes on where it is, if that is near: else it may be another one. What is not there after
-// a while is lost: the mount must not start by itself later.
+// What is reported again soon goes on where it is, if that is near: else it may be another one.
 QString PositionFollow::whyToEnd(SteadyTime now)
 {
     if (helm().view().profile.site.place() != m_followed->site) {
@@ -103,50 +100,51 @@ QString PositionFollow::whyToEnd(SteadyTime now)
         if (const Angle away = returnedBy(now); away > kFarthestReturn) {
             return Text::tr("the position came back %1 from the last one").arg(degreesText(away, 1));
         }
-        m_followed->staleSince.reset();
-        helm().clearAlarm(alarmEntry("position.stale"));
+        m_stale.end();
         return {};
     }
-    if (!m_followed->staleSince) {
-        m_followed->staleSince = now;
-        helm().raiseAlarm(alarmEntry("position.stale"),
-                          {usable.error().text, timeOfDayText(helm().view().clock.utc() + kLongestStale)});
-    }
-    return now - *m_followed->staleSince >= kLongestStale ? usable.error().text : QString();
+    return m_stale.isTooLong(usable.error().text, now) ? usable.error().text : QString();
 }
 
 // From its last direction, after a silence.
 Angle PositionFollow::returnedBy(SteadyTime now) const
 {
     const Result<SkyPointing> here = directionAt(now);
-    const bool wasLost = m_followed->staleSince && m_followed->direction;
+    const bool wasLost = m_stale.isWaiting() && m_followed->direction;
     return here && wasLost ? angleBetween(*m_followed->direction, *here) : Angle{};
 }
 
-// Without a fresh position: stays where it was.
+Result<PositionFollow::Leg> PositionFollow::legAt(SteadyTime now) const
+{
+    if (m_stale.isWaiting() && m_followed->direction) {
+        return Leg{.here = *m_followed->direction, .soon = *m_followed->direction};
+    }
+    return directionAt(now).and_then([&](const SkyPointing& here) {
+        return directionAt(now + kFlightApart).map([&](const SkyPointing& soon) {
+            return Leg{.here = here, .soon = soon};
+        });
+    });
+}
+
 Result<> PositionFollow::follow(SteadyTime now)
 {
-    const bool isLost = m_followed->staleSince && m_followed->direction;
-    const Result<SkyPointing> here = isLost ? Result<SkyPointing>(*m_followed->direction) : directionAt(now);
-    const Result<SkyPointing> soon = isLost ? here : directionAt(now + kFlightApart);
-    if (!here || !soon) {
-        return tl::unexpected(here ? soon.error() : here.error());
-    }
-    const auto& last = helm().view().positionFeed.last();
-    const QString name = last && !last->name.isEmpty() ? last->name : Text::tr("the position");
-    return helm()
-        .lead({.now = *here, .soon = *soon, .apart = kFlightApart, .near = m_followed->place}, positionSource(),
-              Text::tr("track %1").arg(name))
-        .map([&](const AxisPosition& place) {
-            m_followed->place = place;
-            m_followed->direction = *here;
-        });
+    return legAt(now).and_then([&](const Leg& leg) {
+        const auto& last = helm().view().positionFeed.last();
+        const QString name = last && !last->name.isEmpty() ? last->name : Text::tr("the position");
+        return helm()
+            .lead({.now = leg.here, .soon = leg.soon, .apart = kFlightApart, .near = m_followed->place},
+                  positionSource(), Text::tr("track %1").arg(name))
+            .map([&](const AxisPosition& place) {
+                m_followed->place = place;
+                m_followed->direction = leg.here;
+            });
+    });
 }
 
 void PositionFollow::forget()
 {
     m_followed.reset();
-    helm().clearAlarm(alarmEntry("position.stale"));
+    m_stale.end();
 }
 
 void PositionFollow::end(Severity severity, const QString& why)
@@ -178,7 +176,7 @@ void PositionFollow::describe(StationStatus& status) const
                                   Text::tr("No position to track: %1").arg(usable.error().text));
     }
     if (m_followed) {
-        status.position.phase = m_followed->staleSince ? PositionPhase::Stale : PositionPhase::Following;
+        status.position.phase = m_stale.isWaiting() ? PositionPhase::Stale : PositionPhase::Following;
         status.tracked =
             TrackedTarget{.name = status.position.name.isEmpty() ? Text::tr("Position") : status.position.name,
                           .isUp = status.position.direction && status.position.direction->elevation > Angle{}};

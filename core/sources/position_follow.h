@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/alarms/catalogue.h"
 #include "core/control/motion_source.h"
+#include "core/sources/stale_wait.h"
 
 #include <optional>
 
@@ -13,9 +15,6 @@ namespace boresight::sources {
 class PositionFollow : public SourceOf<PositionFollow, request::FollowPosition>
 {
 public:
-    // Reports are waited for no longer than this. Then the tracking ends.
-    static constexpr std::chrono::minutes kLongestStale{2};
-
     using SourceOf::SourceOf;
 
     Result<> ask(const request::FollowPosition& wanted, const Source& by);
@@ -29,17 +28,24 @@ private:
         std::uint64_t errand = 0;
         std::optional<SkyPointing> direction = {};  // the last one
         std::optional<AxisPosition> place = {};     // of the axes for it: chooses the turn of the next
-        std::optional<SteadyTime> staleSince = {};
     };
 
     [[nodiscard]] Result<> isUsable() const;
     [[nodiscard]] Result<SkyPointing> directionAt(SteadyTime now) const;
     [[nodiscard]] QString whyToEnd(SteadyTime now);
     [[nodiscard]] Angle returnedBy(SteadyTime now) const;
+    // Where it is now, and a little later. Without a fresh position: where it was.
+    struct Leg
+    {
+        SkyPointing here;
+        SkyPointing soon;
+    };
+    [[nodiscard]] Result<Leg> legAt(SteadyTime now) const;
     Result<> follow(SteadyTime now);
     void forget();
     void end(Severity severity, const QString& why);
 
+    StaleWait m_stale{helm(), alarmEntry("position.stale")};
     std::optional<Followed> m_followed;
 };
 

@@ -6,6 +6,7 @@
 #include "core/base/time_of_day.h"
 #include "core/elements/julian_date.h"
 #include "core/profile/clear_sky.h"
+#include "core/sources/roomy_start.h"
 #include "core/tracking/cable_forecast.h"
 #include "core/units/duration_text.h"
 
@@ -164,7 +165,7 @@ Result<> TargetTrack::begin(Tracked tracked)
     }
     const UtcTime from = std::max(now, tracked.up.rises);
     tracked.way = wayOf(tracked, from);
-    tracked.place = roomyStart(tracked.way);
+    tracked.place = roomyStart(helm().view(), *tracked.way);
     const bool goesOn = helm().current().continues(Activity::Streaming, tracked.by);
     return follow(tracked, from).map([&](const AxisPosition& place) {
         if (goesOn) {  // no motion begins that the log would name
@@ -195,35 +196,6 @@ targets::SkyWay TargetTrack::wayOf(Tracked& tracked, UtcTime from) const
         way->push_back({.utc = utc, .direction = *direction, .isHidden = !isClear(*direction)});
     }
     return way;
-}
-
-// On the wrap nearest to where the axes are going that has room for the rest of the way.
-std::optional<AxisPosition> TargetTrack::roomyStart(const targets::SkyWay& way) const
-{
-    const ControlParts view = helm().view();
-    std::optional<AxisPosition> first;
-    TravelRange swept;
-    Angle last;
-    for (const targets::SkyMoment& moment : *way) {
-        const AxisPosition axes = view.model.pointing().toAxes(moment.direction).axes;
-        last = first ? axes.azimuth.nearestTo(last) : axes.azimuth;
-        swept = first ? TravelRange{std::min(swept.min, last), std::max(swept.max, last)} : TravelRange{last, last};
-        first = first.value_or(axes);
-    }
-    if (!first) {
-        return std::nullopt;
-    }
-    const TravelRange& range = view.motion.region().ranges().azimuth;
-    std::optional<AxisPosition> best;
-    const auto mostTurns = static_cast<int>(std::floor((range.max - swept.max).turns()));
-    for (int turns = static_cast<int>(std::ceil((range.min - swept.min).turns())); turns <= mostTurns; ++turns) {
-        const AxisPosition start{first->azimuth + Angle::fromTurns(turns), first->elevation};
-        const auto distance = [&](const AxisPosition& to) { return abs(to.azimuth - helm().heading().azimuth); };
-        if (!best || distance(start) < distance(*best)) {
-            best = start;
-        }
-    }
-    return best;
 }
 
 // If the mount waits at the end of the cable on the wrap that it has now.

@@ -47,7 +47,6 @@ private:
     [[nodiscard]] Result<Tracked> plan(const targets::Target& target, const Source& by) const;
     [[nodiscard]] targets::SkyWay wayOf(Tracked& tracked, UtcTime from) const;
     [[nodiscard]] Seconds lostByHolding() const;
-    [[nodiscard]] std::optional<AxisPosition> roomyStart(const targets::SkyWay& way) const;
     [[nodiscard]] UtcTime aimed(UtcTime utc) const;
     [[nodiscard]] Result<> mayGoOn() const;
     Result<> begin(Tracked tracked);

@@ -246,5 +246,39 @@ TEST_F(StationBrokerTest, TheSensorGetsTheSameConnection)
     EXPECT_EQ(broker->count("New client connected"), 3) << "the logger, without a will, with one";
 }
 
+// REQ-POSITION-24: By MQTT a message of the topic is one position, and the mount follows it. One that the broker has
+// kept is of some time before and does not count. What cannot be read is a line in the log. A broker that is gone is
+// reported.
+TEST_F(StationBrokerTest, APositionOfTheTopicIsFollowed)
+{
+    const QString topic = QStringLiteral("balloon/position");
+    logger.client.publish({.topic = topic, .payload = "38.757,-9,30000", .retain = mqtt::Retain::Yes});
+    profile::Profile profile = publishing(broker->port());
+    profile.mqtt.publish = profile::Publish::Off;
+    profile.site = {.known = true, .latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
+    profile.position.source = profile::PositionSource::Mqtt;
+    profile.position.topic = topic.toStdString();
+    build(profile);
+    ASSERT_TRUE(connected());
+    ASSERT_TRUE(fakes::waitUntil([this] { return broker->count("balloon/position (QoS") >= 1; }));
+    run(200);
+    const auto tell = [&](const QByteArray& payload) { logger.client.publish({.topic = topic, .payload = payload}); };
+    tell("38.957,-9.117");
+    tell("38.957,-9.117,20000");
+    ASSERT_TRUE(fakes::waitUntil([this] { return station->status().position.accepted > 0; }));
+    EXPECT_EQ(station->status().position.accepted, 1U) << "the one that was kept does not count";
+    EXPECT_EQ(station->status().position.refused, 1U) << "half a line";
+
+    station->request({.id = 1, .request = request::FollowPosition{}});
+    run(1000);
+    const StationStatus status = station->status();
+    EXPECT_EQ(status.position.source, QStringLiteral("MQTT balloon/position"));
+    EXPECT_EQ(status.position.phase, PositionPhase::Following);
+    EXPECT_NEAR(status.azimuth.actual->wrapped180().degrees(), 0.0, 0.05) << "0.2° north of the mount";
+    EXPECT_NEAR(status.elevation.actual->degrees(), 41.75, 0.1);
+    broker->kill();
+    ASSERT_TRUE(fakes::waitUntil([this] { return !station->status().position.trouble.isEmpty(); }));
+}
+
 }  // namespace
 }  // namespace boresight
