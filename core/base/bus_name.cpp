@@ -45,15 +45,15 @@ Result<BusName> parsePath(BusKind kind, std::string_view path, const char* examp
 Result<BusName> parseHost(std::string_view text)
 {
     const auto colon = text.rfind(':');
-    const auto port = colon == std::string_view::npos ? std::nullopt : parseInteger(text.substr(colon + 1));
+    const auto port = parseInteger(text.substr(colon + 1));
     std::string_view host = text.substr(0, colon);
     const bool bracketed = host.size() > 2 && host.front() == '[' && host.back() == ']';
     if (bracketed) {
         host = host.substr(1, host.size() - 2);
     }
     const bool isIpv6 = host.find(':') != std::string_view::npos;
-    const bool odd = host.empty() || isIpv6 != bracketed || host.find_first_of(" []/") != std::string_view::npos ||
-                     hasControlCharacters(host);
+    const bool odd = colon == std::string_view::npos || host.empty() || isIpv6 != bracketed ||
+                     host.find_first_of(" []/") != std::string_view::npos || hasControlCharacters(host);
     if (odd || !port || *port < 1 || *port > 65535) {
         return failure(ErrorCode::InvalidInput,
                        Text::tr("'%1' is no address with a port; write for example tcp:192.168.1.20:4001")

@@ -62,7 +62,7 @@ Result<> SerialBoxLine::openPort(const QString& device)
     const auto identity = portIdentity(device);
     // The program behind a pseudo-terminal often holds this end open too.
     const bool isTerminal = identity && isPseudoTerminal(identity->device);
-    if (const auto holder = isTerminal ? std::nullopt : portHolder(device)) {
+    if (const auto holder = portHolder(device); holder && !isTerminal) {
         return failure(ErrorCode::Busy, inUse(device, *holder));
     }
     m_port.setPortName(canonicalPort(device));
