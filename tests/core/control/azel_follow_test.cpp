@@ -387,5 +387,22 @@ TEST_F(StationAzelFollow, EverythingElseEndsIt)
     EXPECT_NEAR(place().azimuth.degrees(), 10.0, 0.01) << "the last one was not held on its way";
 }
 
+// REQ-AZEL-921: The cable is on a wrap that has room until the Moon sets, where there is one and our own Moon stands
+// for that of the file. So it is after each rise.
+TEST_F(StationAzelFollow, TheWrapHasRoomUntilTheMoonSets)
+{
+    moonIs(5_deg);
+    const Angle moon = writer.moon(now()).azimuth;
+    ASSERT_LT(moon + 360_deg, rig.profile.limits.azimuth.max) << "the nearest wrap is within the travel";
+    run(Seconds(2.5));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = moon + 350_deg, .elevation = 30_deg}}));
+    run(Seconds(60.0));
+    ASSERT_NEAR(place().azimuth.degrees(), (moon + 350_deg).degrees(), 0.1);
+    ASSERT_EQ(ask(), "");
+    run(Seconds(60.0));
+    EXPECT_EQ(status().phase, AzelPhase::Following);
+    EXPECT_NEAR(place().azimuth.degrees(), moon.degrees(), 2.0) << "the nearest wrap ends before the Moon sets";
+}
+
 }  // namespace
 }  // namespace boresight
