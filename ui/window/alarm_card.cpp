@@ -24,7 +24,6 @@ namespace {
 
 constexpr std::chrono::seconds kSaidFor{10};  // time enough to read a path
 constexpr int kCardMargin = 12;               // px
-constexpr int kAlarmEnds = 5;                 // px
 constexpr int kCardSymbol = 12;               // px
 constexpr double kCardRadius = 6.0;           // px
 constexpr int kBeforeButtons = 2;             // px
@@ -168,7 +167,7 @@ void AlarmCard::build()
         buttons->setAlignment(part, Qt::AlignRight);
     }
     auto* const column = new QVBoxLayout(this);
-    column->setContentsMargins(2 * kCardMargin + kCardSymbol, kAlarmEnds, kCardMargin, kAlarmEnds);
+    column->setContentsMargins(2 * kCardMargin + kCardSymbol, kCardMargin - 4, kCardMargin, kCardMargin - 4);
     column->setSpacing(4);
     column->addWidget(m_what);
     column->addWidget(m_advice);

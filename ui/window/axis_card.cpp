@@ -103,8 +103,6 @@ QWidget* makeName(const QString& text, QWidget* parent)
 int pointsOf(Numerals numerals)
 {
     switch (numerals) {
-        case Numerals::Line:
-            return 16;
         case Numerals::Beside:
             return 22;
         case Numerals::Small:
@@ -161,7 +159,7 @@ AxisCard::AxisCard(Axis axis, QWidget* parent)
 }
 
 // The name with the state below it, the numeral, and beside it a line for each further number. In the narrow card the
-// lines of target and error are one, below the numeral, and in the lowest card there is none.
+// lines of target and error are one, below the numeral.
 void AxisCard::build(Numerals numerals)
 {
     delete layout();
@@ -170,19 +168,14 @@ void AxisCard::build(Numerals numerals)
     grid->setHorizontalSpacing(kGrid);
     grid->setVerticalSpacing(0);
     auto* const names = new QVBoxLayout;
-    names->setSpacing(numerals == Numerals::Line ? 0 : names->spacing());
     names->addWidget(m_name);
     names->addWidget(m_state);
     names->addStretch(1);
     auto* const below = new QHBoxLayout;
     below->setSpacing(kGrid);
     below->addWidget(m_bar, 1);
-    below->addWidget(m_detail, isInOneRow(numerals) ? 2 : 1);
-    if (numerals == Numerals::Line) {
-        grid->addLayout(names, 0, 0, 2, 1);
-        grid->addWidget(m_actual, 0, 1, Qt::AlignRight | Qt::AlignVCenter);
-        grid->addLayout(below, 1, 1);
-    } else if (numerals == Numerals::Beside) {
+    below->addWidget(m_detail, numerals == Numerals::Beside ? 2 : 1);
+    if (numerals == Numerals::Beside) {
         auto* const line = new QHBoxLayout;
         for (QWidget* const part :
              {m_targetCaption, static_cast<QWidget*>(m_target), m_errorCaption, static_cast<QWidget*>(m_error)}) {
@@ -215,11 +208,7 @@ void AxisCard::setNumerals(Numerals numerals)
     m_numerals = numerals;
     m_actual->setFont(fonts::actual(pointsOf(numerals)));
     for (ValueLabel* const number : {m_target, m_error}) {
-        number->setFont(isInOneRow(numerals) ? fonts::small() : fonts::value());
-    }
-    for (QWidget* const part :
-         {m_targetCaption, static_cast<QWidget*>(m_target), m_errorCaption, static_cast<QWidget*>(m_error)}) {
-        part->setVisible(numerals != Numerals::Line);
+        number->setFont(numerals == Numerals::Beside ? fonts::small() : fonts::value());
     }
     const bool roomForRate = numerals == Numerals::Usual || numerals == Numerals::Large;
     m_rate->setVisible(roomForRate);

@@ -21,18 +21,11 @@ class ValueLabel;
 // Of the numeral of the actual angle, by the room there is in the window.
 enum class Numerals
 {
-    Line,    // 16 pt, and neither target nor error: while a long alarm needs room. The header and the plot have both
     Beside,  // 22 pt, and no line for the rate: both cards in one row, while an alarm needs room
     Small,   // 28 pt, and no line for the rate: a window of 1024×700 has no room for more
     Usual,   // 44 pt
     Large    // 60 pt
 };
-
-// Both cards beside each other.
-[[nodiscard]] constexpr bool isInOneRow(Numerals numerals)
-{
-    return numerals == Numerals::Line || numerals == Numerals::Beside;
-}
 
 class AxisCard : public QWidget
 {

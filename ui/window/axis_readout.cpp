@@ -43,7 +43,7 @@ void AxisReadout::showStatus(const StationStatus& status)
 void AxisReadout::setNumerals(Numerals numerals)
 {
     m_numerals = numerals;
-    m_cards->setDirection(isInOneRow(numerals) ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_cards->setDirection(numerals == Numerals::Beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     m_azimuth->setNumerals(numerals);
     m_elevation->setNumerals(numerals);
 }

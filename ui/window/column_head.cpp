@@ -65,8 +65,7 @@ void ColumnHead::arrange()
         return antenna + m_axes->sizeWith(of.numerals).height() + (of.sensor ? sensor : 0);
     };
     const std::array arrangements{Arrangement{usual, true}, Arrangement{Numerals::Small, true},
-                                  Arrangement{Numerals::Beside, true}, Arrangement{Numerals::Beside, false},
-                                  Arrangement{Numerals::Line, false}};
+                                  Arrangement{Numerals::Beside, true}, Arrangement{Numerals::Beside, false}};
     const int room = height(arrangements.front());
     const int alarm = heightOfAlarm();
     Arrangement best = arrangements.back();

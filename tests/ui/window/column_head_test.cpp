@@ -56,26 +56,5 @@ TEST_F(ColumnHeadTest, NoAlarmMovesTheTabs)
     }
 }
 
-// Story: at 1024×700 each alarm moved the tabs by 14 to 65 px.
-// REQ-UI-993: At 1024×700 an alarm of the catalogue moves the tabs by less than a line, the longest of them by less
-// than two. The readouts of the axes make room: the numerals get smaller, and at last target and error go, which the
-// header and the plot show. Nothing is kept free for alarms, so each panel has that room while there is none.
-TEST_F(ColumnHeadTest, AnAlarmMovesTheTabsOfASmallWindowByLessThanALine)
-{
-    window.resize(1024, 700);
-    const int before = tabs(samples::idle());
-    QStringList longOnes;
-    for (const AlarmEntry* const entry : alarmCatalogue()) {
-        const int moved = tabs(samples::alarmed(*entry)) - before;
-        EXPECT_GE(moved, 0) << entry->id;
-        EXPECT_LT(moved, 2 * kLine) << entry->id;
-        if (moved >= kLine) {
-            longOnes << QLatin1String(entry->id);
-        }
-    }
-    EXPECT_EQ(tabs(samples::idle()), before);
-    EXPECT_LE(longOnes.size(), 3) << qPrintable(longOnes.join(u", "));
-}
-
 }  // namespace
 }  // namespace boresight::ui
