@@ -9,6 +9,20 @@
 #include <utility>
 
 namespace boresight {
+namespace {
+
+// Where only names were changed, an antenna is known by its place in the list.
+std::string nameIn(const profile::Profile& after, const profile::Profile& before, const std::string& name)
+{
+    const auto old = std::ranges::find(before.antennas, name, &pointing::Antenna::name);
+    const bool isSameList = before.antennas.size() == after.antennas.size();
+    if (old == before.antennas.end() || !isSameList || after.antenna(name).name == name) {
+        return name;
+    }
+    return after.antennas[static_cast<std::size_t>(old - before.antennas.begin())].name;
+}
+
+}  // namespace
 
 AntennaChoice::AntennaChoice(const profile::InForce& profile, EventLog& log, std::function<void()> changed)
     : m_profile(profile), m_log(log), m_changed(std::move(changed)), m_inUse(profile->antenna(m_chosen))
@@ -67,11 +81,17 @@ void AntennaChoice::release()
     }
 }
 
+void AntennaChoice::profileChanged(const profile::Profile& before, const profile::Profile& after)
+{
+    m_chosen = nameIn(after, before, m_chosen);
+    renew();
+}
+
 std::string AntennaChoice::wanted(const profile::Profile& by) const
 {
     const std::string own =
         m_tracked && m_tracked->satellite ? orbit::antennaOf(by.satellites, *m_tracked->satellite) : std::string();
-    return own.empty() ? m_chosen : own;
+    return own.empty() ? nameIn(by, *m_profile, m_chosen) : own;
 }
 
 void AntennaChoice::renew()

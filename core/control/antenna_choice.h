@@ -51,8 +51,8 @@ public:
     void endTracking();
     // The mount rests: what is not tracked any more chooses no antenna.
     void release();
-    // The antenna may have another beam, or be gone: then it is the main one.
-    void profileChanged() { renew(); }
+    // The antenna may have another name, another beam, or be gone: then it is the main one.
+    void profileChanged(const profile::Profile& before, const profile::Profile& after);
 
 private:
     [[nodiscard]] Result<> isKnown(const std::string& name) const;

@@ -282,7 +282,7 @@ void StationControl::profileChanged(const profile::Profile& before, const profil
         m_firstMoves.beginAnew();  // the small way begins where the mount stands now
     }
     m_standstill.forget();
-    m_antenna.profileChanged();
+    m_antenna.profileChanged(before, after);
     m_region.profileChanged(before, after);
     for (const Axis axis : kAxes) {
         m_motion.setLimits(axis, after.axis(axis).limits);

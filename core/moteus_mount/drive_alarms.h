@@ -25,8 +25,8 @@ namespace boresight::drive_alarms {
 [[nodiscard]] AlarmCase noneHeard(const QString& advice, bool needsRearm);
 [[nodiscard]] AlarmCase bothAnswerAgain(Seconds silent, const std::optional<Angle>& azimuth,
                                         const std::optional<Angle>& elevation);
-// Of a silent drive silenced() knows more.
 [[nodiscard]] AlarmCase timedOutByStall(const QString& drive, Seconds stalled);
+// Of a silent drive silenced() knows more.
 [[nodiscard]] AlarmCase lost(const QString& drive, DriveLoss loss, int faultCode);
 [[nodiscard]] AlarmCase activeLimit(const QString& drive, int code);
 [[nodiscard]] QString limitClause(int code);  // added to a sentence of the supervision

@@ -130,9 +130,12 @@ void DriveWatch::watchReturn(const Drive& drive, const Context& context)
 {
     Silent& silent = *m_silent;
     silent.back = silent.back.value_or(context.now);
+    if (context.turnAsked) {
+        silent.place.reset();
+    }
     const auto moved = movedSince(silent, drive, context);
-    const bool never = !silent.place || context.turnAsked;
-    if (!moved && !never && (silent.backTold || context.now - *silent.back < kPatienceForPlace)) {
+    const bool waits = silent.backTold ? silent.place.has_value() : context.now - *silent.back < kPatienceForPlace;
+    if (!moved && waits) {
         return;
     }
     if (moved || !silent.backTold) {
@@ -142,7 +145,7 @@ void DriveWatch::watchReturn(const Drive& drive, const Context& context)
                                   .moved = moved});
     }
     silent.backTold = true;
-    if (moved || never) {
+    if (moved || !silent.place) {
         m_silent.reset();
     }
 }

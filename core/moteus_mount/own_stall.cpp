@@ -8,6 +8,8 @@ namespace {
 
 // After a longer one nobody expects the mount to set off.
 constexpr Seconds kLongest{2.0};
+// A shorter one comes from load, not from a sleep.
+constexpr Seconds kNamed{1.0};
 // From the end of the stall to the end of the resumption.
 constexpr std::chrono::seconds kOwnStallPatience{1};
 constexpr std::chrono::seconds kLongestResumption{10};
@@ -44,7 +46,7 @@ bool OwnStall::explainsTimeOut(SteadyTime now) const
 
 std::optional<Seconds> OwnStall::recent(SteadyTime now) const
 {
-    return m_gap > Seconds(0.0) && now - m_end <= kOwnStallPatience ? std::optional(m_gap) : std::nullopt;
+    return m_gap >= kNamed && now - m_end <= kOwnStallPatience ? std::optional(m_gap) : std::nullopt;
 }
 
 bool OwnStall::isNear(Axis axis, Angle measured) const

@@ -24,7 +24,7 @@ public:
 
     // A time-out that is seen now comes from the stall, and the stall was short enough to go on.
     [[nodiscard]] bool explainsTimeOut(SteadyTime now) const;
-    // How long the stall was that ended a moment ago; empty: there was none.
+    // How long the stall was that ended a moment ago; empty: there was none, or one that is not worth a word.
     [[nodiscard]] std::optional<Seconds> recent(SteadyTime now) const;
     // The axis stands where a braked mount can stand.
     [[nodiscard]] bool isNear(Axis axis, Angle measured) const;

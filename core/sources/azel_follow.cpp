@@ -181,6 +181,7 @@ std::optional<AxisPosition> AzelFollow::roomyPlace(UtcTime utc)
         for (UtcTime then = utc; then < *m_followed->next; then += kWayStep) {
             way.push_back({.utc = then, .direction = m_moon.at(then)});
         }
+        way.push_back({.utc = *m_followed->next, .direction = m_moon.at(*m_followed->next)});
     }
     return roomyStart(helm().view(), way);
 }

@@ -14234,6 +14234,10 @@ el %2</translation>
         <source>Nothing waits for a reconnect.</source>
         <translation>nada espera por uma reconexão</translation>
     </message>
+    <message>
+        <source>The page Profile has an edit of the same list. Apply it or revert it first.</source>
+        <translation>A página Perfil tem uma edição da mesma lista. Aplique-a ou reverta-a primeiro.</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::ProfileDraftBar</name>

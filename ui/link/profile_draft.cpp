@@ -261,6 +261,12 @@ ProfileDraft::Profiles ProfileDraft::historyWithApplied() const
     return history;
 }
 
+bool ProfileDraft::isEdited(const std::vector<std::string>& keys) const
+{
+    const std::vector<std::string> edited = editedKeys();
+    return std::ranges::find_first_of(edited, keys) != edited.end();
+}
+
 void ProfileDraft::applyAlone(const std::function<void(profile::Profile&)>& change, QObject* asker,
                               const RequestDesk::Reply& reply)
 {
@@ -271,6 +277,8 @@ void ProfileDraft::applyAlone(const std::function<void(profile::Profile&)>& chan
         reply(draftRefused(tr("The station has not answered yet.")));
     } else if (!problems.empty()) {
         reply(draftRefused(problemText(problems.front())));
+    } else if (isEdited(profile::changedKeys(m_applied, changed))) {
+        reply(draftRefused(tr("The page Profile has an edit of the same list. Apply it or revert it first.")));
     } else {
         m_alone = changed;
         send(changed, historyWithApplied(), asker, reply);

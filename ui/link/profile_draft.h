@@ -70,7 +70,8 @@ public:
 
     // Each asks the station and brings its answer to the asker, or why it was not asked.
     void apply(QObject* asker, const RequestDesk::Reply& reply);
-    // Applies this change alone; edits that are not applied yet stay edits.
+    // Applies this change alone; edits that are not applied yet stay edits. Refused while one of them is an edit of the
+    // same: it would take the change back when it is applied.
     void applyAlone(const std::function<void(profile::Profile&)>& change, QObject* asker,
                     const RequestDesk::Reply& reply);
     void undo(QObject* asker, const RequestDesk::Reply& reply);       // applies what was applied before the last change
@@ -82,6 +83,8 @@ Q_SIGNALS:
 
 private:
     using Profiles = std::vector<profile::Profile>;
+
+    [[nodiscard]] bool isEdited(const std::vector<std::string>& keys) const;
 
     [[nodiscard]] bool simulates(const profile::Profile& wanted) const;
     void put(const profile::Profile& edited);

@@ -249,7 +249,7 @@ public:
     QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override
     {
         if (size.isEmpty()) {
-            return {};  // Qt asks so of a button that has no size yet, and nothing can be painted on it
+            return {};  // Qt asks for this while a button has no size
         }
         QPixmap pixmap(size);
         pixmap.fill(Qt::transparent);

@@ -17,7 +17,11 @@ ElementsButton::ElementsButton(ProfileDraft& draft, QWidget* parent)
     setFont(fonts::label());
     setAutoDefault(false);
     setMinimumHeight(kTouchSize);
-    connect(this, &QPushButton::clicked, this, &ElementsButton::siteWanted);  // with a menu it opens that
+    connect(this, &QPushButton::clicked, this, [this] {
+        if (!m_lacksElements) {  // else it has a menu
+            Q_EMIT siteWanted();
+        }
+    });
     hide();
 }
 
@@ -42,6 +46,9 @@ QMenu* ElementsButton::makeMenu()
 void ElementsButton::showStatus(const StationStatus& status)
 {
     const bool lacksElements = !status.satellites || status.satellites->empty();
+    if (!lacksElements) {
+        m_refusal.clear();
+    }
     setVisible(lacksElements || !status.profile->site.known);
     if (lacksElements == m_lacksElements && !text().isEmpty()) {
         return;

@@ -151,6 +151,21 @@ TEST_F(ProfileDraftTest, AChangeAppliedAloneLeavesTheEditsEdits)
     EXPECT_NE(textOf(*answers[1]).find("is used twice"), std::string::npos);
 }
 
+// Story: the star of a satellite was lost, because a renamed antenna of another one was applied after it.
+// REQ-UI-02c
+TEST_F(ProfileDraftTest, AChangeAloneIsRefusedWhereAnEditWouldTakeItBack)
+{
+    draft.edit([](Profile& p) { orbit::setAntenna(p.satellites, 25544, "70 cm"); });
+    const auto answered = [this](const std::optional<Error>& error) { answers.push_back(error); };
+    draft.applyAlone([](Profile& p) { orbit::setFavourite(p.satellites, 27607, true); }, &desk, answered);
+    EXPECT_TRUE(requests.empty());
+    ASSERT_EQ(answers.size(), 1u);
+    EXPECT_EQ(textOf(*answers[0]), "The page Profile has an edit of the same list. Apply it or revert it first.");
+    draft.revert();
+    draft.applyAlone([](Profile& p) { orbit::setFavourite(p.satellites, 27607, true); }, &desk, answered);
+    EXPECT_EQ(requests.size(), 1u);
+}
+
 TEST_F(ProfileDraftTest, RevertDropsTheEdits)
 {
     setParkAzimuth(12_deg);

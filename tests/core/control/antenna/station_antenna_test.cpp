@@ -266,6 +266,26 @@ TEST_F(StationAntenna, FollowsTheProfile)
     EXPECT_EQ(rig.control.status().actual->azimuth.wrapped360(), rig.control.status().azimuth.actual->wrapped360());
 }
 
+// Story: the main beam was pointed from then on, without a word.
+// REQ-ANTENNA-919: The antenna in use stays in use under another name, also while a client is tracked.
+TEST_F(StationAntenna, StaysInUseUnderAnotherName)
+{
+    ASSERT_EQ(use("70 cm"), "");
+    ASSERT_EQ(ask(request::GiveAuthority{}), "");
+    ASSERT_TRUE(rig.point(120.0, 30.0, kClient));
+    rig.run(Seconds(0.5));
+    profile::Profile renamed = rig.profile;
+    renamed.antennas[0].name = "UHF";
+    renamed.satellites[0].antenna = "UHF";
+    EXPECT_EQ(ask(request::ApplyProfile{renamed}), "");
+    rig.setProfile(renamed);
+    EXPECT_EQ(inUse(), "UHF");
+    ASSERT_EQ(ask(request::Hold{}), "");
+    rig.settle();
+    EXPECT_EQ(use("main"), "");
+    EXPECT_EQ(use("UHF"), "");
+}
+
 // REQ-ANTENNA-918: Another antenna for a satellite is refused after its tracking was handed over to a client: it would
 // move that client's beam.
 TEST_F(StationAntenna, AnotherChoiceForASatelliteMovesNoClientsBeam)
