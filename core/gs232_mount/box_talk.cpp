@@ -35,7 +35,9 @@ std::string shown(std::string_view bytes)
 
 void BoxTalk::restart()
 {
+    const bool stop = m_stop;
     *this = BoxTalk(m_question, m_baud);
+    m_stop = stop;
 }
 
 void BoxTalk::take(std::string_view bytes, SteadyTime now)
@@ -127,12 +129,11 @@ std::string BoxTalk::send(SteadyTime now)
     judge(now);
     if (m_proof != Proof::Box) {
         m_go.clear();
-        m_stop = false;
     }
     if (m_proof == Proof::Foreign) {
         return {};
     }
-    if (std::exchange(m_stop, false)) {
+    if (m_proof == Proof::Box && std::exchange(m_stop, false)) {  // else it waits for the proof
         return say(std::string(kStopAll), now);
     }
     const bool waits = m_times.asked && now - *m_times.asked < kAnswerTime + timeOf(kAskBoth.size() + kLongestAnswer);

@@ -17,6 +17,8 @@ namespace {
 constexpr AngularRate kFastest = AngularRate::fromDegrees(6.0);
 // Ahead of a set-point: it runs on from one target to the next, which comes half a second later.
 constexpr Seconds kAhead{0.6};
+// Of a rotator that is slower than its profile says: it must not run far when the line fails.
+constexpr Angle kFarthest = 12_deg;
 // Until the operator is told that nothing answers.
 constexpr std::chrono::seconds kPatience{3};
 
@@ -130,7 +132,9 @@ void Gs232Mount::observe(SteadyTime now)
 void Gs232Mount::takePlaces(const Position& position)
 {
     m_heard = m_now;
-    m_alarms.clear(alarmEntry("rotator.no-answer"));
+    if (!m_state.lost) {
+        m_alarms.clear(alarmEntry("rotator.no-answer"));  // or of a silence, which is the reason until Re-arm
+    }
     if (std::exchange(m_state.silent, false)) {
         stop();  // it may still be on its way to where it was sent before the silence
     }
@@ -152,7 +156,7 @@ void Gs232Mount::takePlaces(const Position& position)
 MountFindings Gs232Mount::supervise(const MountSituation& /*known*/)
 {
     MountFindings found;
-    if (m_heard && !m_state.silent && !answers()) {
+    if (const bool broke = std::exchange(m_broke, false); m_heard && !m_state.silent && (broke || !answers())) {
         beginSilence(found);
     }
     showNoAnswer();
@@ -282,17 +286,20 @@ void Gs232Mount::letGo()
 
 void Gs232Mount::brakeHard(bool hard)
 {
-    if (hard && !std::exchange(m_state.hard, hard)) {
+    const bool was = std::exchange(m_state.hard, hard);
+    if (hard && !was) {
         stop();
     }
-    m_state.hard = hard;
+    if (was && !hard) {
+        m_state.follows = false;  // the set-points braked farther than the box: it is taken over anew where it stands
+    }
 }
 
 // It moves although it does not follow: what was ordered before goes on, or somebody stands at the box.
 void Gs232Mount::seize()
 {
     const auto isStopping = [this](Axis axis) { return of(axis).watch.stopping(); };
-    if (!m_state.follows && answers() && moves() && std::ranges::none_of(kAxes, isStopping)) {
+    if ((!m_state.follows || m_state.hard) && answers() && moves() && std::ranges::none_of(kAxes, isStopping)) {
         stop();
     }
 }
@@ -320,7 +327,9 @@ Angle Gs232Mount::aimOf(Axis axis) const
     const double rate = setpoint.rate.degrees();
     const double stopping = rate * rate / (2.0 * m_profile->axis(axis).limits.acceleration.degrees());
     const double ahead = std::min(std::abs(rate) * kAhead.count(), stopping);
-    return wholeDegrees(setpoint.position + Angle::fromDegrees(std::copysign(ahead, rate)));
+    const Angle aim = wholeDegrees(setpoint.position + Angle::fromDegrees(std::copysign(ahead, rate)));
+    const auto& place = of(axis).filter.place();
+    return place ? std::clamp(aim, *place - kFarthest, *place + kFarthest) : aim;
 }
 
 void Gs232Mount::order()
@@ -348,6 +357,9 @@ void Gs232Mount::sendOrdered()
         m_capabilities.has(Axis::Elevation)
             ? goTo({.azimuth = target(Axis::Azimuth), .elevation = target(Axis::Elevation)})
             : goToAzimuth(target(Axis::Azimuth));
+    if (m_capabilities.has(Axis::Elevation) && !of(Axis::Azimuth).ordered && !of(Axis::Azimuth).filter.place()) {
+        return;  // the command names the azimuth, too, and nobody knows it
+    }
     if (!command) {
         return;  // outside of what the box counts: fitness() says so
     }

@@ -33,7 +33,11 @@ public:
     [[nodiscard]] std::string send();
     // The line was opened again, and nobody knows what is behind it.
     void lineOpened();
-    void lineClosed() { m_lineOpen = false; }
+    void lineClosed()
+    {
+        m_lineOpen = false;
+        m_broke = true;
+    }
     [[nodiscard]] const BoxTalk& talk() const { return m_talk; }
 
     [[nodiscard]] Capabilities capabilities() const override { return m_capabilities; }
@@ -105,7 +109,8 @@ private:
     std::optional<SteadyTime> m_heard;   // an answer
     std::optional<SteadyTime> m_opened;  // the line
     bool m_lineOpen = false;
-    SteadyTime m_now{};  // of the running or last tick
+    bool m_broke = false;  // the line, since the last tick: it may be open again
+    SteadyTime m_now{};    // of the running or last tick
 };
 
 }  // namespace boresight::gs232

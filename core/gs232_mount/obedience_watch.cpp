@@ -30,9 +30,12 @@ void ObedienceWatch::release()
 void ObedienceWatch::place(Angle place, SteadyTime now)
 {
     if (m_place && *m_place != place) {
-        m_changed = now;
-        m_progress = now;
-        m_sentAgain = false;
+        if (m_before != place) {  // to and fro by one count is the converter
+            m_changed = now;
+            m_progress = now;
+            m_sentAgain = false;
+        }
+        m_before = m_place;
     }
     m_place = place;
 }

@@ -48,6 +48,7 @@ private:
     [[nodiscard]] Verdict judgeStop(SteadyTime now);
 
     std::optional<Angle> m_place;
+    std::optional<Angle> m_before;        // the place before this one
     std::optional<SteadyTime> m_changed;  // its place, from one that was known
     std::optional<Angle> m_target;
     SteadyTime m_progress{};  // it was near its target, moved, or was sent elsewhere

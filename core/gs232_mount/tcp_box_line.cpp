@@ -3,10 +3,17 @@
 
 #include "core/base/text.h"
 
+#include <QNetworkProxy>
+
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+
 namespace boresight {
 
 TcpBoxLine::TcpBoxLine(const QString& host, quint16 port, QObject* parent) : BoxLine(parent), m_host(host), m_port(port)
 {
+    m_socket.setProxy(QNetworkProxy::NoProxy);  // to ask the desktop for one blocks
     m_socket.setReadBufferSize(kBytesAtOnce);
     m_patience.setSingleShot(true);
     connect(&m_patience, &QTimer::timeout, this, &TcpBoxLine::giveUp);
@@ -27,7 +34,8 @@ QString TcpBoxLine::name() const
 
 void TcpBoxLine::open()
 {
-    if (m_socket.state() == QAbstractSocket::UnconnectedState) {
+    if (state() != State::Up && !m_patience.isActive()) {
+        m_socket.abort();  // what was not written must not keep it closing
         m_patience.start(kConnectTime);
         m_socket.connectToHost(m_host, m_port);
     }
@@ -38,6 +46,11 @@ void TcpBoxLine::begin()
     m_patience.stop();
     m_socket.setSocketOption(QAbstractSocket::LowDelayOption, 1);
     m_socket.setSocketOption(QAbstractSocket::KeepAliveOption, 1);
+    // A target that was not acknowledged must not arrive minutes later. After this time the line is lost, and with it
+    // what waits.
+    const int milliseconds = 2000;
+    setsockopt(static_cast<int>(m_socket.socketDescriptor()), IPPROTO_TCP, TCP_USER_TIMEOUT, &milliseconds,
+               sizeof milliseconds);
     show(State::Up);
 }
 

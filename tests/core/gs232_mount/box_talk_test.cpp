@@ -110,6 +110,18 @@ TEST(BoxTalk, AStopTakesTheTargetThatWaits)
     EXPECT_EQ(talk.count("W100 010\r"), 0);
 }
 
+// Story: a STOP before the first answer was dropped, and the box ran on to where it was sent before the start.
+TEST(BoxTalk, AStopBeforeTheFirstAnswerWaitsForIt)
+{
+    Talk talk;
+    talk->stop();
+    talk.run(milliseconds(500));
+    EXPECT_EQ(talk.count("S\r"), 0);
+    talk->restart();
+    talk.run(milliseconds(2500), kAnswerB);
+    EXPECT_EQ(talk.count("S\r"), 1);
+}
+
 // REQ-GS232-07: A device that talks and never answers as such a box does is left alone after three seconds, also one
 // that answered before its line was opened again.
 TEST(BoxTalk, AForeignDeviceIsLeftAlone)

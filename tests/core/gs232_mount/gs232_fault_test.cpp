@@ -107,6 +107,61 @@ TEST(Gs232Stop, IsRepeatedUntilTheRotatorStands)
     EXPECT_LT(bench.truth().azimuth, 150_deg);
 }
 
+// Story: the set-points brake farther than the box. The next jog of one axis took the other one there.
+TEST(Gs232Stop, LeavesBothAxesWhereTheyStand)
+{
+    Gs232Bench bench;
+    bench.run(Seconds(2.0));
+    ASSERT_TRUE(bench.goTo(200.0, 80.0));
+    bench.run(Seconds(4.0));
+    ASSERT_TRUE(bench.ask(request::Stop{}));
+    bench.run(Seconds(8.0));
+    const AxisPosition stood = bench.truth();
+    ASSERT_LT(stood.elevation, 75_deg);
+    ASSERT_TRUE(bench.ask(request::ResetStop{}));
+    bench.run(Seconds(1.0));
+    for (int tick = 0; tick < 20; ++tick) {
+        ASSERT_TRUE(bench.ask(request::Jog{.rates = {.azimuth = 2_deg_s}}));
+        bench.run(Seconds(0.1));
+    }
+    bench.run(Seconds(8.0));
+    EXPECT_GT(bench.truth().azimuth, stood.azimuth + 1_deg);
+    EXPECT_NEAR(bench.truth().elevation.degrees(), stood.elevation.degrees(), 0.6) << "nobody asked for it";
+}
+
+// Story: a connection that closed and opened between two ticks let the motion go on, on whatever box was there then.
+TEST(Gs232Stop, ALineThatWasAwayForAMomentEndsTheMotion)
+{
+    Gs232Bench bench;
+    bench.run(Seconds(2.0));
+    ASSERT_TRUE(bench.goTo(200.0, 20.0));
+    bench.run(Seconds(4.0));
+    bench.mount().lineClosed();
+    bench.mount().lineOpened();
+    bench.run(Seconds(3.0));
+    EXPECT_TRUE(bench.control().faultLatched());
+    EXPECT_TRUE(bench.standsOnBoard("rotator.silent"));
+    bench.run(Seconds(8.0));
+    EXPECT_TRUE(bench.stands(Seconds(5.0)));
+    EXPECT_LT(bench.truth().azimuth, 100_deg);
+}
+
+// REQ-GS232-24: A converter that flickers between two counts is no motion.
+TEST(Gs232Stop, AFlickerOfOneCountIsNoMotion)
+{
+    ObedienceWatch watch;
+    SteadyTime now = SteadyTime{} + std::chrono::hours(1);
+    watch.place(89_deg, now);
+    watch.place(90_deg, now);
+    watch.stopped(now);
+    for (int count = 0; count < 60; ++count) {
+        now += std::chrono::milliseconds(250);
+        watch.place(count % 2 == 0 ? 89_deg : 90_deg, now);
+        EXPECT_NE(watch.judge(now), ObedienceWatch::Verdict::RunsOn);
+    }
+    EXPECT_FALSE(watch.stopping());
+}
+
 // A stop that works is sent once.
 TEST(Gs232Stop, IsSentOnce)
 {
