@@ -29,12 +29,9 @@ inline constexpr std::array kRotatorAlarms{
         .id = "rotator.foreign",
         .source = "rotator",
         .severity = Severity::Alarm,
-        .what = QT_TRANSLATE_NOOP("Text", "The device on %1 is not a GS-232 rotator. It says \"%2\""),
-        .action = QT_TRANSLATE_NOOP(
-            "Text", "Boresight asked for its position only, and closed the line. It sends nothing more"),
-        .remedy = QT_TRANSLATE_NOOP("Text",
-                                    "Choose the port of the rotator on the page Profile (bus.name), check the speed "
-                                    "(bus.baud), then press Reconnect"),
+        .what = QT_TRANSLATE_NOOP("Text", "The device on %1 is not a GS-232 rotator. It sent \"%2\""),
+        .action = QT_TRANSLATE_NOOP("Text", "Boresight closed the line, and sends nothing more"),
+        .remedy = QT_TRANSLATE_NOOP("Text", "Check the port and the speed (bus.name, bus.baud). Then press Reconnect"),
         .help = AlarmHelp::Reconnect,
         .kin = AlarmKin::BusGone,
         .examples = {"serial:/dev/ttyUSB0", "IF00014250000"},

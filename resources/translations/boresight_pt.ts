@@ -8924,18 +8924,6 @@ até %1</translation>
         <translation>Verifique o cabo e a caixa. Se a porta estiver errada, escolha outra na página Perfil (bus.name)</translation>
     </message>
     <message>
-        <source>The device on %1 is not a GS-232 rotator. It says &quot;%2&quot;</source>
-        <translation>O dispositivo em %1 não é um rotor GS-232. Envia &quot;%2&quot;</translation>
-    </message>
-    <message>
-        <source>Boresight asked for its position only, and closed the line. It sends nothing more</source>
-        <translation>O Boresight só perguntou a posição e fechou a ligação. Não envia mais nada</translation>
-    </message>
-    <message>
-        <source>Choose the port of the rotator on the page Profile (bus.name), check the speed (bus.baud), then press Reconnect</source>
-        <translation>Escolha a porta do rotor na página Perfil (bus.name), verifique a velocidade (bus.baud) e prima Reconectar</translation>
-    </message>
-    <message>
         <source>The rotator does not answer</source>
         <translation>O rotor não responde</translation>
     </message>
@@ -9070,6 +9058,18 @@ até %1</translation>
     <message>
         <source>Speed of the serial port of a GS-232 rotator, as its switches are set. A CAN bus does not use it.</source>
         <translation>Velocidade da porta série de um rotor GS-232, como estão os seus interruptores. Um barramento CAN não a usa.</translation>
+    </message>
+    <message>
+        <source>The device on %1 is not a GS-232 rotator. It sent &quot;%2&quot;</source>
+        <translation>O dispositivo em %1 não é um rotador GS-232. Enviou &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>Boresight closed the line, and sends nothing more</source>
+        <translation>O Boresight fechou a linha e não envia mais nada</translation>
+    </message>
+    <message>
+        <source>Check the port and the speed (bus.name, bus.baud). Then press Reconnect</source>
+        <translation>Verifique a porta e a velocidade (bus.name, bus.baud). Depois prima Religar</translation>
     </message>
 </context>
 <context>

@@ -117,7 +117,7 @@ TEST_F(OptionsTest, TheKindOfTheSimulatedMountIsChosen)
     for (const char* const wrong : {"--simulate=nonsense", "--simulate=none", "--simulate="}) {
         const auto refused = read({QString::fromLatin1(wrong)});
         ASSERT_FALSE(refused) << wrong;
-        EXPECT_THAT(textOf(refused.error()), testing::HasSubstr("moteus (a moteus drive), simple (")) << wrong;
+        EXPECT_THAT(textOf(refused.error()), testing::HasSubstr("moteus (a moteus drive), gs232 (")) << wrong;
     }
     EXPECT_FALSE(read({QStringLiteral("--simulate=simple"), QStringLiteral("--bus"), QStringLiteral("socketcan:can7")}))
         << "no real mount is ever taken for a simulated one";

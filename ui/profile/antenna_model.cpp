@@ -45,7 +45,7 @@ AntennaModel::AntennaModel(ProfileDraft& draft, QObject* parent) : DraftTableMod
 QVariant AntennaModel::data(const QModelIndex& index, int role) const
 {
     const QVariant value = DraftTableModel::data(index, role);
-    return role == Qt::ToolTipRole && !value.isValid() && index.isValid() && isFixed(index)
+    return role == Qt::ToolTipRole && index.isValid() && isFixed(index)
                ? tr("The offsets of the other antennas are measured from the main antenna.")
                : value;
 }

@@ -114,7 +114,7 @@ void ProfilePage::showSettings()
     m_antennas->hide();
     m_settings->show();
     showChoice();
-    m_settings->setFocus();
+    m_settings->focusTree();
 }
 
 void ProfilePage::seek(const QString& words)

@@ -42,7 +42,6 @@ SettingsView::SettingsView(ProfileDraft& draft, QWidget* parent)
                                 this))
 {
     m_filter->setSourceModel(m_model);
-    setFocusProxy(m_tree);
     buildTree();
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -148,6 +147,12 @@ void SettingsView::openEditor(const QModelIndex& index)
         m_tree->setCurrentIndex(value);
         m_tree->edit(value);
     }
+}
+
+// No focus proxy: Tab would not reach what stands above the tree.
+void SettingsView::focusTree()
+{
+    m_tree->setFocus();
 }
 
 void SettingsView::seek(const QString& words)

@@ -28,6 +28,7 @@ class SettingsView : public QWidget
 public:
     explicit SettingsView(ProfileDraft& draft, QWidget* parent = nullptr);
 
+    void focusTree();
     void seek(const QString& words);  // as if typed into the search
 
 Q_SIGNALS:

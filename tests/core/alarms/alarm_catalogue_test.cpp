@@ -34,7 +34,7 @@ std::string sources()
     std::string all;
     for (const char* const top : {"core", "ui"}) {
         for (const auto& entry : fs::recursive_directory_iterator(fs::path(BORESIGHT_SOURCES) / top)) {
-            const bool isSource = entry.path().extension() == ".cpp";
+            const bool isSource = entry.path().extension() == ".cpp" || entry.path().extension() == ".h";
             if (const std::string text = isSource ? fileText(entry.path()) : "";
                 text.find("alarmEntry(\"") != text.npos) {
                 all += text;
