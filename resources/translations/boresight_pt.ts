@@ -9069,7 +9069,7 @@ até %1</translation>
     </message>
     <message>
         <source>Check the port and the speed (bus.name, bus.baud). Then press Reconnect</source>
-        <translation>Verifique a porta e a velocidade (bus.name, bus.baud). Depois prima Religar</translation>
+        <translation>Verifique a porta e a velocidade (bus.name, bus.baud). Depois prima Reconectar</translation>
     </message>
 </context>
 <context>
