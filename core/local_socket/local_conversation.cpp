@@ -56,16 +56,16 @@ void LocalConversation::end(const LocalAnswer& answer)
         return;
     }
     m_over = true;
-    m_patience.start();
     connect(&m_socket, &QLocalSocket::bytesWritten, this, &LocalConversation::closeOurEnd);
     m_socket.write(answerText(answer));
     m_socket.flush();
     closeOurEnd();
 }
 
-// Once the answer is sent. A list of satellites is more than a socket takes at once.
+// Once the answer is sent. A list of satellites is more than a socket takes at once: a client that still reads has time.
 void LocalConversation::closeOurEnd()
 {
+    m_patience.start();
     if (m_socket.bytesToWrite() == 0 && m_socket.isValid()) {  // the client is still there
         ::shutdown(static_cast<int>(m_socket.socketDescriptor()), SHUT_WR);
         m_socket.readAll();

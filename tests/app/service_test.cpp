@@ -16,6 +16,7 @@
 
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <memory>
@@ -73,6 +74,14 @@ protected:
     }
     [[nodiscard]] bool says(const char* text) { return program->waitForError(QString::fromUtf8(text)); }
     [[nodiscard]] std::string errors() const { return program->errors().toStdString(); }
+    // Friction may leave a drive a hundredth of a degree beside its order.
+    [[nodiscard]] static bool isNear(const std::string& reply, double azimuth, double elevation)
+    {
+        constexpr double kNear = 0.05;
+        const QStringList lines = QString::fromStdString(reply).split(QLatin1Char('\n'));
+        return lines.size() >= 2 && std::abs(lines[0].toDouble() - azimuth) < kNear &&
+               std::abs(lines[1].toDouble() - elevation) < kNear;
+    }
     void expectOrderlyEnd()
     {
         program->terminate();
@@ -111,7 +120,7 @@ TEST_F(ServiceTest, HangUpDoesNotEndTheMotion)
     write(kProfile + "[jog]\nfast_deg_s = 5\n");
     send(SIGHUP);
     EXPECT_TRUE(says("the profile was read again and is in force")) << errors();
-    EXPECT_TRUE(fakes::waitUntil([&client] { return client->ask("p\n", 2) == "15.00\n15.00\n"; })) << errors();
+    EXPECT_TRUE(fakes::waitUntil([&client] { return isNear(client->ask("p\n", 2), 15.0, 15.0); })) << errors();
     EXPECT_EQ(errors().find("ends the motion"), std::string::npos) << errors();
     expectOrderlyEnd();
 }

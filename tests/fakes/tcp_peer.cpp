@@ -112,7 +112,10 @@ std::string TcpPeer::receiveLines(int count)
 std::string TcpPeer::ask(std::string_view command, int lines)
 {
     send(command);
-    return receiveLines(lines);
+    const auto isWhole = [lines](const std::string& reply) {
+        return reply.starts_with("RPRT -") ? reply.ends_with('\n') : std::ranges::count(reply, '\n') >= lines;
+    };
+    return receive(isWhole, std::chrono::milliseconds(0), std::chrono::seconds(30));
 }
 
 std::string TcpPeer::receiveUntilClosed(std::chrono::milliseconds patience)

@@ -32,7 +32,7 @@ public:
     // many looks.
     std::string receive(const Enough& enough, std::chrono::milliseconds quiet, std::chrono::milliseconds patience);
     std::string receiveLines(int count);  // until so many line feeds have come
-    // One command, and the reply of so many lines.
+    // One command, and its reply of so many lines, or of the one line that refuses it.
     std::string ask(std::string_view command, int lines = 1);
     std::string receiveUntilClosed(std::chrono::milliseconds patience = std::chrono::seconds(5));
     [[nodiscard]] bool closedByServer();                                                   // looks without waiting long

@@ -43,6 +43,7 @@ class LocalServerTest : public testing::Test
 {
 protected:
     static constexpr std::size_t kRoom = 256;  // for an answer
+    static constexpr qsizetype kMany = 4'000'000;
 
     [[nodiscard]] Result<> listen() { return server.listen(runtime.path(), kPort); }
 
@@ -98,6 +99,8 @@ protected:
             reply(agreement);
         }
     }};
+    fakes::ManualClock clock;
+    fakes::HandTurnedTimers timers{server, clock};
 };
 
 // REQ-LOCALSOCKET-02: A connection brings one command and gets one line: ok, or error with the reason of the station.
@@ -136,7 +139,6 @@ TEST_F(LocalServerTest, ALineMayComeInPieces)
 // REQ-LOCALSOCKET-941: An answer of many lines arrives whole, also where it is more than the socket takes at once.
 TEST_F(LocalServerTest, ALongAnswerArrivesWhole)
 {
-    constexpr qsizetype kMany = 4'000'000;
     ASSERT_TRUE(listen());
     agreement = QByteArray(kMany, 'x') + '\n';
     const std::string answer = ask("satellites\n");
@@ -145,12 +147,30 @@ TEST_F(LocalServerTest, ALongAnswerArrivesWhole)
     EXPECT_TRUE(answer.ends_with("x\n"));
 }
 
+// REQ-LOCALSOCKET-941
+TEST_F(LocalServerTest, AClientThatReadsSlowlyHasTime)
+{
+    ASSERT_TRUE(listen());
+    agreement = QByteArray(kMany, 'x') + '\n';
+    const FileDescriptor slow(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    ASSERT_EQ(withAddress(::connect, slow), 0);
+    ASSERT_EQ(::send(slow.number(), "satellites\n", 11, MSG_NOSIGNAL), 11);
+    qsizetype received = 0;
+    std::vector<char> part(200'000);
+    for (ssize_t size = 1; size > 0; received += size) {
+        timers.elapse(Seconds(1.9));
+        ASSERT_TRUE(waitUntil([&] {
+            size = ::recv(slow.number(), part.data(), part.size(), MSG_DONTWAIT);
+            return size >= 0;
+        }));
+    }
+    EXPECT_EQ(received, kMany + 4);
+}
+
 // REQ-LOCALSOCKET-942: The station may answer later, however long it takes: the client waits, and other clients are
 // answered meanwhile. A client that has gone gets nothing.
 TEST_F(LocalServerTest, TheStationMayAnswerLater)
 {
-    fakes::ManualClock clock;
-    fakes::HandTurnedTimers timers(server, clock);
     ASSERT_TRUE(listen());
     answersLater = true;
     const auto patient = client(1);
@@ -175,8 +195,6 @@ TEST_F(LocalServerTest, TheStationMayAnswerLater)
 // REQ-LOCALSOCKET-03: At most eight clients at the same time. One that sends no command within 2 s is closed.
 TEST_F(LocalServerTest, TheNinthIsSentAwayUntilTheSilentOnesAreClosed)
 {
-    fakes::ManualClock clock;
-    fakes::HandTurnedTimers timers(server, clock);
     ASSERT_TRUE(listen());
     std::vector<std::unique_ptr<QLocalSocket>> silent;
     for (int i = 1; i <= LocalServer::kMostClients; ++i) {
