@@ -7,6 +7,8 @@
 
 #include <sys/socket.h>
 
+#include <utility>
+
 namespace boresight::local {
 
 LocalConversation::LocalConversation(QLocalSocket* socket, Obey obey, QObject* parent)
@@ -56,16 +58,18 @@ void LocalConversation::end(const LocalAnswer& answer)
         return;
     }
     m_over = true;
+    m_patience.start();
     connect(&m_socket, &QLocalSocket::bytesWritten, this, &LocalConversation::closeOurEnd);
     m_socket.write(answerText(answer));
     m_socket.flush();
     closeOurEnd();
 }
 
-// Once the answer is sent. A list of satellites is more than a socket takes at once: a client that still reads has time.
+// Once the answer is sent. A list of satellites is more than a socket takes at once: a client that still reads has
+// time.
 void LocalConversation::closeOurEnd()
 {
-    m_patience.start();
+    m_reads = true;
     if (m_socket.bytesToWrite() == 0 && m_socket.isValid()) {  // the client is still there
         ::shutdown(static_cast<int>(m_socket.socketDescriptor()), SHUT_WR);
         m_socket.readAll();
@@ -74,10 +78,12 @@ void LocalConversation::closeOurEnd()
 
 void LocalConversation::losePatience()
 {
-    if (m_over) {
-        m_socket.abort();
-    } else {
+    if (!m_over) {
         end(failure(ErrorCode::NoAnswer, Text::tr("No command came within %1 s.").arg(kPatience.count())));
+    } else if (std::exchange(m_reads, false)) {
+        m_patience.start();
+    } else {
+        m_socket.abort();
     }
 }
 

@@ -11,9 +11,9 @@
 #include <functional>
 
 // One client of the local socket: its line, our answer, the end. A client that sends no line in time is answered, too.
-// After the answer the client closes the connection, or we do when it has not done so for kPatience: what it is still
-// sending must not cost it our answer, and an answer of many lines takes it a while. Deletes itself when the connection
-// has ended. Lives in its owner's event loop.
+// After the answer the client closes the connection, or we do when it has neither done so nor read for kPatience: what
+// it is still sending must not cost it our answer, and an answer of many lines takes it a while. Deletes itself when
+// the connection has ended. Lives in its owner's event loop.
 namespace boresight::local {
 
 // May be called later, or never if the station ends first. Does nothing once the client is gone.
@@ -46,6 +46,7 @@ private:
     QTimer m_patience;
     bool m_asked = false;  // the answer is still to come
     bool m_over = false;
+    bool m_reads = false;  // our answer, since patience began
 };
 
 }  // namespace boresight::local

@@ -6,6 +6,7 @@
 #include "tests/fakes/hand_turned_timers.h"
 #include "tests/fakes/wait_until.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
@@ -158,6 +159,7 @@ TEST_F(LocalServerTest, AClientThatReadsSlowlyHasTime)
     qsizetype received = 0;
     std::vector<char> part(200'000);
     for (ssize_t size = 1; size > 0; received += size) {
+        QCoreApplication::processEvents();  // the server sends more
         timers.elapse(Seconds(1.9));
         ASSERT_TRUE(waitUntil([&] {
             size = ::recv(slow.number(), part.data(), part.size(), MSG_DONTWAIT);
