@@ -38,9 +38,9 @@ void AlarmBoard::raise(const AlarmKey& key, Severity severity, const QStringList
         QStringList line{text->brief, text->action, text->remedy};
         line.removeAll(QString());
         Lines& lines = linesOf(key);
-        lines.name = QString::fromLatin1(key.entry->id);
+        lines.alarm = {.name = QString::fromLatin1(key.entry->id), .about = key.about};
         const QString joined = line.join(QLatin1Char(' '));
-        const bool added = lines.throttle.add(severity, lines.source, joined, LogKind::Alarm, lines.name);
+        const bool added = lines.throttle.add(severity, lines.source, joined, LogKind::Alarm, lines.alarm);
         lines.told |= added;
         lines.leftOut =
             added ? std::nullopt : std::optional(LeftOut{.severity = severity, .text = joined, .since = m_clock.now()});
@@ -52,7 +52,7 @@ void AlarmBoard::tick()
     for (auto& [place, lines] : m_lines) {
         if (lines.leftOut && m_clock.now() - lines.leftOut->since >= std::chrono::seconds(1)) {
             lines.told |= lines.throttle.add(lines.leftOut->severity, lines.source, lines.leftOut->text, LogKind::Alarm,
-                                             lines.name);
+                                             lines.alarm);
             lines.leftOut.reset();
         }
     }
@@ -66,7 +66,7 @@ void AlarmBoard::clear(const AlarmKey& key)
     Lines& lines = linesOf(key);
     lines.leftOut.reset();
     if (std::exchange(lines.told, false)) {
-        lines.throttle.insist(Severity::Advisory, lines.source, Text::tr("Cleared."), LogKind::Alarm, lines.name);
+        lines.throttle.insist(Severity::Advisory, lines.source, Text::tr("Cleared."), LogKind::Alarm, lines.alarm);
     }
 }
 

@@ -45,7 +45,7 @@ private:
     struct Lines
     {
         QString source;
-        QString name = {};  // the id of the alarm that came last
+        LoggedAlarm alarm = {};  // that came last
         LogThrottle throttle;
         bool told = false;                    // that it began
         std::optional<LeftOut> leftOut = {};  // of what stands

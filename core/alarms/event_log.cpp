@@ -24,11 +24,12 @@ void print(const LogEntry& entry)
 QString plainLine(const LogEntry& entry)
 {
     const QString source =
-        entry.alarm.isEmpty() ? entry.source : QStringLiteral("%1 [%2]").arg(entry.source, entry.alarm);
+        entry.alarm.name.isEmpty() ? entry.source : QStringLiteral("%1 [%2]").arg(entry.source, entry.alarm.name);
     return source + QStringLiteral(": ") + entry.text;
 }
 
-void EventLog::add(Severity severity, const QString& source, const QString& text, LogKind kind, const QString& alarm)
+void EventLog::add(Severity severity, const QString& source, const QString& text, LogKind kind,
+                   const LoggedAlarm& alarm)
 {
     m_entries.push_back({.number = ++m_lastNumber,
                          .utc = m_clock.utc(),

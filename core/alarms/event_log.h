@@ -31,7 +31,7 @@ public:
     explicit EventLog(const Clock& clock, Echo echo = Echo::Yes) : m_clock(clock), m_echo(echo) {}
 
     void add(Severity severity, const QString& source, const QString& text, LogKind kind = LogKind::Event,
-             const QString& alarm = {});
+             const LoggedAlarm& alarm = {});
 
     // Entries numbered above `number`, oldest first, at most `limit` of the newest.
     [[nodiscard]] std::vector<LogEntry> since(std::uint64_t number, std::size_t limit) const;

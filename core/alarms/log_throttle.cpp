@@ -5,7 +5,7 @@
 
 namespace boresight {
 
-bool LogThrottle::repeated(const QString& source, const QString& text, const QString& alarm, SteadyTime now) const
+bool LogThrottle::repeated(const QString& source, const QString& text, const LoggedAlarm& alarm, SteadyTime now) const
 {
     const auto last = m_lastLines.constFind(source);
     return last != m_lastLines.constEnd() && last->text == text && last->alarm == alarm && now - last->time < kRepeat;
@@ -16,7 +16,8 @@ void LogThrottle::forgetOld(SteadyTime now)
     m_lastLines.removeIf([now](const auto& line) { return now - line->time >= kRepeat; });
 }
 
-bool LogThrottle::add(Severity severity, const QString& source, const QString& text, LogKind kind, const QString& alarm)
+bool LogThrottle::add(Severity severity, const QString& source, const QString& text, LogKind kind,
+                      const LoggedAlarm& alarm)
 {
     const SteadyTime now = m_clock.now();
     if (now - m_second >= std::chrono::seconds(1)) {
@@ -37,7 +38,7 @@ bool LogThrottle::add(Severity severity, const QString& source, const QString& t
 }
 
 void LogThrottle::insist(Severity severity, const QString& source, const QString& text, LogKind kind,
-                         const QString& alarm)
+                         const LoggedAlarm& alarm)
 {
     m_lastLines.insert(source, {.text = text, .alarm = alarm, .time = m_clock.now()});
     ++m_inSecond;

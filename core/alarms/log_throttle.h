@@ -21,20 +21,21 @@ public:
 
     // False if it was left out.
     bool add(Severity severity, const QString& source, const QString& text, LogKind kind = LogKind::Event,
-             const QString& alarm = {});
+             const LoggedAlarm& alarm = {});
     // Written in any case: the end of something whose beginning was.
     void insist(Severity severity, const QString& source, const QString& text, LogKind kind = LogKind::Event,
-                const QString& alarm = {});
+                const LoggedAlarm& alarm = {});
 
 private:
     struct Line
     {
         QString text;
-        QString alarm;  // two of them may say the same
+        LoggedAlarm alarm;  // two of them may say the same
         SteadyTime time;
     };
 
-    [[nodiscard]] bool repeated(const QString& source, const QString& text, const QString& alarm, SteadyTime now) const;
+    [[nodiscard]] bool repeated(const QString& source, const QString& text, const LoggedAlarm& alarm,
+                                SteadyTime now) const;
     void forgetOld(SteadyTime now);
 
     EventLog& m_log;

@@ -337,6 +337,15 @@ enum class LogKind
     Alarm
 };
 
+// The alarm that a line is of.
+struct LoggedAlarm
+{
+    QString name = {};   // its id in the catalogue; empty: no alarm
+    QString about = {};  // as of Alarm
+
+    bool operator==(const LoggedAlarm&) const = default;
+};
+
 struct LogEntry
 {
     std::uint64_t number = 0;  // counts up by one
@@ -345,7 +354,7 @@ struct LogEntry
     QString source;  // "operator", "rotctld 127.0.0.1:51234", "station", "azimuth drive", "bus"
     QString text;
     LogKind kind = LogKind::Event;
-    QString alarm = {};  // the id of the alarm in the catalogue; empty: no alarm
+    LoggedAlarm alarm = {};
 };
 
 // Whether the mount may be sent to a direction, as far as the direction is concerned. What stands in the way of any

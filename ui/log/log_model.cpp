@@ -34,8 +34,8 @@ void LogModel::append(const std::vector<LogEntry>& entries)
 std::optional<int> LogModel::lineOf(const Alarm& alarm) const
 {
     const auto fits = [&alarm](const LogEntry& line) {
-        return line.alarm == alarm.name && line.utc >= alarm.since && line.severity == alarm.severity &&
-               (line.source.contains(alarm.about) || line.text.startsWith(alarm.what));
+        return line.alarm == LoggedAlarm{.name = alarm.name, .about = alarm.about} && line.utc >= alarm.since &&
+               line.severity == alarm.severity;
     };
     const auto found = std::ranges::find_if(m_entries, fits);
     return found == m_entries.end() ? std::nullopt : std::optional(static_cast<int>(found - m_entries.begin()));

@@ -57,7 +57,7 @@ TEST_F(AlarmBoardTest, ALineDoesNotNameItsSourceTwice)
     board.raise(alarmEntry("drive.fault-unnamed").of(Axis::Azimuth), {QStringLiteral("azimuth drive")});
     const LogEntry line = log.since(0, EventLog::kCapacity).back();
     EXPECT_EQ(line.source, QStringLiteral("azimuth drive"));
-    EXPECT_EQ(line.alarm, QStringLiteral("drive.fault-unnamed"));
+    EXPECT_EQ(line.alarm.name, QStringLiteral("drive.fault-unnamed"));
     EXPECT_TRUE(line.text.startsWith(QStringLiteral("In fault without a fault code. The drive switched")))
         << line.text.toStdString();
     EXPECT_TRUE(plainLine(line).startsWith(QStringLiteral("azimuth drive [drive.fault-unnamed]: In fault")));

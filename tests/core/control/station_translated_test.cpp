@@ -40,7 +40,7 @@ public:
     {
         for (const LogEntry& line : m_rig.log.since(0, EventLog::kCapacity)) {
             m_told.push_back("log " + std::to_string(static_cast<int>(line.severity)) + " " +
-                             std::to_string(static_cast<int>(line.kind)) + " " + line.alarm.toStdString());
+                             std::to_string(static_cast<int>(line.kind)) + " " + line.alarm.name.toStdString());
         }
         return m_told;
     }

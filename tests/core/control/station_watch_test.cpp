@@ -200,7 +200,8 @@ TEST(StationWatch, AnAlarmWhoseCauseLastsIsNotOverWithTheRearm)
     EXPECT_FALSE(rig.control.faultLatched());
     EXPECT_THAT(rig.alarm("beyond its travel"), HasSubstr("Jog the axis back inside"));
     EXPECT_TRUE(std::ranges::none_of(rig.log.since(0, EventLog::kCapacity), [](const LogEntry& line) {
-        return line.alarm.startsWith(QLatin1String("axis.outside-travel")) && line.text == QLatin1String("Cleared.");
+        return line.alarm.name.startsWith(QLatin1String("axis.outside-travel")) &&
+               line.text == QLatin1String("Cleared.");
     }));
 }
 

@@ -25,7 +25,7 @@ protected:
     {
         std::vector<std::string> texts;
         for (const LogEntry& line : log.since(0, EventLog::kCapacity)) {
-            if (line.alarm.isEmpty()) {
+            if (line.alarm.name.isEmpty()) {
                 texts.push_back(line.text.toStdString());
             }
         }

@@ -182,9 +182,10 @@ TEST_F(AlarmCardTest, AClickOnTheTextOpensItsLineInTheLog)
                                       QStringLiteral("Fault 38: The line of the alarm."));
     line.utc = alarm.since;
     line.kind = LogKind::Alarm;
-    line.alarm = alarm.name;
+    line.alarm = {.name = alarm.name, .about = alarm.about};
     LogEntry other = line;
     other.source = QStringLiteral("elevation drive");
+    other.alarm.about = QStringLiteral("elevation");
     other.text = QStringLiteral("Of the other axis.");
     update.log.push_back(other);
     update.log.push_back(line);
