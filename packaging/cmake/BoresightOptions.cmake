@@ -34,16 +34,17 @@ if(BORESIGHT_SANITIZE)
   target_compile_definitions(boresight_options INTERFACE BORESIGHT_SANITIZED)
   target_link_options(boresight_options INTERFACE -fsanitize=${BORESIGHT_SANITIZE})
   if(BORESIGHT_SANITIZE MATCHES "thread")
-    # GCC 12 says atomic_thread_fence is unsupported under TSan inside Qt's own headers.
-    target_compile_options(boresight_options INTERFACE -Wno-error=tsan)
-    # With its instrumentation GCC 12 takes the other half of an expected for unset. The release build judges this.
-    target_compile_options(boresight_options INTERFACE -Wno-maybe-uninitialized)
+    target_compile_definitions(boresight_options INTERFACE BORESIGHT_THREAD_SANITIZED)
     # Qt's own library is not instrumented: this object tells ThreadSanitizer what Qt's event queue orders.
     add_library(boresight_qt_event_order OBJECT "${CMAKE_SOURCE_DIR}/tests/sanitizers/qt_event_order.cpp")
     target_compile_features(boresight_qt_event_order PRIVATE cxx_std_20)
     target_compile_options(boresight_qt_event_order PRIVATE -fsanitize=${BORESIGHT_SANITIZE})
     target_link_libraries(boresight_qt_event_order PRIVATE Qt6::Core)
     target_link_libraries(boresight_options INTERFACE $<TARGET_OBJECTS:boresight_qt_event_order>)
+    # Its operator new takes the place of clang's own, which it cannot where that is linked statically.
+    execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-runtime-dir
+      OUTPUT_VARIABLE runtimes OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+    target_link_options(boresight_options INTERFACE -shared-libsan "-Wl,-rpath,${runtimes}")
     target_link_options(boresight_options INTERFACE
       -Wl,--wrap=_ZN7QThread4waitE14QDeadlineTimer -Wl,--wrap=_ZN11QThreadPool5startESt8functionIFvvEEi
       -Wl,--wrap=_ZN11QThreadPoolD1Ev

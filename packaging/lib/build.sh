@@ -14,14 +14,15 @@ parallel_jobs() {
 # Ninja decides what there is to do, and runs CMake again by itself when a CMakeLists.txt has changed.
 build_preset() {  # PRESET [TARGET…]
     step "building build/$1"
-    local preset=$1 folder=$BORESIGHT_TOP/build/$1 wanted
+    local preset=$1 folder=$BORESIGHT_TOP/build/$1 wanted compiler=()
     shift
     mkdir -p "$folder"
+    command -v clang++-16 >/dev/null || compiler=(-DCMAKE_CXX_COMPILER=clang++)  # of another Debian
     wanted="${QWT_ARGUMENTS[*]} $(cksum <"$BORESIGHT_TOP/CMakePresets.json")"
     if [[ ! -f $folder/build.ninja || $(cat "$folder/configured-with" 2>/dev/null) != "$wanted" ]]; then
         say "configuring build/$preset"
         (cd "$BORESIGHT_TOP" &&
-            quietly "$folder/configure.log" cmake --preset "$preset" -U 'Qwt_*' "${QWT_ARGUMENTS[@]}") ||
+            quietly "$folder/configure.log" cmake --fresh --preset "$preset" "${QWT_ARGUMENTS[@]}" "${compiler[@]}") ||
             fail "could not configure the preset $preset (build/$preset/configure.log)"
         printf '%s\n' "$wanted" >"$folder/configured-with"
     fi

@@ -178,7 +178,7 @@ TEST_F(ServiceTest, HangUpDoesNotTakeTheProfileOfAnotherMount)
 // A log or journal at the limit of its size is an alarm, not the end of the program.
 TEST_F(ServiceTest, AFileAtItsLimitDoesNotEndIt)
 {
-#ifdef __SANITIZE_THREAD__
+#ifdef BORESIGHT_THREAD_SANITIZED
     GTEST_SKIP() << "ThreadSanitizer writes files of its own, and ends at their limit";
 #endif
     start(QStringLiteral("ulimit -f 0"));

@@ -20,11 +20,14 @@
 #include <QtCore/QThreadStorage>
 #include <QtCore/qnamespace.h>
 
+#include <dlfcn.h>
 #include <link.h>
 #include <sanitizer/tsan_interface.h>
+#include <sys/types.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdarg>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -206,6 +209,21 @@ __wrap__ZN11QMetaObject16invokeMethodImplEP7QObjectPN9QtPrivate15QSlotObjectBase
 bool QThreadPool::contains(const QThread* /*thread*/) const
 {
     return true;
+}
+
+// Qt starts a program by a clone that shares its memory, which clang's own clone() does not expect. Until the program
+// is executed, the child does nothing that is worth watching.
+extern "C" int clone(int (*run)(void*), void* stack, int flags, void* argument, ...)
+{
+    using Clone = int (*)(int (*)(void*), void*, int, void*, pid_t*, void*, pid_t*);
+    static const auto ours = reinterpret_cast<Clone>(dlsym(dlopen("libc.so.6", RTLD_NOLOAD | RTLD_LAZY), "clone"));
+    std::va_list rest;
+    va_start(rest, argument);
+    auto* const parent = va_arg(rest, pid_t*);
+    auto* const threadData = va_arg(rest, void*);
+    auto* const child = va_arg(rest, pid_t*);
+    va_end(rest);
+    return ours(run, stack, flags, argument, parent, threadData, child);
 }
 
 void* operator new(std::size_t size)
