@@ -19,8 +19,8 @@
 // and query together) and replies into a report. Knows the drive's rules: a hold at the measured position comes before
 // any set-point, a drive in fault or time-out is never commanded before it has shown mode 0, and every motion frame
 // carries the watchdog time. A drive that no longer answers may still receive, so it is commanded to brake. Pure: time
-// is passed in. Units are the drive's: output turns, Nm, A, V, °C. More than 15 members: one state machine, whose
-// phases use most of them.
+// is passed in. Units are the drive's: output turns, Nm, A, V, °C. More than 15 members and
+// 600 lines: one state machine, whose phases use most of them.
 namespace boresight {
 
 // The last reply, and when it came.

@@ -17,7 +17,7 @@ class QGridLayout;
 
 // The desktop window: it composes the panels and connects their signals, nothing else. It knows the station by two
 // values only: StationUpdate comes in, NumberedRequest goes out. Gui thread.
-// More than 15 members: the widgets that it composes.
+// More than 15 members and 600 lines: the widgets that it composes, and its keys.
 namespace boresight::ui {
 
 class AboutPage;
