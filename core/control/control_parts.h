@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/alarms/alarm_board.h"
-#include "core/azel/azel_feed.h"
 #include "core/base/clock.h"
 #include "core/control/antenna_choice.h"
 #include "core/control/arming.h"
@@ -17,7 +16,6 @@
 #include "core/motion/motion.h"
 #include "core/mount/mount_driver.h"
 #include "core/pointing/mount_model.h"
-#include "core/position/position_feed.h"
 #include "core/profile/profile.h"
 
 #include <cstdint>
@@ -42,8 +40,6 @@ struct ControlParts
     const SlewWatch& slew;
     const EnergyMeter& energy;
     const AlarmBoard& alarms;
-    const azel::AzelFeed& azelFeed;
-    const position::PositionFeed& positionFeed;
     SteadyTime now;  // of the running or last tick
     std::uint64_t tick = 0;
 

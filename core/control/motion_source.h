@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/azel/azel_feed.h"
 #include "core/control/helm.h"
 #include "core/messages/request.h"
+#include "core/position/position_text.h"
 
 #include <cstdint>
 #include <functional>
@@ -30,6 +32,9 @@ using MotionRequests =
                 request::Follow, request::Track, request::Nudge, request::Horizon, request::Park, request::Home,
                 request::Unwind, request::Trial, request::FollowAzel, request::FollowPosition>;
 
+// What reaches a source from outside: a look at azel.dat, a report of what flies.
+using SourceNews = std::variant<azel::AzelReading, Result<position::PositionText>>;
+
 class MotionSource
 {
 public:
@@ -44,6 +49,9 @@ public:
     virtual void describe(StationStatus& /*status*/) const {}
     // Once in a tick, before the set-points move on.
     virtual void step(SteadyTime /*now*/) {}
+    // News for this source or for another one. The error says why they are not believed.
+    virtual Result<> hear(const SourceNews& /*news*/) { return {}; }
+    virtual void profileChanged(const profile::Profile& /*before*/, const profile::Profile& /*after*/) {}
     // This client is gone for good.
     virtual void gone(const Source& /*client*/) {}
     // This client has read the measured position.

@@ -100,8 +100,6 @@ ControlParts StationControl::parts() const
             .slew = m_slew,
             .energy = m_energy,
             .alarms = m_alarms,
-            .azelFeed = m_azelFeed,
-            .positionFeed = m_positionFeed,
             .now = m_now,
             .tick = m_tick};
 }
@@ -151,6 +149,15 @@ void StationControl::stepSources()
     for (const auto& one : m_sources) {
         one->step(m_now);
     }
+}
+
+Result<> StationControl::hear(const SourceNews& news)
+{
+    Result<> believed;
+    for (const auto& one : m_sources) {
+        believed = believed.and_then([&] { return one->hear(news); });
+    }
+    return believed;
 }
 
 void StationControl::sourceGone(const Source& source)
@@ -264,18 +271,6 @@ Result<> StationControl::handle(const request::Reconnect& wanted, const Source& 
     });
 }
 
-void StationControl::limitPositions()
-{
-    const profile::PositionSettings& settings = m_profile->position;
-    m_positionFeed.setLimits({.name = toQString(settings.name), .stale = settings.stale, .fastest = settings.fastest});
-}
-
-Result<> StationControl::take(const Result<position::PositionText>& read)
-{
-    limitPositions();
-    return m_positionFeed.take(read, m_clock.now(), m_clock.utc());
-}
-
 void StationControl::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
     if (before.mount.directions != after.mount.directions) {
@@ -290,10 +285,9 @@ void StationControl::profileChanged(const profile::Profile& before, const profil
     m_motion.setArrival(after.control.arrival);
     m_slew.lookAgain();
     m_adviceAlarms.update(after);
-    if (!after.position.comesFromWhere(before.position)) {
-        m_positionFeed = {};
+    for (const auto& one : m_sources) {
+        one->profileChanged(before, after);
     }
-    limitPositions();
 }
 
 // Places of the axes stay what they are with any antenna.

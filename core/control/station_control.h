@@ -3,7 +3,6 @@
 
 #include "core/alarms/alarm_board.h"
 #include "core/alarms/event_log.h"
-#include "core/azel/azel_feed.h"
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/control/advice_alarms.h"
@@ -31,7 +30,6 @@
 #include "core/motion/motion.h"
 #include "core/mount/mount_driver.h"
 #include "core/pointing/mount_model.h"
-#include "core/position/position_feed.h"
 #include "core/profile/in_force.h"
 
 #include <QString>
@@ -43,8 +41,8 @@
 // request, STOP latches, a fault or silence needs an explicit re-arm, the operator goes before the clients. Pure: time
 // comes from the injected clock; the Station gives it a mount and a timer. States and rules: README.md.
 //
-// More than 15 members: it owns the parts of the control, each with a state of its own, and keeps their order in a
-// tick.
+// More than 15 members and 600 lines: it owns the parts of the control, each with a state of its own, keeps their order
+// in a tick, and answers for them.
 namespace boresight {
 
 class StationControl
@@ -146,10 +144,8 @@ public:
     [[nodiscard]] pointing::Antenna chosenAntenna() const { return m_antenna.chosen(); }
     // Where a sensor measures the main beam. It counts only when the wrap is asked for.
     void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation);
-    // What a look at azel.dat has found.
-    void take(const azel::AzelReading& reading) { m_azelFeed.take(reading, m_clock.now(), m_clock.utc()); }
-    // A report of what flies. The error says why it is not believed.
-    Result<> take(const Result<position::PositionText>& read);
+    // For the source of motion that waits for it. The error says why it is not believed.
+    Result<> hear(const SourceNews& news);
 
 private:
     Result<> handle(const request::Hold& wanted, const Source& source);
@@ -172,7 +168,6 @@ private:
     [[nodiscard]] bool moves() const { return m_current.moves(); }
     [[nodiscard]] bool turnsKnown() const { return m_mount.wrapsKnown(); }
     void watchFirstMoves();
-    void limitPositions();
     void takeOver(const Source& source) { m_helm.takeOver(source); }
     void tell(Severity severity, const Source& source, const QString& what) { m_sourceLog.add(severity, source, what); }
     void holdHere(Activity left) { m_helm.hold(left); }
@@ -203,8 +198,6 @@ private:
     CableGuard m_cable;
     SlewWatch m_slew;
     EnergyMeter m_energy;
-    azel::AzelFeed m_azelFeed;
-    position::PositionFeed m_positionFeed;
     SourceLog m_sourceLog;
     HeldLog m_heldLog;
 

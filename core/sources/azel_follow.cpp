@@ -26,16 +26,25 @@ const Source& azelSource()
 
 }  // namespace
 
+Result<> AzelFollow::hear(const SourceNews& news)
+{
+    if (const auto* const reading = std::get_if<azel::AzelReading>(&news)) {
+        const Clock& clock = helm().view().clock;
+        m_feed.take(*reading, clock.now(), clock.utc());
+    }
+    return {};
+}
+
 Result<> AzelFollow::isUsable() const
 {
     const ControlParts view = helm().view();
-    return view.azelFeed.isFresh(view.now).and_then([&]() -> Result<> {
+    return m_feed.isFresh(view.now).and_then([&]() -> Result<> {
         if (m_moon.isElsewhere()) {
             return failure(ErrorCode::Refused,
                            Text::tr("its Moon is %1 off: the locator in WSJT-X or the site is wrong")
                                .arg(degreesText(*m_moon.apart())));
         }
-        if (view.profile.azel.onlyWhileReceiving == profile::OnlyWhileReceiving::On && !view.azelFeed.text()->radio) {
+        if (view.profile.azel.onlyWhileReceiving == profile::OnlyWhileReceiving::On && !m_feed.text()->radio) {
             return failure(ErrorCode::Refused, Text::tr("it does not show whether the radio transmits, and the setting "
                                                         "only_while_receiving is on"));
         }
@@ -46,7 +55,7 @@ Result<> AzelFollow::isUsable() const
 Result<> AzelFollow::ask(const request::FollowAzel&, const Source& by)
 {
     const ControlParts view = helm().view();
-    m_moon.look(view);
+    m_moon.look(view, m_feed);
     return operatorOnly(by).and_then([&] { return helm().mayPoint(by); }).and_then([&]() -> Result<> {
         if (const Result<> usable = isUsable(); !usable) {
             return failure(usable.error().code, Text::tr("azel.dat cannot be used: %1").arg(usable.error().text));
@@ -68,7 +77,7 @@ Result<> AzelFollow::ask(const request::FollowAzel&, const Source& by)
 
 void AzelFollow::step(SteadyTime now)
 {
-    m_moon.look(helm().view());
+    m_moon.look(helm().view(), m_feed);
     if (!m_followed) {
         return;
     }
@@ -121,7 +130,7 @@ AzelPhase AzelFollow::wantedPhase() const
         return AzelPhase::Stale;
     }
     const ControlParts view = helm().view();
-    const bool transmits = view.azelFeed.text()->radio == azel::Radio::Transmits;
+    const bool transmits = m_feed.text()->radio == azel::Radio::Transmits;
     return transmits && view.profile.azel.onlyWhileReceiving == profile::OnlyWhileReceiving::On
                ? AzelPhase::Transmitting
            : m_followed->isUp ? AzelPhase::Following
@@ -261,17 +270,16 @@ void AzelFollow::end(Severity severity, const QString& why)
 void AzelFollow::describe(StationStatus& status) const
 {
     const ControlParts view = helm().view();
-    const azel::AzelFeed& feed = view.azelFeed;
     const Result<> usable = isUsable();
-    status.azel = {.path = feed.path(),
-                   .problem = usable ? feed.problem(view.now) : usable.error().text,
-                   .age = feed.age(view.now, view.clock.utc()),
+    status.azel = {.path = m_feed.path(),
+                   .problem = usable ? m_feed.problem(view.now) : usable.error().text,
+                   .age = m_feed.age(view.now, view.clock.utc()),
                    .apart = m_moon.apart(),
                    .interpolates = m_moon.interpolates()};
-    if (feed.text()) {
-        status.azel.moon = feed.text()->moon;
-        status.azel.transmits =
-            feed.text()->radio ? std::optional(*feed.text()->radio == azel::Radio::Transmits) : std::optional<bool>();
+    if (m_feed.text()) {
+        status.azel.moon = m_feed.text()->moon;
+        status.azel.transmits = m_feed.text()->radio ? std::optional(*m_feed.text()->radio == azel::Radio::Transmits)
+                                                     : std::optional<bool>();
     }
     if (!usable && status.permissions.allows(Action::FollowAzel)) {
         status.permissions.refuse(Action::FollowAzel, Text::tr("azel.dat cannot be used: %1").arg(usable.error().text));

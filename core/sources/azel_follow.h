@@ -22,6 +22,7 @@ public:
     Result<> ask(const request::FollowAzel& wanted, const Source& by);
     void step(SteadyTime now) override;
     void describe(StationStatus& status) const override;
+    Result<> hear(const SourceNews& news) override;
 
 private:
     struct Target
@@ -57,6 +58,7 @@ private:
     void forget();
     void end(Severity severity, const QString& why);
 
+    azel::AzelFeed m_feed;
     AzelMoon m_moon;
     StaleWait m_stale{helm(), alarmEntry("azel.stale")};
     SteeredUtc m_utc;

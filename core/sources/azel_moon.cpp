@@ -18,7 +18,7 @@ std::optional<Site> siteOf(const profile::SiteSettings& site)
 
 }  // namespace
 
-void AzelMoon::look(const ControlParts& view)
+void AzelMoon::look(const ControlParts& view, const azel::AzelFeed& feed)
 {
     const std::optional<Site> site = siteOf(view.profile.site);
     const bool isMoved = site != m_site;
@@ -26,7 +26,6 @@ void AzelMoon::look(const ControlParts& view)
         m_site = site;
         m_almanac = site ? std::optional(ephemeris::Almanac(*site)) : std::optional<ephemeris::Almanac>();
     }
-    const azel::AzelFeed& feed = view.azelFeed;
     if (!feed.text()) {
         m_apart.reset();
         return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/azel/azel_feed.h"
 #include "core/control/control_parts.h"
 #include "core/ephemeris/almanac.h"
 
@@ -14,7 +15,7 @@ class AzelMoon
 {
 public:
     // Once in a tick, before all else.
-    void look(const ControlParts& view);
+    void look(const ControlParts& view, const azel::AzelFeed& feed);
 
     // Of the file's Moon from our own; empty: there is none of them.
     [[nodiscard]] const std::optional<Angle>& apart() const { return m_apart; }

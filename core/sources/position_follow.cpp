@@ -23,7 +23,31 @@ const Source& positionSource()
     return source;
 }
 
+position::FeedLimits limitsOf(const profile::PositionSettings& settings)
+{
+    return {.name = toQString(settings.name), .stale = settings.stale, .fastest = settings.fastest};
+}
+
 }  // namespace
+
+Result<> PositionFollow::hear(const SourceNews& news)
+{
+    const auto* const read = std::get_if<Result<position::PositionText>>(&news);
+    if (!read) {
+        return {};
+    }
+    const Clock& clock = helm().view().clock;
+    m_feed.setLimits(limitsOf(helm().view().profile.position));
+    return m_feed.take(*read, clock.now(), clock.utc());
+}
+
+void PositionFollow::profileChanged(const profile::Profile& before, const profile::Profile& after)
+{
+    if (!after.position.comesFromWhere(before.position)) {
+        m_feed = {};
+    }
+    m_feed.setLimits(limitsOf(after.position));
+}
 
 Result<> PositionFollow::isUsable() const
 {
@@ -31,14 +55,14 @@ Result<> PositionFollow::isUsable() const
     if (!view.profile.site.known) {
         return failure(ErrorCode::Refused, Text::tr("the site of the mount is not set"));
     }
-    return view.positionFeed.isFresh(view.now).and_then([&] { return directionAt(view.now); }).map([](const auto&) {});
+    return m_feed.isFresh(view.now).and_then([&] { return directionAt(view.now); }).map([](const auto&) {});
 }
 
 // Below the horizon along it, as the waves go.
 Result<SkyPointing> PositionFollow::directionAt(SteadyTime now) const
 {
     const ControlParts view = helm().view();
-    const orbit::LookAngles seen = orbit::Observer(view.profile.site.place()).look(view.positionFeed.at(now));
+    const orbit::LookAngles seen = orbit::Observer(view.profile.site.place()).look(m_feed.at(now));
     if (seen.kilometres < kNearestFlight) {
         return failure(ErrorCode::NoAnswer, Text::tr("the position is where the mount stands"));
     }
@@ -129,7 +153,7 @@ Result<PositionFollow::Leg> PositionFollow::legAt(SteadyTime now) const
 Result<> PositionFollow::follow(SteadyTime now)
 {
     return legAt(now).and_then([&](const Leg& leg) {
-        const auto& last = helm().view().positionFeed.last();
+        const auto& last = m_feed.last();
         const QString name = last && !last->name.isEmpty() ? last->name : Text::tr("the position");
         return helm()
             .lead({.now = leg.here, .soon = leg.soon, .apart = kFlightApart, .near = m_followed->place},
@@ -156,19 +180,18 @@ void PositionFollow::end(Severity severity, const QString& why)
 void PositionFollow::describe(StationStatus& status) const
 {
     const ControlParts view = helm().view();
-    const position::PositionFeed& feed = view.positionFeed;
     const Result<> usable = isUsable();
     status.position = {.problem = usable ? QString() : usable.error().text,
-                       .age = feed.age(view.now),
-                       .accepted = feed.accepted(),
-                       .refused = feed.refused(),
-                       .refusal = feed.lastRefusal()};
-    if (feed.last()) {
-        status.position.name = feed.last()->name;
-        status.position.place = feed.last()->site;
+                       .age = m_feed.age(view.now),
+                       .accepted = m_feed.accepted(),
+                       .refused = m_feed.refused(),
+                       .refusal = m_feed.lastRefusal()};
+    if (m_feed.last()) {
+        status.position.name = m_feed.last()->name;
+        status.position.place = m_feed.last()->site;
     }
     if (usable) {
-        const orbit::LookAngles seen = orbit::Observer(view.profile.site.place()).look(feed.at(view.now));
+        const orbit::LookAngles seen = orbit::Observer(view.profile.site.place()).look(m_feed.at(view.now));
         status.position.direction = seen.direction;
         status.position.kilometres = seen.kilometres;
     } else if (status.permissions.allows(Action::FollowPosition)) {

@@ -3,6 +3,7 @@
 
 #include "core/alarms/catalogue.h"
 #include "core/control/motion_source.h"
+#include "core/position/position_feed.h"
 #include "core/sources/stale_wait.h"
 
 #include <optional>
@@ -20,6 +21,8 @@ public:
     Result<> ask(const request::FollowPosition& wanted, const Source& by);
     void step(SteadyTime now) override;
     void describe(StationStatus& status) const override;
+    Result<> hear(const SourceNews& news) override;
+    void profileChanged(const profile::Profile& before, const profile::Profile& after) override;
 
 private:
     struct Followed
@@ -45,6 +48,7 @@ private:
     void forget();
     void end(Severity severity, const QString& why);
 
+    position::PositionFeed m_feed;
     StaleWait m_stale{helm(), alarmEntry("position.stale")};
     std::optional<Followed> m_followed;
 };
