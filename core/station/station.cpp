@@ -23,8 +23,6 @@ constexpr std::chrono::seconds kReopenPeriod{1};
 // answers there is none, and drives that answer are checked first.
 constexpr std::chrono::milliseconds kStartPatience{500};
 constexpr std::chrono::seconds kSurveyPatience{6};
-// More than this is not read by anybody at once; the log file has it all.
-constexpr std::size_t kMostLogLines = 500;
 
 Source operatorSource()
 {
@@ -95,9 +93,10 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
     connect(&m_reopenTimer, &QTimer::timeout, this, &Station::openMount);
     connect(&m_elements, &StationElements::changed, this, [this] { m_night.setSatellites(m_elements.satellites()); });
     connect(&m_power, &StationPower::received, this, [this](const power::Value& value) { m_calibration.take(value); });
-    connect(&m_azel, &StationAzel::looked, this, [this](const azel::AzelReading& reading) { m_control.take(reading); });
+    connect(&m_azel, &StationAzel::looked, this,
+            [this](const azel::AzelReading& reading) { (void)m_control.hear(reading); });
     connect(&m_position, &StationPosition::received, this, [this](const Result<position::PositionText>& read) {
-        if (const Result<> taken = m_control.take(read); !taken) {
+        if (const Result<> taken = m_control.hear(read); !taken) {
             m_position.tellRefused(taken.error());
         }
     });
@@ -206,10 +205,7 @@ void Station::tellStart()
 void Station::keepSample()
 {
     if (const auto sample = m_control.sample()) {
-        m_samples.push_back(*sample);
-    }
-    while (!m_samples.empty() && m_samples.back().time - m_samples.front().time >= kSamplesKept) {
-        m_samples.pop_front();
+        m_screen.keep(*sample);
     }
 }
 
@@ -269,7 +265,7 @@ void Station::finish()
     m_position.close();
     m_broker.close();
     m_mount->close();
-    m_updateWanted = true;  // the last words, also to a screen that is slow: who asked for the end has an answer to get
+    m_screen.want();  // the last words, also to a screen that is slow: who asked for the end has an answer to get
     publish();
     qCInfo(lcTick, "ticks %llu, late p50 %.1f ms, p99 %.1f ms, max %.1f ms",
            static_cast<unsigned long long>(m_lateness.count()), m_lateness.percentile(0.5).count() * 1e3,
@@ -300,10 +296,9 @@ void Station::answer(const NumberedRequest& asked, const Result<>& outcome)
         m_log.add(Severity::Warning, operatorSource().name, Text::tr("refused: %1").arg(outcome.error().text));
     }
     const auto* const judged = std::get_if<request::JudgeDirection>(&asked.request);
-    m_answers.push_back(
-        {.requestId = asked.id,
-         .error = outcome ? std::optional<Error>() : std::optional(outcome.error()),
-         .verdict = outcome && judged ? std::optional(m_control.judge(judged->direction)) : std::nullopt});
+    m_screen.answer({.requestId = asked.id,
+                     .error = outcome ? std::optional<Error>() : std::optional(outcome.error()),
+                     .verdict = outcome && judged ? std::optional(m_control.judge(judged->direction)) : std::nullopt});
 }
 
 Result<> Station::askNow(const Request& request, const Source& by)
@@ -471,7 +466,7 @@ void Station::applyCalibration()
 
 void Station::updateTaken()
 {
-    m_updateWanted = true;
+    m_screen.want();
 }
 
 void Station::publish()
@@ -479,17 +474,9 @@ void Station::publish()
     if (m_broker.isPublishing()) {
         m_broker.show(status());
     }
-    if (!m_updateWanted) {
-        return;
+    if (m_screen.isWanted()) {
+        Q_EMIT updated(m_screen.take(status(), m_log));
     }
-    m_updateWanted = false;
-    StationUpdate update{.status = status(),
-                         .log = m_log.since(m_lastLogSent, kMostLogLines),
-                         .answers = std::exchange(m_answers, {}),
-                         .samples = {m_samples.begin(), m_samples.end()}};
-    m_samples.clear();
-    m_lastLogSent = m_log.lastNumber();
-    Q_EMIT updated(update);
 }
 
 void Station::shutDown()

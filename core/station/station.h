@@ -15,6 +15,7 @@
 #include "core/profile/profile.h"
 #include "core/station/clock_guard.h"
 #include "core/station/real_time.h"
+#include "core/station/screen_feed.h"
 #include "core/station/station_azel.h"
 #include "core/station/station_broker.h"
 #include "core/station/station_elements.h"
@@ -34,14 +35,13 @@
 #include <QObject>
 #include <QTimer>
 
-#include <deque>
 #include <memory>
 #include <vector>
 
 // The station as a running thing: StationControl with a mount, a timer, the rotctld server, a log file and a feed of
 // updates. Building it reads files. Built on the station thread, or moved there before start(); from there on all is
 // called there, from other threads by queued signals. It decides nothing about motion itself.
-// More than 15 members: the parts that it makes and connects.
+// More than 15 members and 600 lines: the parts that it makes and connects.
 namespace boresight {
 
 class Station : public QObject
@@ -50,9 +50,6 @@ class Station : public QObject
 
 public:
     static constexpr std::chrono::milliseconds kUpdatePeriod{50};
-    // The charts of a screen that was stalled for so long miss nothing; after a longer stall they show a gap. It is
-    // the shortest time that they show whole, and at 50 Hz some 120 kB.
-    static constexpr std::chrono::seconds kSamplesKept{10};
 
     // `clock` must outlive the station. The state folder has its log and what calibrations found.
     Station(const profile::Profile& profile, const MountMaker& mount, const QString& stateDir, const Clock& clock);
@@ -159,12 +156,9 @@ private:
     TickLateness m_lateness;
     RealTime m_realTime{this};
     bool m_wantsRealTime = false;
-    std::vector<Answer> m_answers;
-    std::deque<TickSample> m_samples;  // since the last update
-    std::uint64_t m_lastLogSent = 0;
+    ScreenFeed m_screen;
     SteadyTime m_opened{};
     bool m_startTold = false;
-    bool m_updateWanted = true;
     bool m_finished = false;
     std::optional<profile::Profile> m_next;  // to start again with
 };
