@@ -13738,6 +13738,14 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <source>The site is not set. Passes depend on it.</source>
         <translation>O local não está definido. As passagens dependem dele.</translation>
     </message>
+    <message>
+        <source>No pass matches the filter. It leaves out %1.</source>
+        <translation>Nenhuma passagem corresponde ao filtro. Deixa de fora %1.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 passes within a day, of %3 satellites</source>
+        <translation>%1 de %2 passagens num dia, de %3 satélites</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::PickPrompt</name>

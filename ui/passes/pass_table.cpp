@@ -65,6 +65,7 @@ void PassTable::select()
             m_rows.push_back(i);
         }
     }
+    countAgain();
     endResetModel();
 }
 
@@ -79,7 +80,21 @@ void PassTable::tick(UtcTime now)
         m_rows.erase(over);
         endRemoveRows();
     }
+    countAgain();
     changeCells();
+}
+
+void PassTable::countAgain()
+{
+    const auto isComing = [this](const BookedPass& one) { return one.pass.los.utc > m_now; };
+    m_count = {.coming = static_cast<std::size_t>(std::ranges::count_if(m_book->passes, isComing)),
+               .listed = m_rows.size(),
+               .satellites = 0};
+    std::vector<bool> isListed(m_book->satellites ? m_book->satellites->size() : 0);
+    for (const std::size_t row : m_rows) {
+        isListed[m_book->passes[row].satellite] = true;
+    }
+    m_count.satellites = static_cast<std::size_t>(std::ranges::count(isListed, true));
 }
 
 std::optional<int> PassTable::rowOf(std::int64_t number, UtcTime highest) const

@@ -14,6 +14,16 @@
 // Favourites have a star. Gui thread.
 namespace boresight::ui {
 
+// Of the passes that are not over.
+struct PassCount
+{
+    std::size_t coming = 0;  // listed or not
+    std::size_t listed = 0;
+    std::size_t satellites = 0;  // of what is listed
+
+    bool operator==(const PassCount&) const = default;
+};
+
 class PassTable : public TableModel
 {
     Q_OBJECT
@@ -38,6 +48,7 @@ public:
 
     [[nodiscard]] const BookedPass& pass(int row) const { return m_book->passes.at(m_rows.at(std::size_t(row))); }
     [[nodiscard]] const std::shared_ptr<const PassBook>& book() const { return m_book; }
+    [[nodiscard]] const PassCount& count() const { return m_count; }
     // Of the same satellite, at nearly the same time: a new search finds it a little different.
     [[nodiscard]] std::optional<int> rowOf(std::int64_t number, UtcTime highest) const;
 
@@ -48,11 +59,13 @@ protected:
 
 private:
     void select();
+    void countAgain();
     [[nodiscard]] bool isFavourite(const BookedPass& one) const;
     [[nodiscard]] QVariant star(const BookedPass& one, int role) const;
 
     std::shared_ptr<const PassBook> m_book = std::make_shared<const PassBook>();
     std::vector<std::size_t> m_rows;  // into the passes of the book
+    PassCount m_count;
     PassChoice m_choice;
     orbit::SatelliteMarks m_marks;
     UtcTime m_now{};

@@ -44,6 +44,21 @@ std::map<std::int64_t, pointing::Antenna> ownAntennas(const profile::Profile& pr
     return own;
 }
 
+// What is listed, and how many passes the filter leaves out.
+QString countText(const PassCount& count)
+{
+    if (count.listed == count.coming) {
+        return PassesPanel::tr("%1 passes of %2 satellites within a day").arg(count.listed).arg(count.satellites);
+    }
+    if (count.listed == 0) {
+        return PassesPanel::tr("No pass matches the filter. It leaves out %1.").arg(count.coming);
+    }
+    return PassesPanel::tr("%1 of %2 passes within a day, of %3 satellites")
+        .arg(count.listed)
+        .arg(count.coming)
+        .arg(count.satellites);
+}
+
 }  // namespace
 
 PassesPanel::PassesPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent)
@@ -309,9 +324,7 @@ void PassesPanel::showNote(const StationStatus& status)
     } else if (m_passes->rowCount() == 0 && m_filter->choice().onlyFavourites) {
         m_note->setValue(tr("No favourite passes within a day. Click the star of a row to add one."), Tone::Secondary);
     } else {
-        m_note->setValue(
-            tr("%1 passes of %2 satellites within a day").arg(m_passes->rowCount()).arg(status.satellites->size()),
-            Tone::Secondary);
+        m_note->setValue(countText(m_passes->count()), Tone::Secondary);
     }
 }
 

@@ -120,6 +120,25 @@ TEST_F(PassesPanelTest, WordsAndHeightSelect)
     EXPECT_EQ(text("The selected pass"), QString());
 }
 
+// REQ-PASSES-991: The page counts the passes and satellites that are listed, and of how many passes they are. Where the
+// filter leaves out all of them it says so.
+// Story: with a name typed the page went on to count the satellites of all elements.
+TEST_F(PassesPanelTest, CountsWhatIsListed)
+{
+    const StationStatus status = withSatellites();
+    giveFound(status);
+    const QString all = QString::number(rows());
+    EXPECT_EQ(text("About the passes"), all + QStringLiteral(" passes of 3 satellites within a day"));
+    auto* const words = named<QLineEdit>("Satellites to list");
+    words->setText(QStringLiteral("alpha"));
+    give(samples::update(status));
+    EXPECT_EQ(text("About the passes"),
+              QStringLiteral("%1 of %2 passes within a day, of 2 satellites").arg(QString::number(rows()), all));
+    words->setText(QStringLiteral("no such thing"));
+    give(samples::update(status));
+    EXPECT_EQ(text("About the passes"), QStringLiteral("No pass matches the filter. It leaves out %1.").arg(all));
+}
+
 // REQ-PASSES-958: The age of the elements is judged: how many seconds and degrees the satellite has to be expected
 // elsewhere, and whether that is more than half the beam.
 TEST_F(PassesPanelTest, JudgesTheAgeOfTheElements)
