@@ -36,8 +36,8 @@ const QString kAlwaysName = QStringLiteral("satellite");
 
 }  // namespace
 
-PassColumns::PassColumns(const PassTable& passes, QTableView& table, QObject* parent)
-    : QObject(parent), m_passes(passes), m_table(table), m_menu(new QMenu(&table))
+PassColumns::PassColumns(const PassTable& passes, QTableView& table, QWidget* panel)
+    : QObject(panel), m_passes(passes), m_table(table), m_menu(new QMenu(&table))
 {
     table.setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     table.setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
@@ -47,6 +47,7 @@ PassColumns::PassColumns(const PassTable& passes, QTableView& table, QObject* pa
     connect(&header(), &QWidget::customContextMenuRequested, this,
             [this](const QPoint& place) { m_menu->popup(header().mapToGlobal(place)); });
     makeMenu();
+    m_menu->installEventFilter(this);
     table.viewport()->installEventFilter(this);
     fit();
 }
@@ -129,10 +130,24 @@ void PassColumns::toggle(int column, bool on)
 
 bool PassColumns::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() == QEvent::Resize || event->type() == QEvent::FontChange) {
+    if (watched == m_menu) {
+        if (event->type() == QEvent::Show) {
+            keepOffHeader();
+        }
+    } else if (event->type() == QEvent::Resize || event->type() == QEvent::FontChange) {
         fit();
     }
     return QObject::eventFilter(watched, event);
+}
+
+// Where there is too little room below, Qt would put the menu above, over the STOP button.
+void PassColumns::keepOffHeader()
+{
+    const auto* const panel = static_cast<QWidget*>(parent());
+    const QWidget& window = *m_table.window();
+    if (m_menu->y() < panel->mapToGlobal(QPoint()).y()) {
+        m_menu->move(m_menu->x(), window.mapToGlobal(QPoint(0, window.height() - m_menu->height())).y());
+    }
 }
 
 void PassColumns::fit()

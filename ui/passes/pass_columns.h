@@ -23,7 +23,7 @@ class PassColumns : public QObject
     Q_OBJECT
 
 public:
-    PassColumns(const PassTable& passes, QTableView& table, QObject* parent);
+    PassColumns(const PassTable& passes, QTableView& table, QWidget* panel);
 
     [[nodiscard]] QToolButton* makeButton(QWidget* parent);  // to choose them; so does the right button on a heading
 
@@ -36,6 +36,7 @@ protected:
 
 private:
     void makeMenu();
+    void keepOffHeader();
     void toggle(int column, bool on);
     void fit();
     void tick();

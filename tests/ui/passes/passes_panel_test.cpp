@@ -349,6 +349,19 @@ TEST_F(PassColumnsTest, AMenuChoosesTheColumns)
     EXPECT_EQ(window.arrangement().passes.columns, QStringList());
 }
 
+// REQ-PASSES-996: The menu of the columns leaves the STOP button free, also in a low window.
+TEST_F(PassColumnsTest, TheMenuLeavesStopFree)
+{
+    giveFound(withShortCable());
+    QMenu* const menu = named<QToolButton>("Columns of the list")->menu();
+    auto* const stop = named<QAbstractButton>("STOP");
+    const QRect button(stop->mapToGlobal(QPoint()), stop->size());
+    menu->popup(QPoint(button.left(), 0));  // as Qt does where there is no room below
+    settle();
+    EXPECT_FALSE(menu->geometry().intersects(button));
+    menu->close();
+}
+
 // REQ-PASSES-957: What is wrong with the elements stands above the passes of those that are good, a download without a
 // network included. It takes no room while all is well.
 TEST_F(PassesPanelTest, TellsWhatIsWrongWithTheElements)
