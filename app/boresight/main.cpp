@@ -41,6 +41,7 @@ const QString kChartAxisKey = QStringLiteral("chart_axis");
 const QString kChartQuantityKey = QStringLiteral("chart_quantity");
 const QString kPassesViewKey = QStringLiteral("passes_view");
 const QString kFavouritesKey = QStringLiteral("passes_favourites_only");
+const QString kColumnsKey = QStringLiteral("passes_columns");
 const QString kGuideKey = QStringLiteral("guide");
 
 constexpr int kFailed = 2;       // what the program ends with
@@ -62,7 +63,8 @@ ui::WindowLayout readLayout(const QSettings& kept)
                        .window = std::chrono::seconds(number(kChartWindowKey, int(usual.charts.window.count()))),
                        .quantity = static_cast<ui::DriveQuantity>(number(kChartQuantityKey, 0))},
             .passes = {.view = number(kPassesViewKey, usual.passes.view),
-                       .onlyFavourites = kept.value(kFavouritesKey, usual.passes.onlyFavourites).toBool()}};
+                       .onlyFavourites = kept.value(kFavouritesKey, usual.passes.onlyFavourites).toBool(),
+                       .columns = kept.value(kColumnsKey).toStringList()}};
 }
 
 void keepLayout(const ui::WindowLayout& layout, QSettings& kept)
@@ -74,6 +76,7 @@ void keepLayout(const ui::WindowLayout& layout, QSettings& kept)
     kept.setValue(kChartQuantityKey, static_cast<int>(layout.charts.quantity));
     kept.setValue(kPassesViewKey, layout.passes.view);
     kept.setValue(kFavouritesKey, layout.passes.onlyFavourites);
+    kept.setValue(kColumnsKey, layout.passes.columns);
 }
 
 // Opens by itself at the first start, and wherever it was open when the program ended.

@@ -6,10 +6,16 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/passes/pass_finder.h"
+#include "core/profile/clear_sky.h"
+#include "core/profile/profile_file.h"
+#include "core/targets/cable_turns.h"
+#include "core/targets/pass_way.h"
 #include "core/units/degrees_text.h"
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
+#include <optional>
 
 namespace boresight::ctl {
 namespace {
@@ -23,10 +29,40 @@ struct FoundPass
     passes::Pass pass;
 };
 
-std::string flagsOf(const passes::Pass& pass)
+// That is to track the passes, with its main antenna.
+struct Mount
 {
-    const std::string flags =
-        std::string(pass.isUpAtStart ? "A" : "") + (pass.isUpAtEnd ? "L" : "") + (pass.maxima > 1 ? "M" : "");
+    std::function<bool(const SkyPointing&)> isClear;
+    targets::MountReach reach;
+};
+
+Result<std::optional<Mount>> chosenMount(const QString& file)
+{
+    if (file.isEmpty()) {
+        return std::nullopt;
+    }
+    return profile::loadProfile(file).map([](const profile::Profile& profile) {
+        const pointing::Antenna antenna = profile.antenna({});
+        return std::optional(
+            Mount{.isClear = profile::clearSky(profile, antenna), .reach = targets::reachOf(profile, antenna)});
+    });
+}
+
+// What the mount makes of it.
+std::string mountFlagsOf(const FoundPass& found, const Site& site, const Mount& mount)
+{
+    constexpr Seconds kHidden{1.0};
+    const auto& [set, pass] = found;
+    const targets::CableTurns cable = targets::cableTurns(*targets::wayOf(pass, *set, site), mount.reach);
+    return std::string(pass.duration() - pass.clearTime() >= kHidden ? "H" : "") + (cable.turns > 0 ? "U" : "") +
+           (cable.fitsOverTheTop ? "F" : "");
+}
+
+std::string flagsOf(const FoundPass& found, const Site& site, const std::optional<Mount>& mount)
+{
+    const passes::Pass& pass = found.pass;
+    const std::string flags = std::string(pass.isUpAtStart ? "A" : "") + (pass.isUpAtEnd ? "L" : "") +
+                              (pass.maxima > 1 ? "M" : "") + (mount ? mountFlagsOf(found, site, *mount) : "");
     return flags.empty() ? "-" : flags;
 }
 
@@ -41,7 +77,7 @@ std::string timeCell(UtcTime utc)
     return skyTimeText(std::chrono::round<std::chrono::milliseconds>(utc), kTimeDigits);
 }
 
-RecordTable tableOf(const std::vector<FoundPass>& found)
+RecordTable tableOf(const std::vector<FoundPass>& found, const Site& site, const std::optional<Mount>& mount)
 {
     RecordTable table{.columns = {{"name"},
                                   {"norad", true},
@@ -53,11 +89,12 @@ RecordTable tableOf(const std::vector<FoundPass>& found)
                                   {"los_utc"},
                                   {"los_az", true},
                                   {"flags"}}};
-    for (const auto& [set, pass] : found) {
-        table.rows.push_back({set->name, std::to_string(set->number), timeCell(pass.aos.utc),
-                              degreesCell(pass.aos.direction.azimuth), timeCell(pass.tca.utc),
-                              degreesCell(pass.tca.direction.azimuth), degreesCell(pass.tca.direction.elevation),
-                              timeCell(pass.los.utc), degreesCell(pass.los.direction.azimuth), flagsOf(pass)});
+    for (const FoundPass& one : found) {
+        const auto& [set, pass] = one;
+        table.rows.push_back(
+            {set->name, std::to_string(set->number), timeCell(pass.aos.utc), degreesCell(pass.aos.direction.azimuth),
+             timeCell(pass.tca.utc), degreesCell(pass.tca.direction.azimuth), degreesCell(pass.tca.direction.elevation),
+             timeCell(pass.los.utc), degreesCell(pass.los.direction.azimuth), flagsOf(one, site, mount)});
     }
     return table;
 }
@@ -86,6 +123,11 @@ ExitStatus runPasses(Arguments arguments)
         app::printError(site.error().text);
         return kFoundWrong;
     }
+    const Result<std::optional<Mount>> mount = chosenMount(options->profileFile);
+    if (!mount) {
+        app::printError(mount.error().text);
+        return kFoundWrong;
+    }
     const auto satellites = chosenSatellites(kPassesCommand, *options);
     if (satellites.empty()) {
         return kFoundWrong;
@@ -94,7 +136,8 @@ ExitStatus runPasses(Arguments arguments)
     const passes::PassSearch search{.site = *site,
                                     .from = *options->from,
                                     .to = *options->from + std::chrono::round<UtcTime::duration>(Days(*options->days)),
-                                    .minimumElevation = options->minimumElevation.value_or(0_deg)};
+                                    .minimumElevation = options->minimumElevation.value_or(0_deg),
+                                    .isClear = *mount ? (*mount)->isClear : nullptr};
     std::vector<FoundPass> found;
     for (const orbit::ElementSet& set : satellites) {
         const passes::PassList list = passes::findPasses(orbit::Sgp4(set), search);
@@ -104,7 +147,7 @@ ExitStatus runPasses(Arguments arguments)
         report(set, list, search, options->number.has_value());
     }
     std::ranges::stable_sort(found, {}, [](const FoundPass& one) { return one.pass.aos.utc; });
-    print(tableOf(found).text(options->format));
+    print(tableOf(found, *site, *mount).text(options->format));
     return kDone;
 }
 
@@ -112,7 +155,9 @@ ExitStatus runPasses(Arguments arguments)
 
 const Subcommand kPassesCommand{
     .name = "passes",
-    .arguments = "--elements FILE [--norad N] --site LAT,LON,ALT --from UTC --days D [--min-el DEG] [--format FORMAT]",
+    .arguments =
+        "--elements FILE [--norad N] --site LAT,LON,ALT --from UTC --days D [--min-el DEG] [--profile FILE] "
+        "[--format FORMAT]",
     .summary = "List when satellites are up over a site",
     .details =
         R"(  --elements FILE      element sets: TLE, OMM as JSON, CSV, XML or KVN, or NUMBER.sat of Gpredict. A folder: its files,
@@ -124,11 +169,15 @@ const Subcommand kPassesCommand{
   --from UTC           like 2024-05-10T04:50:02Z, 2024-05-10, Unix seconds, or now
   --days D             up to 3660
   --min-el DEG         0 without it
+  --profile FILE       of a mount, for the flags H, U and F. The site stays that of --site
   --format csv|table|json   csv without it
 
 Columns: name,norad,aos_utc,aos_az,tca_utc,tca_az,max_el,los_utc,los_az,flags, in the order of AOS. AOS and LOS are where
 the satellite passes the minimum elevation, without air. TCA is its highest moment. Azimuth from true north through east.
 Flags: A already up at the beginning, L still up at the end, M several maxima, - none of these.
+With a profile also: H the mount does not see all of it, for its horizon, keep-outs and limits. U the cable of the azimuth
+ends during the pass, so Boresight unwraps it then and loses a part. F over the top the mount would lose nothing: only
+a client that sends elevations above 90 goes there.
 Each bad element set is reported as FILE:LINE: reason, and the others are used. So is a satellite that decays within the
 time.
 Exit status: 0 done, also without any pass, 1 no usable element set, or a site that cannot be read.

@@ -178,6 +178,11 @@ constexpr std::array kPassesOptions{kElements,
                                     SkyOption{"from", takeFrom},
                                     SkyOption{"days", takeDays},
                                     SkyOption{"min-el", takeMinimumElevation},
+                                    SkyOption{"profile",
+                                              [](const std::string& text, SkyOptions& options) {
+                                                  options.profileFile = toQString(text);
+                                                  return Result<>();
+                                              }},
                                     kFormat};
 
 Result<SkyOptions> read(Arguments arguments, std::span<const SkyOption> permitted)

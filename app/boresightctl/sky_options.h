@@ -26,8 +26,9 @@ struct SkyOptions
     std::optional<ephemeris::SkyObject> object;
     QString table;  // a file
     std::optional<Site> site;
-    QString siteFile;  // a .qth of Gpredict, in place of it
-    QString times;     // a file, "-" is standard input
+    QString siteFile;     // a .qth of Gpredict, in place of it
+    QString profileFile;  // of a mount that is to track the passes; empty: none is judged
+    QString times;        // a file, "-" is standard input
     std::optional<UtcTime> from;
     std::optional<double> days;
     std::optional<Angle> minimumElevation;

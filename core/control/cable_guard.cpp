@@ -4,6 +4,7 @@
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 #include "core/base/time_of_day.h"
+#include "core/tracking/cable_room.h"
 #include "core/units/degrees_text.h"
 
 #include <algorithm>
@@ -24,12 +25,6 @@ constexpr Seconds kTimeOff{2.0};
 constexpr Angle kNextOfStream = Angle::fromDegrees(10.0);
 constexpr Angle kTurnedBack = Angle::fromDegrees(1.0);
 constexpr Angle kSameWay = Angle::fromDegrees(1e-6);
-
-// Ramps included; the jerk adds a part of a second.
-Seconds turnTime(const tracking::MotionLimits& limits)
-{
-    return Seconds(360.0 / limits.speed.degrees() + limits.speed.degrees() / limits.acceleration.degrees());
-}
 
 QString timeText(Seconds time)
 {
@@ -77,8 +72,9 @@ QString CableGuard::begin(const TurnBack& back, const tracking::MotionLimits& li
     m_turnBack = back;
     const QString what = Text::tr("turns back by %1 because the cable ends at axis %2")
                              .arg(degreesText(abs(back.by), 0), degreesText(back.end, 1));
-    return back.follows ? Text::tr("%1, and the target is lost for about %2").arg(what, timeText(turnTime(limits)))
-                        : what;
+    return back.follows
+               ? Text::tr("%1, and the target is lost for about %2").arg(what, timeText(tracking::fullTurnTime(limits)))
+               : what;
 }
 
 void CableGuard::watch(const std::optional<tracking::MovingTarget>& path, const std::optional<Angle>& left,
@@ -105,7 +101,7 @@ void CableGuard::watchEnd(const std::optional<tracking::MovingTarget>& path, con
     const bool turnsBack = !keepsWrap && range.contains(forecast->end + back);
     m_end = CableEnd{.end = forecast->end,
                      .in = forecast->in,
-                     .turningBack = turnsBack ? std::optional(turnTime(limits)) : std::nullopt};
+                     .turningBack = turnsBack ? std::optional(tracking::fullTurnTime(limits)) : std::nullopt};
     tell(*m_end);
 }
 

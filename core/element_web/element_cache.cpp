@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/element_web/element_cache.h"
 
+#include "core/base/control_characters.h"
 #include "core/base/text.h"
 #include "core/profile/small_file.h"
 
@@ -37,7 +38,7 @@ QJsonValue timeValue(const std::optional<UtcTime>& time)
 
 std::optional<UtcTime> timeOf(const QJsonValue& value)
 {
-    constexpr qint64 kLatest = 10'000'000'000;  // s since 1970: some 300 years
+    constexpr qint64 kLatest = 9'000'000'000;  // s since 1970: the year 2255. Our clock counts no farther than 2262
     const qint64 seconds = value.toInteger(0);
     return seconds > 0 && seconds < kLatest ? std::optional(UtcTime(std::chrono::seconds(seconds))) : std::nullopt;
 }
@@ -47,7 +48,15 @@ QByteArray headerOf(const QJsonValue& value)
 {
     constexpr qsizetype kLongest = 500;
     const QByteArray text = value.toString().toLatin1();
-    return text.size() > kLongest || text.contains('\n') || text.contains('\r') ? QByteArray() : text;
+    return text.size() > kLongest || hasControlCharacters(text.toStdString()) ? QByteArray() : text;
+}
+
+// It is shown.
+QString problemOf(const QJsonValue& value)
+{
+    constexpr qsizetype kLongest = 750;
+    const QString text = value.toString();
+    return text.size() > kLongest || hasControlCharacters(text.toStdString()) ? QString() : text;
 }
 
 }  // namespace
@@ -71,7 +80,7 @@ CacheState ElementCache::state(const ElementAddress& address) const
     constexpr int kMostFailures = 1000;
     CacheState state{.lastTry = timeOf(stored.value(kLastTry)),
                      .failures = std::clamp(stored.value(kFailures).toInt(), 0, kMostFailures),
-                     .problem = stored.value(kProblem).toString()};
+                     .problem = problemOf(stored.value(kProblem))};
     if (const QFileInfo content(file); content.isFile()) {
         const std::chrono::seconds written(content.lastModified().toSecsSinceEpoch());
         state.etag = headerOf(stored.value(kEtag));

@@ -61,8 +61,15 @@ std::chrono::hours pauseAfter(int failures)
 }  // namespace
 
 ElementWeb::ElementWeb(const Clock& clock, const QString& folder, QObject* parent)
-    : QObject(parent), m_clock(clock), m_cache(folder)
+    : ElementWeb(clock, folder, std::make_unique<QNetworkAccessManager>(), parent)
+{}
+
+// The network is a child, so that it moves to another thread together with this.
+ElementWeb::ElementWeb(const Clock& clock, const QString& folder, std::unique_ptr<QNetworkAccessManager> network,
+                       QObject* parent)
+    : QObject(parent), m_clock(clock), m_cache(folder), m_network(std::move(network))
 {
+    m_network->setParent(this);
     m_timer.setInterval(kLook);
     connect(&m_timer, &QTimer::timeout, this, &ElementWeb::look);
 }
@@ -126,7 +133,7 @@ void ElementWeb::ask(Source& source)
     if (!source.cacheProblem.isEmpty()) {
         return;
     }
-    source.download = std::make_unique<ElementDownload>(m_manager, source.address.url, source.state.etag,
+    source.download = std::make_unique<ElementDownload>(*m_network, source.address.url, source.state.etag,
                                                         source.state.lastModified, this);
     connect(source.download.get(), &ElementDownload::finished, this,
             [this, file = source.address.file](const DownloadAnswer& answer) { take(file, answer); });

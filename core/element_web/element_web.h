@@ -34,6 +34,9 @@ public:
 
     // The clock outlives this.
     ElementWeb(const Clock& clock, const QString& folder, QObject* parent = nullptr);
+    // Asks by this network.
+    ElementWeb(const Clock& clock, const QString& folder, std::unique_ptr<QNetworkAccessManager> network,
+               QObject* parent = nullptr);
     ~ElementWeb() override;
 
     // Asks those that are due, now and later. What is not among them any more is not asked further.
@@ -73,7 +76,7 @@ private:
 
     const Clock& m_clock;
     ElementCache m_cache;
-    QNetworkAccessManager m_manager{this};
+    std::unique_ptr<QNetworkAccessManager> m_network;
     QTimer m_timer{this};
     std::vector<Source> m_sources;
     QStringList m_problems;

@@ -6,6 +6,7 @@
 #include "core/orbit/sunlight.h"
 #include "core/orbit/topocentric.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace boresight::passes {
@@ -46,6 +47,21 @@ private:
 };
 
 }  // namespace
+
+Seconds sunlitTime(const Pass& pass, const PassLight& light)
+{
+    Seconds sum{0.0};
+    bool isSunlit = light.isSunlitFirst;
+    UtcTime from = pass.aos.utc;
+    const auto add = [&](UtcTime to) {
+        sum += isSunlit ? Seconds(to - from) : Seconds(0.0);
+        isSunlit = !isSunlit;
+        from = to;
+    };
+    std::ranges::for_each(light.changes, add);
+    add(pass.los.utc);
+    return sum;
+}
 
 PassLight lightOf(const Pass& pass, const orbit::ElementSet& elements, const Site& site)
 {

@@ -19,5 +19,7 @@ struct PassLight
 };
 
 [[nodiscard]] PassLight lightOf(const Pass& pass, const orbit::ElementSet& elements, const Site& site);
+// For how long of the pass.
+[[nodiscard]] Seconds sunlitTime(const Pass& pass, const PassLight& light);
 
 }  // namespace boresight::passes

@@ -1,31 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sources/roomy_start.h"
 
-#include <algorithm>
-#include <cmath>
+#include "core/tracking/cable_room.h"
 
 namespace boresight::sources {
 
 std::optional<AxisPosition> roomyStart(const ControlParts& view, const std::vector<targets::SkyMoment>& way)
 {
     std::optional<AxisPosition> first;
-    TravelRange swept;
-    Angle last;
+    tracking::SweptArc arc;
     for (const targets::SkyMoment& moment : way) {
         const AxisPosition axes = view.model.pointing().toAxes(moment.direction).axes;
-        last = first ? axes.azimuth.nearestTo(last) : axes.azimuth;
-        swept = first ? TravelRange{std::min(swept.min, last), std::max(swept.max, last)} : TravelRange{last, last};
+        arc.add(axes.azimuth);
         first = first.value_or(axes);
     }
-    if (!first) {
-        return std::nullopt;
-    }
-    const TravelRange& range = view.motion.region().ranges().azimuth;
+    const tracking::WholeTurns turns = arc.turnsInside(view.motion.region().ranges().azimuth);
     const AxisPosition heading = view.heading();
     std::optional<AxisPosition> best;
-    const auto mostTurns = static_cast<int>(std::floor((range.max - swept.max).turns()));
-    for (int turns = static_cast<int>(std::ceil((range.min - swept.min).turns())); turns <= mostTurns; ++turns) {
-        const AxisPosition start{first->azimuth + Angle::fromTurns(turns), first->elevation};
+    for (int turn = turns.first; turn <= turns.last; ++turn) {
+        const AxisPosition start{first->azimuth + Angle::fromTurns(turn), first->elevation};
         const auto distance = [&](const AxisPosition& to) { return abs(to.azimuth - heading.azimuth); };
         if (!best || distance(start) < distance(*best)) {
             best = start;

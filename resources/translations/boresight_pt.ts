@@ -530,6 +530,54 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <source>hidden for %1</source>
         <translation>oculto durante %1</translation>
     </message>
+    <message>
+        <source>no</source>
+        <translation>não</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>toda</translation>
+    </message>
+    <message>
+        <source>%1 d, too old</source>
+        <translation>%1 d, velhos de mais</translation>
+    </message>
+    <message>
+        <source>%1 d</source>
+        <translation>%1 d</translation>
+    </message>
+    <message>
+        <source>%1 or flip</source>
+        <translation>%1 ou zénite</translation>
+    </message>
+    <message>
+        <source>unwraps the cable, which loses %1. Over the top nothing is lost</source>
+        <translation>desenrola o cabo, o que perde %1. Pelo outro lado do zénite nada se perde</translation>
+    </message>
+    <message>
+        <source>unwraps the cable, which loses %1</source>
+        <translation>desenrola o cabo, o que perde %1</translation>
+    </message>
+    <message>
+        <source>The cable has room for all of the pass.</source>
+        <translation>O cabo chega para toda a passagem.</translation>
+    </message>
+    <message>
+        <source>The cable ends during the pass.</source>
+        <translation>O cabo acaba durante a passagem.</translation>
+    </message>
+    <message>
+        <source>The cable ends %1 times during the pass.</source>
+        <translation>O cabo acaba %1 vezes durante a passagem.</translation>
+    </message>
+    <message>
+        <source>Boresight unwraps it by 360° there and loses %1 of the pass.</source>
+        <translation>O Boresight desenrola-o aí 360° e perde %1 da passagem.</translation>
+    </message>
+    <message>
+        <source>Over the top nothing is lost. Only a client that sends elevations above 90° goes there.</source>
+        <translation>Pelo outro lado do zénite nada se perde. Só vai por aí um cliente que envie elevações acima de 90°.</translation>
+    </message>
 </context>
 <context>
     <name>PlotPicture</name>
@@ -13538,6 +13586,29 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     </message>
 </context>
 <context>
+    <name>boresight::ui::PassColumns</name>
+    <message>
+        <source>As many as there is room for</source>
+        <translation>Tantas quantas couberem</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Columns of the list</source>
+        <translation>Colunas da lista</translation>
+    </message>
+    <message>
+        <source>Which columns the list of the passes has</source>
+        <translation>Que colunas tem a lista das passagens</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Todas</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::PassCurve</name>
     <message>
         <source>Elevation over time</source>
@@ -13624,6 +13695,70 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     <message>
         <source>A favourite. A click removes the star</source>
         <translation>Um favorito. Um clique retira a estrela</translation>
+    </message>
+    <message>
+        <source>Highest at</source>
+        <translation>Máximo às</translation>
+    </message>
+    <message>
+        <source>Sets</source>
+        <translation>Põe-se</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Oculta</translation>
+    </message>
+    <message>
+        <source>Unwraps</source>
+        <translation>Desenrola</translation>
+    </message>
+    <message>
+        <source>Sunlit</source>
+        <translation>Ao sol</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Elementos</translation>
+    </message>
+    <message>
+        <source>AOS, when it rises above the horizon</source>
+        <translation>AOS, quando nasce acima do horizonte</translation>
+    </message>
+    <message>
+        <source>how long until it rises</source>
+        <translation>quanto falta até nascer</translation>
+    </message>
+    <message>
+        <source>TCA, when it is highest</source>
+        <translation>TCA, quando está mais alto</translation>
+    </message>
+    <message>
+        <source>LOS, when it sets</source>
+        <translation>LOS, quando se põe</translation>
+    </message>
+    <message>
+        <source>its elevation then</source>
+        <translation>a sua elevação nessa altura</translation>
+    </message>
+    <message>
+        <source>from rise to set</source>
+        <translation>de nascer a pôr-se</translation>
+    </message>
+    <message>
+        <source>for how long horizon, keep-outs and limits hide it</source>
+        <translation>durante quanto tempo o horizonte, as zonas proibidas e os limites o escondem</translation>
+    </message>
+    <message>
+        <source>whether the cable ends during the pass, and what that loses</source>
+        <translation>se o cabo acaba durante a passagem, e quanto se perde com isso</translation>
+    </message>
+    <message>
+        <source>for how long the Sun shines on it</source>
+        <translation>durante quanto tempo o Sol o ilumina</translation>
+    </message>
+    <message>
+        <source>age of its elements in days</source>
+        <translation>idade dos seus elementos em dias</translation>
     </message>
 </context>
 <context>
@@ -13737,6 +13872,14 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     <message>
         <source>The site is not set. Passes depend on it.</source>
         <translation>O local não está definido. As passagens dependem dele.</translation>
+    </message>
+    <message>
+        <source>No pass matches the filter. It leaves out %1.</source>
+        <translation>Nenhuma passagem corresponde ao filtro. Deixa de fora %1.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 passes within a day, of %3 satellites</source>
+        <translation>%1 de %2 passagens num dia, de %3 satélites</translation>
     </message>
 </context>
 <context>

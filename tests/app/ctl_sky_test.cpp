@@ -6,6 +6,9 @@
 
 #include <gmock/gmock.h>
 
+#include <string>
+#include <vector>
+
 namespace boresight {
 namespace {
 
@@ -154,6 +157,31 @@ TEST_F(CtlSkyTest, PassesOfADay)
     EXPECT_THAT(high.output, StartsWith("[\n{\"name\": \"ISS (ZARYA)\", \"norad\": 25544, \"aos_utc\": "
                                         "\"2024-05-10T04:54:"));
     EXPECT_THAT(high.output, Not(HasSubstr("},\n")));
+}
+
+// REQ-CTL-06a: With the profile of a mount the flags show which passes it does not see all of, and during which its
+// cable ends. Without one no mount is judged.
+TEST_F(CtlSkyTest, PassesAreJudgedForAMount)
+{
+    const auto flagsWith = [this](const std::string& toml) {
+        const QString line = QStringLiteral("--norad 25544 --from 2024-05-10 --days 0.25 --profile ");
+        const Outcome found =
+            passes(elements, (line + write("mount.toml", "version = 1\n" + toml)).toUtf8().constData());
+        EXPECT_EQ(found.status, 0) << found.errors;
+        std::vector<std::string> flags;
+        for (const QString& row : QString::fromStdString(found.output).split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
+            flags.push_back(row.section(QLatin1Char(','), -1).toStdString());
+        }
+        return flags;
+    };
+    using testing::ElementsAre;
+    EXPECT_THAT(flagsWith(""), ElementsAre("flags", "A", "-", "-", "-")) << "a turn and a half of cable";
+    const std::string azimuths = "[azimuth]\ntravel_min_deg = 0\ntravel_max_deg = 360\n[elevation]\n";
+    EXPECT_THAT(flagsWith(azimuths), ElementsAre("flags", "AU", "U", "U", "-")) << "three go through north";
+    EXPECT_THAT(flagsWith(azimuths + "travel_max_deg = 180\n"), ElementsAre("flags", "AUF", "UF", "UF", "-"));
+    EXPECT_THAT(flagsWith("[limits]\nelevation_min_deg = 20\n[park]\nelevation_deg = 20\n"),
+                ElementsAre("flags", "AH", "H", "H", "H"));
+    EXPECT_EQ(passes(elements, "--from 2024-05-10 --days 0.1 --profile /nowhere/mount.toml").status, 1);
 }
 
 // REQ-CTL-07: What the list cannot show is reported: a satellite that decays, one that does not come up, bad element

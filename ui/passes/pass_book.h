@@ -3,6 +3,7 @@
 
 #include "core/elements/element_set.h"
 #include "core/passes/pass.h"
+#include "core/targets/cable_turns.h"
 
 #include <chrono>
 #include <cstddef>
@@ -28,23 +29,31 @@ struct BookedPass
     return std::chrono::abs(one - other) < std::chrono::minutes(2);
 }
 
+// What a pass is judged by: of the antenna that it is tracked with, on this mount.
+struct PassAntenna
+{
+    Angle beamWidth{};
+    targets::MountReach reach{};
+
+    bool operator==(const PassAntenna&) const = default;
+};
+
 struct PassBook
 {
     Satellites satellites;
     Site site{};
-    Angle beamWidth{};
-    std::map<std::int64_t, Angle> ownBeamWidths;  // of satellites with an antenna of their own, by their numbers
-    std::vector<BookedPass> passes;               // in the order in which they begin
+    PassAntenna antenna;                      // in use
+    std::map<std::int64_t, PassAntenna> own;  // of satellites with an antenna of their own, by their numbers
+    std::vector<BookedPass> passes;           // in the order in which they begin
 
     [[nodiscard]] const orbit::ElementSet& elementsOf(const BookedPass& one) const
     {
         return satellites->at(one.satellite);
     }
-    // Of the antenna that it is tracked with.
-    [[nodiscard]] Angle beamWidthOf(const BookedPass& one) const
+    [[nodiscard]] const PassAntenna& antennaOf(const BookedPass& one) const
     {
-        const auto own = ownBeamWidths.find(elementsOf(one).number);
-        return own == ownBeamWidths.end() ? beamWidth : own->second;
+        const auto found = own.find(elementsOf(one).number);
+        return found == own.end() ? antenna : found->second;
     }
 };
 

@@ -15,9 +15,9 @@ std::shared_ptr<const PassBook> bookOf(const PassQuery& query, const std::vector
     auto book = std::make_shared<PassBook>();
     book->satellites = query.satellites;
     book->site = query.search.site;
-    book->beamWidth = query.beamWidth;
-    for (const auto& [number, antenna] : query.own) {
-        book->ownBeamWidths[number] = antenna.beamWidth;
+    book->antenna = query.antenna;
+    for (const auto& [number, own] : query.own) {
+        book->own[number] = own.antenna;
     }
     for (std::size_t satellite = 0; satellite < lists.size(); ++satellite) {
         for (const passes::Pass& pass : lists[satellite].passes) {

@@ -18,7 +18,7 @@ namespace boresight::ui {
 // Of a satellite that is tracked with an antenna of its own.
 struct OwnAntenna
 {
-    Angle beamWidth{};
+    PassAntenna antenna;
     std::function<bool(const SkyPointing&)> isClear;
 };
 
@@ -26,7 +26,7 @@ struct PassQuery
 {
     Satellites satellites;
     passes::PassSearch search;
-    Angle beamWidth{};
+    PassAntenna antenna;
     std::map<std::int64_t, OwnAntenna> own;  // by the numbers of the satellites
 };
 

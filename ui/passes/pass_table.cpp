@@ -21,13 +21,40 @@ bool matches(const orbit::ElementSet& elements, const QStringList& words)
 }  // namespace
 
 PassTable::PassTable(QObject* parent)
-    : TableModel({QString(), tr("Satellite"), tr("Rises (UTC)"), tr("In"), tr("Highest"), tr("Lasts")}, parent)
+    : TableModel({QString(), tr("Satellite"), tr("Rises (UTC)"), tr("In"), tr("Highest at"), tr("Sets"), tr("Highest"),
+                  tr("Lasts"), tr("Hidden"), tr("Unwraps"), tr("Sunlit"), tr("Elements")},
+                 parent)
 {}
+
+QString PassTable::widest(Column column)
+{
+    switch (column) {
+        case Rises:
+        case HighestAt:
+        case Sets:
+            return QStringLiteral("00:00:00");
+        case Until:
+            return QStringLiteral("59 min");
+        case Highest:
+            return QStringLiteral("90°");
+        case Lasts:
+        case Hidden:
+        case Sunlit:
+            return QStringLiteral("23 h 59");
+        case Unwraps:
+            return briefCableText({.turns = 1, .lost = Seconds(0.0), .fitsOverTheTop = true});
+        case Elements:
+            return daysText({.days = QStringLiteral("99.9"), .late = {}, .shift = {}, .isTooOld = true});
+        default:
+            return {};
+    }
+}
 
 void PassTable::show(const std::shared_ptr<const PassBook>& book, UtcTime now)
 {
     m_book = book;
     m_now = now;
+    m_details.begin(book);
     select();
 }
 
@@ -65,6 +92,7 @@ void PassTable::select()
             m_rows.push_back(i);
         }
     }
+    countAgain();
     endResetModel();
 }
 
@@ -79,7 +107,21 @@ void PassTable::tick(UtcTime now)
         m_rows.erase(over);
         endRemoveRows();
     }
+    countAgain();
     changeCells();
+}
+
+void PassTable::countAgain()
+{
+    const auto isComing = [this](const BookedPass& one) { return one.pass.los.utc > m_now; };
+    m_count = {.coming = static_cast<std::size_t>(std::ranges::count_if(m_book->passes, isComing)),
+               .listed = m_rows.size(),
+               .satellites = 0};
+    std::vector<bool> isListed(m_book->satellites ? m_book->satellites->size() : 0);
+    for (const std::size_t row : m_rows) {
+        isListed[m_book->passes[row].satellite] = true;
+    }
+    m_count.satellites = static_cast<std::size_t>(std::ranges::count(isListed, true));
 }
 
 std::optional<int> PassTable::rowOf(std::int64_t number, UtcTime highest) const
@@ -115,30 +157,92 @@ QVariant PassTable::star(const BookedPass& one, int role) const
 
 QVariant PassTable::data(const QModelIndex& index, int role) const
 {
-    const BookedPass& one = pass(index.row());
+    const std::size_t pass = m_rows.at(std::size_t(index.row()));
     if (index.column() == Favourite) {
-        return star(one, role);
+        return star(m_book->passes[pass], role);
     }
-    if (role == Qt::TextAlignmentRole && index.column() != Satellite) {
-        return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+    switch (role) {
+        case Qt::DisplayRole:
+            return text(pass, index.column());
+        case Qt::ToolTipRole:
+            return help(pass, index.column());
+        case Qt::TextAlignmentRole:
+            return index.column() == Satellite ? QVariant() : QVariant(Qt::AlignRight | Qt::AlignVCenter);
+        default:
+            return {};
     }
-    if (role == Qt::ToolTipRole) {
-        return factsOf(one, *m_book, m_now);
-    }
-    if (role != Qt::DisplayRole) {
-        return {};
-    }
-    switch (index.column()) {
+}
+
+QString PassTable::text(std::size_t pass, int column) const
+{
+    const BookedPass& one = m_book->passes[pass];
+    switch (column) {
         case Satellite:
             return targets::satelliteName(m_book->elementsOf(one));
         case Rises:
             return riseText(one.pass);
         case Until:
             return untilText(one.pass, m_now);
+        case HighestAt:
+            return clockText(one.pass.tca.utc);
+        case Sets:
+            return setText(one.pass);
         case Highest:
             return angleText(one.pass.tca.direction.elevation, 0);
-        default:
+        case Lasts:
             return one.pass.isUpAtStart && one.pass.isUpAtEnd ? tr("always") : lengthText(one.pass.duration());
+        case Hidden:
+            return partText(hiddenTime(one.pass), one.pass.duration());
+        case Unwraps:
+            return briefCableText(m_details.cable(pass));
+        case Sunlit:
+            return partText(m_details.sunlit(pass), one.pass.duration());
+        default:
+            return daysText(ageOf(one, *m_book, m_now));
+    }
+}
+
+QString PassTable::help(std::size_t pass, int column) const
+{
+    const BookedPass& one = m_book->passes[pass];
+    switch (column) {
+        case Unwraps:
+            return cableText(m_details.cable(pass));
+        case Sunlit:
+            return lightText(passes::lightOf(one.pass, m_book->elementsOf(one), m_book->site));
+        default:
+            return factsOf(one, *m_book, m_now);
+    }
+}
+
+QVariant PassTable::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || role != Qt::ToolTipRole) {
+        return TableModel::headerData(section, orientation, role);
+    }
+    switch (section) {
+        case Rises:
+            return tr("AOS, when it rises above the horizon");
+        case Until:
+            return tr("how long until it rises");
+        case HighestAt:
+            return tr("TCA, when it is highest");
+        case Sets:
+            return tr("LOS, when it sets");
+        case Highest:
+            return tr("its elevation then");
+        case Lasts:
+            return tr("from rise to set");
+        case Hidden:
+            return tr("for how long horizon, keep-outs and limits hide it");
+        case Unwraps:
+            return tr("whether the cable ends during the pass, and what that loses");
+        case Sunlit:
+            return tr("for how long the Sun shines on it");
+        case Elements:
+            return tr("age of its elements in days");
+        default:
+            return {};
     }
 }
 

@@ -44,27 +44,6 @@ Angle shiftOf(const BookedPass& one, const PassBook& book, Seconds late)
     return expected && real ? angleBetween(*expected, *real) : 0_deg;
 }
 
-// How old the elements are, and what that means for this beam.
-struct ElementAge
-{
-    QString days;
-    Seconds late;
-    Angle shift;
-    bool isTooOld = false;  // more than half the beam
-};
-
-ElementAge ageOf(const BookedPass& one, const PassBook& book, UtcTime now)
-{
-    const orbit::ElementSet& elements = book.elementsOf(one);
-    const double days = Seconds(now - orbit::utcTime(elements.epoch)).count() / kSecondsPerDay;
-    const orbit::AgeError error = orbit::expectedError(elements, one.pass.tca.utc);
-    const Angle shift = shiftOf(one, book, error.time);
-    return {.days = QString::number(std::max(0.0, days), 'f', 1),
-            .late = error.time,
-            .shift = shift,
-            .isTooOld = 2.0 * shift > book.beamWidthOf(one)};
-}
-
 QString ageText(const ElementAge& age)
 {
     const QString words = age.isTooOld
@@ -81,6 +60,18 @@ QString briefAgeText(const ElementAge& age)
 
 }  // namespace
 
+ElementAge ageOf(const BookedPass& one, const PassBook& book, UtcTime now)
+{
+    const orbit::ElementSet& elements = book.elementsOf(one);
+    const double days = Seconds(now - orbit::utcTime(elements.epoch)).count() / kSecondsPerDay;
+    const orbit::AgeError error = orbit::expectedError(elements, one.pass.tca.utc);
+    const Angle shift = shiftOf(one, book, error.time);
+    return {.days = QString::number(std::max(0.0, days), 'f', 1),
+            .late = error.time,
+            .shift = shift,
+            .isTooOld = 2.0 * shift > book.antennaOf(one).beamWidth};
+}
+
 QString lengthText(Seconds time)
 {
     const auto whole = std::llround(time.count());
@@ -94,6 +85,20 @@ QString riseText(const passes::Pass& pass)
     return pass.isUpAtStart ? PassWords::tr("up") : clockText(pass.aos.utc);
 }
 
+QString setText(const passes::Pass& pass)
+{
+    return pass.isUpAtEnd ? PassWords::tr("up") : clockText(pass.los.utc);
+}
+
+QString partText(Seconds part, Seconds whole)
+{
+    constexpr Seconds kNothing{1.0};
+    if (part < kNothing) {
+        return PassWords::tr("no");
+    }
+    return whole - part < kNothing ? PassWords::tr("all") : lengthText(part);
+}
+
 QString untilText(const passes::Pass& pass, UtcTime now)
 {
     return pass.aos.utc <= now ? PassWords::tr("up") : waitText(pass.aos.utc - now);
@@ -102,6 +107,11 @@ QString untilText(const passes::Pass& pass, UtcTime now)
 Seconds hiddenTime(const passes::Pass& pass)
 {
     return std::max(Seconds(0.0), pass.duration() - pass.clearTime());
+}
+
+QString daysText(const ElementAge& age)
+{
+    return (age.isTooOld ? PassWords::tr("%1 d, too old") : PassWords::tr("%1 d")).arg(age.days);
 }
 
 QString factsOf(const BookedPass& one, const PassBook& book, UtcTime now)
@@ -156,6 +166,39 @@ QString lightText(const passes::PassLight& light)
                                         : PassWords::tr("in sunlight %1Z to %2Z"))
                 .arg(time(0), time(1));
     }
+}
+
+QString briefCableText(const targets::CableTurns& cable)
+{
+    if (cable.turns == 0) {
+        return PassWords::tr("no");
+    }
+    return (cable.fitsOverTheTop ? PassWords::tr("%1 or flip") : QStringLiteral("%1")).arg(lengthText(cable.lost));
+}
+
+QString cableFact(const targets::CableTurns& cable)
+{
+    return (cable.fitsOverTheTop ? PassWords::tr("unwraps the cable, which loses %1. Over the top nothing is lost")
+                                 : PassWords::tr("unwraps the cable, which loses %1"))
+        .arg(lengthText(cable.lost));
+}
+
+QString cableText(const targets::CableTurns& cable)
+{
+    if (cable.turns == 0) {
+        return PassWords::tr("The cable has room for all of the pass.");
+    }
+    const QString turns = cable.turns == 1 ? PassWords::tr("The cable ends during the pass.")
+                                           : PassWords::tr("The cable ends %1 times during the pass.").arg(cable.turns);
+    QStringList sentences{
+        turns,
+        PassWords::tr("Boresight unwraps it by 360° there and loses %1 of the pass.").arg(lengthText(cable.lost))};
+    if (cable.fitsOverTheTop) {
+        sentences << PassWords::tr(
+            "Over the top nothing is lost. Only a client that sends elevations above 90° goes "
+            "there.");
+    }
+    return sentences.join(QLatin1Char(' '));
 }
 
 }  // namespace boresight::ui

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QStringList>
+
 namespace boresight::ui {
 
 // How the page of the coming passes looks, kept from one run to the next.
@@ -8,6 +10,7 @@ struct PassesLayout
 {
     int view = 0;  // of PassViews
     bool onlyFavourites = false;
+    QStringList columns = {};  // of PassColumns; empty: as many as there is room for
 
     bool operator==(const PassesLayout&) const = default;
 };

@@ -2,19 +2,19 @@
 #include "ui/passes/passes_panel.h"
 
 #include "core/profile/clear_sky.h"
+#include "core/targets/pass_way.h"
 #include "ui/kit/read_table.h"
 #include "ui/kit/value_label.h"
 #include "ui/look/paint.h"
 #include "ui/passes/elements_button.h"
+#include "ui/passes/pass_columns.h"
 #include "ui/passes/pass_filter.h"
 #include "ui/passes/pass_table.h"
 #include "ui/passes/pass_views.h"
-#include "ui/passes/pass_way.h"
 #include "ui/passes/selected_pass.h"
 
 #include <QAction>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -29,7 +29,6 @@ constexpr std::chrono::hours kSearchAgain{6};
 // So far back that a pass that goes on now has its own beginning.
 constexpr std::chrono::minutes kBack{30};
 constexpr int kProblemLines = 3;
-constexpr int kCellMargins = 14;  // px
 // With less room than this the facts would leave the table a row or two.
 constexpr int kRoomForAllFacts = 400;
 
@@ -44,6 +43,26 @@ std::map<std::int64_t, pointing::Antenna> ownAntennas(const profile::Profile& pr
     return own;
 }
 
+PassAntenna judgedBy(const profile::Profile& profile, const pointing::Antenna& antenna)
+{
+    return {.beamWidth = antenna.beamWidth, .reach = targets::reachOf(profile, antenna)};
+}
+
+// What is listed, and how many passes the filter leaves out.
+QString countText(const PassCount& count)
+{
+    if (count.listed == count.coming) {
+        return PassesPanel::tr("%1 passes of %2 satellites within a day").arg(count.listed).arg(count.satellites);
+    }
+    if (count.listed == 0) {
+        return PassesPanel::tr("No pass matches the filter. It leaves out %1.").arg(count.coming);
+    }
+    return PassesPanel::tr("%1 of %2 passes within a day, of %3 satellites")
+        .arg(count.listed)
+        .arg(count.coming)
+        .arg(count.satellites);
+}
+
 }  // namespace
 
 PassesPanel::PassesPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent)
@@ -51,6 +70,7 @@ PassesPanel::PassesPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent
       m_searcher(new PassSearcher(this)),
       m_passes(new PassTable(this)),
       m_table(makeReadTable(tr("Coming passes"), *m_passes, this)),
+      m_columns(new PassColumns(*m_passes, *m_table, this)),
       m_views(new PassViews(*m_passes, *m_table, this)),
       m_choices(m_views->makeChoices(this)),
       m_filter(new PassFilter(this)),
@@ -86,7 +106,11 @@ void PassesPanel::build()
     column->setSpacing(4);
     m_note->setLines(2);
     m_note->setStretching(true);
-    column->addWidget(m_filter);
+    auto* const filter = new QHBoxLayout;
+    filter->setSpacing(kGrid);
+    filter->addWidget(m_filter, 1);
+    filter->addWidget(m_columns->makeButton(this));
+    column->addLayout(filter);
     auto* const notes = new QHBoxLayout;
     notes->setSpacing(kGrid);
     notes->addWidget(m_choices);
@@ -100,26 +124,6 @@ void PassesPanel::build()
     column->addWidget(m_views, 1);
     column->addWidget(m_selection);
     addActions();
-    fitColumns();
-}
-
-void PassesPanel::fitColumns()
-{
-    QHeaderView* const header = m_table->horizontalHeader();
-    header->setSectionResizeMode(QHeaderView::Fixed);
-    header->setSectionResizeMode(PassTable::Satellite, QHeaderView::Stretch);
-    header->setMinimumSectionSize(kRowHeight);
-    header->resizeSection(PassTable::Favourite, kRowHeight);
-    const QFontMetrics metrics(m_table->font());
-    const std::pair<PassTable::Column, QString> widest[] = {{PassTable::Rises, QStringLiteral("00:00:00")},
-                                                            {PassTable::Until, QStringLiteral("59 min")},
-                                                            {PassTable::Highest, QStringLiteral("90°")},
-                                                            {PassTable::Lasts, QStringLiteral("23 h 59")}};
-    for (const auto& [section, text] : widest) {
-        const QString heading = m_passes->headerData(section, Qt::Horizontal, Qt::DisplayRole).toString();
-        header->resizeSection(
-            section, std::max(metrics.horizontalAdvance(heading), metrics.horizontalAdvance(text)) + kCellMargins);
-    }
 }
 
 // In a low panel the table gets the room.
@@ -139,7 +143,8 @@ void PassesPanel::fitHeight()
 
 PassesLayout PassesPanel::arrangement() const
 {
-    return {.view = m_views->view(), .onlyFavourites = m_filter->choice().onlyFavourites};
+    return {
+        .view = m_views->view(), .onlyFavourites = m_filter->choice().onlyFavourites, .columns = m_columns->chosen()};
 }
 
 // A file that was edited by hand may name a view that is not there.
@@ -148,6 +153,7 @@ void PassesPanel::arrange(const PassesLayout& layout)
     const bool isThere = layout.view >= 0 && layout.view < m_views->count();
     m_views->showView(isThere ? static_cast<PassViews::View>(layout.view) : PassViews::List);
     m_filter->setOnlyFavourites(layout.onlyFavourites);
+    m_columns->choose(layout.columns);
 }
 
 // A menu by the right button, and keys: Space ticks and F2 edits, as everywhere.
@@ -185,9 +191,8 @@ void PassesPanel::showStatus(const StationStatus& status)
         m_views->showStatus(status);
         showFavourites(status);
     }
-    if (status.profile->satellites != m_marks) {
-        m_marks = status.profile->satellites;
-        m_passes->setMarks(m_marks);
+    if (status.profile->satellites != m_passes->marks()) {
+        m_passes->setMarks(status.profile->satellites);
         if (m_filter->choice().onlyFavourites) {
             showRows();
         }
@@ -209,6 +214,7 @@ void PassesPanel::searchAgain(const StationStatus& status)
                       .limits = profile.limits,
                       .pointing = profile.pointing,
                       .antenna = profile.antenna(status.chosenAntenna),
+                      .reach = targets::reachOf(profile, profile.antenna(status.chosenAntenna)),
                       .own = ownAntennas(profile)};
     const bool isOld = m_now < m_last.begun || m_now - m_last.begun > kSearchAgain;
     if (!basis.satellites || basis.satellites->empty() || !basis.site.known || (basis == m_last.basis && !isOld)) {
@@ -218,14 +224,14 @@ void PassesPanel::searchAgain(const StationStatus& status)
     m_last.begun = m_now - kBack;
     std::map<std::int64_t, OwnAntenna> own;
     for (const auto& [number, antenna] : basis.own) {
-        own[number] = {.beamWidth = antenna.beamWidth, .isClear = clearSky(profile, antenna)};
+        own[number] = {.antenna = judgedBy(profile, antenna), .isClear = clearSky(profile, antenna)};
     }
     m_searcher->search({.satellites = basis.satellites,
                         .search = {.site = basis.site.place(),
                                    .from = m_last.begun,
                                    .to = m_now + kAhead,
                                    .isClear = clearSky(profile, basis.antenna)},
-                        .beamWidth = basis.antenna.beamWidth,
+                        .antenna = judgedBy(profile, basis.antenna),
                         .own = own});
 }
 
@@ -257,8 +263,10 @@ void PassesPanel::select(int row)
     } else {
         const BookedPass& pass = m_passes->pass(row);
         const PassBook& book = *m_passes->book();
-        m_selected =
-            Selected{.number = book.elementsOf(pass).number, .highest = pass.pass.tca.utc, .way = wayOf(pass, book)};
+        const orbit::ElementSet& elements = book.elementsOf(pass);
+        m_selected = Selected{.number = elements.number,
+                              .highest = pass.pass.tca.utc,
+                              .way = targets::wayOf(pass.pass, elements, book.site)};
         m_selection->select(m_passes->book(), pass);
         m_views->select(m_passes->book(), pass, m_selected->way);
     }
@@ -309,9 +317,7 @@ void PassesPanel::showNote(const StationStatus& status)
     } else if (m_passes->rowCount() == 0 && m_filter->choice().onlyFavourites) {
         m_note->setValue(tr("No favourite passes within a day. Click the star of a row to add one."), Tone::Secondary);
     } else {
-        m_note->setValue(
-            tr("%1 passes of %2 satellites within a day").arg(m_passes->rowCount()).arg(status.satellites->size()),
-            Tone::Secondary);
+        m_note->setValue(countText(m_passes->count()), Tone::Secondary);
     }
 }
 

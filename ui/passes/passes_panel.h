@@ -20,6 +20,7 @@ class QTableView;
 namespace boresight::ui {
 
 class ElementsButton;
+class PassColumns;
 class PassFilter;
 class PassTable;
 class PassViews;
@@ -60,6 +61,7 @@ private:
         pointing::Region limits;
         pointing::PointingTerms pointing;
         pointing::Antenna antenna;
+        targets::MountReach reach;                      // with it
         std::map<std::int64_t, pointing::Antenna> own;  // of satellites that have one
 
         bool operator==(const Basis&) const = default;
@@ -78,7 +80,6 @@ private:
 
     void build();
     void addActions();
-    void fitColumns();
     void fitHeight();
     void searchAgain(const StationStatus& status);
     void showBook(const std::shared_ptr<const PassBook>& book);
@@ -93,6 +94,7 @@ private:
     PassSearcher* m_searcher;
     PassTable* m_passes;
     QTableView* m_table;
+    PassColumns* m_columns;
     PassViews* m_views;
     QWidget* m_choices;  // of the view
     PassFilter* m_filter;
@@ -100,7 +102,6 @@ private:
     ValueLabel* m_problem;
     ElementsButton* m_elements;
     SelectedPass* m_selection;
-    orbit::SatelliteMarks m_marks;
     FavouritePlaces m_favourites;
     Search m_last;
     UtcTime m_now{};

@@ -8,6 +8,7 @@
 #include "ui/look/paint.h"
 #include "ui/passes/favourite_button.h"
 #include "ui/passes/note_line.h"
+#include "ui/passes/pass_details.h"
 #include "ui/passes/pass_words.h"
 #include "ui/passes/satellite_antenna.h"
 #include "ui/passes/watch_button.h"
@@ -22,8 +23,14 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr int kFactLines = 7;
+constexpr int kFactLines = 8;
 constexpr int kBriefLines = 4;
+
+// Only where there is something to know.
+QString cableLine(const targets::CableTurns& cable)
+{
+    return cable.turns == 0 ? QString() : QLatin1Char('\n') + cableFact(cable);
+}
 
 }  // namespace
 
@@ -105,6 +112,7 @@ void SelectedPass::select(const std::shared_ptr<const PassBook>& book, const std
 {
     m_book = book;
     m_pass = pass;
+    m_cable = pass ? cableLine(cableOf(*pass, *book)) : QString();
     m_light = pass ? lightText(passes::lightOf(pass->pass, book->elementsOf(*pass), book->site)) : QString();
     showFacts();
 }
@@ -157,7 +165,7 @@ void SelectedPass::showFacts()
     }
     const QString light = QLatin1Char('\n') + m_light;
     const QString note = m_noteText.isEmpty() ? QString() : m_noteText + QLatin1Char('\n');
-    const QString all = factsOf(*m_pass, *m_book, m_now) + light;
+    const QString all = factsOf(*m_pass, *m_book, m_now) + m_cable + light;
     const QString brief =
         (m_note->isHidden() ? note : QString()) + briefFactsOf(*m_pass, *m_book, m_now, m_isNamed) + light;
     m_facts->setValue(m_isBrief ? brief : all);

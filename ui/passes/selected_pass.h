@@ -58,6 +58,7 @@ private:
     std::optional<BookedPass> m_pass;
     Satellites m_satellites;  // as they are now
     QString m_light;
+    QString m_cable;
     QString m_noteText;
     UtcTime m_now{};
     bool m_isBrief = false;

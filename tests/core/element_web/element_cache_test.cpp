@@ -68,5 +68,30 @@ TEST_F(ElementCacheTest, ABrokenStateIsNone)
     }
 }
 
+// Story: the random state files of tests/fuzz/cache. A time beyond 2262 became one before 1970, and control characters
+// came into a request and onto the screen.
+// REQ-ELEMENTWEB-02
+TEST_F(ElementCacheTest, WhatIsSentOrShownHasNoControlCharacters)
+{
+    ASSERT_TRUE(cache.keepContent(address, "sets"));
+    writeState(R"({"etag": "a\u0000b", "last_modified": "\u001b[31m", "problem": "No.\u001b[2J"})");
+    const CacheState state = cache.state(address);
+    EXPECT_TRUE(state.etag.isEmpty());
+    EXPECT_TRUE(state.lastModified.isEmpty());
+    EXPECT_TRUE(state.problem.isEmpty());
+    writeState(R"({"problem": ")" + QByteArray(5000, 'x') + R"("})");
+    EXPECT_TRUE(cache.state(address).problem.isEmpty()) << "a sentence is shorter";
+}
+
+// REQ-ELEMENTWEB-02
+TEST_F(ElementCacheTest, ATimeBeyondOurClockIsNone)
+{
+    ASSERT_TRUE(cache.keepContent(address, "sets"));
+    writeState(R"({"last_try": 9999999999, "fetched": 9999999999})");
+    const CacheState state = cache.state(address);
+    EXPECT_FALSE(state.lastTry);
+    EXPECT_GT(state.fetched, UtcTime()) << "by the time of the file";
+}
+
 }  // namespace
 }  // namespace boresight::orbit

@@ -66,5 +66,21 @@ TEST(PassLight, InTheEveningItEntersTheShadowAndInTheMorningItLeavesIt)
     EXPECT_GT(changes, 3);
 }
 
+// REQ-PASSES-992: Of each pass it is known for how many seconds the Sun shines on the satellite.
+TEST(PassLight, TheTimeInSunlightIsTheSumOfItsParts)
+{
+    const UtcTime rise = std::chrono::sys_days{std::chrono::year{2026} / 11 / 20};
+    const Pass pass{.aos = {.utc = rise, .direction = {}}, .tca = {}, .los = {.utc = rise + 600s, .direction = {}}};
+    const auto time = [&](bool isSunlitFirst, const std::vector<UtcTime>& changes) {
+        return sunlitTime(pass, {.isSunlitFirst = isSunlitFirst, .changes = changes}).count();
+    };
+    EXPECT_EQ(time(true, {}), 600.0);
+    EXPECT_EQ(time(false, {}), 0.0);
+    EXPECT_EQ(time(true, {rise + 250s}), 250.0);
+    EXPECT_EQ(time(false, {rise + 250s}), 350.0);
+    EXPECT_EQ(time(true, {rise + 100s, rise + 400s}), 300.0);
+    EXPECT_EQ(time(false, {rise + 100s, rise + 400s, rise + 550s}), 350.0);
+}
+
 }  // namespace
 }  // namespace boresight::passes

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/passes/pass_way.h"
+#include "core/targets/pass_way.h"
 
 #include "core/orbit/sgp4.h"
 #include "core/orbit/topocentric.h"
 
-namespace boresight::ui {
+namespace boresight::targets {
 
 namespace {
 
@@ -12,13 +12,12 @@ constexpr int kSteps = 180;
 
 }  // namespace
 
-targets::SkyWay wayOf(const BookedPass& one, const PassBook& book)
+SkyWay wayOf(const passes::Pass& pass, const orbit::ElementSet& elements, const Site& site)
 {
-    const passes::Pass& pass = one.pass;
-    const orbit::Sgp4 orbit(book.elementsOf(one));
-    const orbit::Observer observer(book.site);
+    const orbit::Sgp4 orbit(elements);
+    const orbit::Observer observer(site);
     const UtcTime::duration length = pass.los.utc - pass.aos.utc;
-    auto way = std::make_shared<std::vector<targets::SkyMoment>>();
+    auto way = std::make_shared<std::vector<SkyMoment>>();
     for (int step = 0; step <= kSteps; ++step) {
         const UtcTime utc = pass.aos.utc + length * step / kSteps;
         const orbit::JulianDate date = orbit::julianDate(utc);
@@ -31,4 +30,4 @@ targets::SkyWay wayOf(const BookedPass& one, const PassBook& book)
     return way;
 }
 
-}  // namespace boresight::ui
+}  // namespace boresight::targets

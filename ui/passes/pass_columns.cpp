@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/passes/pass_columns.h"
+
+#include "ui/kit/theme.h"
+#include "ui/look/glyph.h"
+#include "ui/passes/pass_table.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QMenu>
+#include <QTableView>
+#include <QToolButton>
+
+#include <algorithm>
+#include <utility>
+
+namespace boresight::ui {
+
+namespace {
+
+constexpr int kCellMargins = 14;               // px
+constexpr int kButtonSide = 44;                // px: of the star beside it
+constexpr int kLeastName = 14;                 // letters
+constexpr int kAlways = PassTable::Satellite;  // up to this column
+
+// The most wanted first.
+const std::pair<PassTable::Column, QString> kNames[] = {
+    {PassTable::Rises, QStringLiteral("rises")},       {PassTable::Until, QStringLiteral("in")},
+    {PassTable::Highest, QStringLiteral("highest")},   {PassTable::Lasts, QStringLiteral("lasts")},
+    {PassTable::Unwraps, QStringLiteral("unwraps")},   {PassTable::Hidden, QStringLiteral("hidden")},
+    {PassTable::Sets, QStringLiteral("sets")},         {PassTable::Sunlit, QStringLiteral("sunlit")},
+    {PassTable::Elements, QStringLiteral("elements")}, {PassTable::HighestAt, QStringLiteral("highest_at")}};
+
+// The name of the columns that are always there, so that nothing else can be chosen, too.
+const QString kAlwaysName = QStringLiteral("satellite");
+
+}  // namespace
+
+PassColumns::PassColumns(const PassTable& passes, QTableView& table, QWidget* panel)
+    : QObject(panel), m_passes(passes), m_table(table), m_menu(new QMenu(&table))
+{
+    table.setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    table.setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    header().setSectionResizeMode(QHeaderView::Fixed);
+    header().setMinimumSectionSize(kRowHeight);
+    header().setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(&header(), &QWidget::customContextMenuRequested, this,
+            [this](const QPoint& place) { m_menu->popup(header().mapToGlobal(place)); });
+    makeMenu();
+    m_menu->installEventFilter(this);
+    table.viewport()->installEventFilter(this);
+    fit();
+}
+
+void PassColumns::makeMenu()
+{
+    QAction* const roomy = m_menu->addAction(tr("As many as there is room for"));
+    roomy->setCheckable(true);
+    connect(roomy, &QAction::triggered, this, [this] { choose({}); });
+    connect(m_menu->addAction(tr("All")), &QAction::triggered, this, [this] {
+        QStringList all;
+        for (const auto& [column, name] : kNames) {
+            all << name;
+        }
+        choose(all);
+    });
+    m_menu->addSeparator();
+    for (int column = kAlways + 1; column < m_passes.columnCount(); ++column) {
+        const QString heading = m_passes.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        const QString help = m_passes.headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString();
+        QAction* const action = m_menu->addAction(tr("%1: %2").arg(heading, help));
+        action->setCheckable(true);
+        action->setData(column);
+        connect(action, &QAction::triggered, this, [this, column](bool on) { toggle(column, on); });
+    }
+}
+
+QToolButton* PassColumns::makeButton(QWidget* parent)
+{
+    auto* const button = new QToolButton(parent);
+    button->setIcon(glyphIcon(Glyph::Menu));
+    button->setMenu(m_menu);
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setFixedSize(kButtonSide, kButtonSide);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAccessibleName(tr("Columns of the list"));
+    button->setToolTip(tr("Which columns the list of the passes has"));
+    return button;
+}
+
+QStringList PassColumns::chosen() const
+{
+    if (!m_chosen) {
+        return {};
+    }
+    QStringList names{kAlwaysName};
+    for (const auto& [column, name] : kNames) {
+        if (m_chosen->contains(column)) {
+            names << name;
+        }
+    }
+    return names;
+}
+
+void PassColumns::choose(const QStringList& names)
+{
+    m_chosen.reset();
+    if (!names.isEmpty()) {
+        m_chosen.emplace();
+        for (const auto& [column, name] : kNames) {
+            if (names.contains(name)) {
+                *m_chosen << column;
+            }
+        }
+    }
+    fit();
+}
+
+// What is seen then is chosen.
+void PassColumns::toggle(int column, bool on)
+{
+    QList<int> columns = m_chosen.value_or(roomyColumns());
+    columns.removeAll(column);
+    if (on) {
+        columns << column;
+    }
+    m_chosen = columns;
+    fit();
+}
+
+bool PassColumns::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_menu) {
+        if (event->type() == QEvent::Show) {
+            keepOffHeader();
+        }
+    } else if (event->type() == QEvent::Resize || event->type() == QEvent::FontChange) {
+        fit();
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+// Where there is too little room below, Qt would put the menu above, over the STOP button.
+void PassColumns::keepOffHeader()
+{
+    const auto* const panel = static_cast<QWidget*>(parent());
+    const QWidget& window = *m_table.window();
+    if (m_menu->y() < panel->mapToGlobal(QPoint()).y()) {
+        m_menu->move(m_menu->x(), window.mapToGlobal(QPoint(0, window.height() - m_menu->height())).y());
+    }
+}
+
+void PassColumns::fit()
+{
+    const QList<int> columns = m_chosen.value_or(roomyColumns());
+    int others = kRowHeight;
+    for (int column = kAlways + 1; column < m_passes.columnCount(); ++column) {
+        const bool isShown = columns.contains(column);
+        header().setSectionHidden(column, !isShown);
+        if (isShown) {
+            header().resizeSection(column, widthOf(column));
+            others += widthOf(column);
+        }
+    }
+    header().resizeSection(PassTable::Favourite, kRowHeight);
+    header().resizeSection(PassTable::Satellite,
+                           std::max(widthOf(PassTable::Satellite), m_table.viewport()->width() - others));
+    tick();
+}
+
+// As they are now.
+void PassColumns::tick()
+{
+    for (QAction* const action : m_menu->actions()) {
+        action->setChecked(action->data().isValid() ? !header().isSectionHidden(action->data().toInt())
+                                                    : !m_chosen.has_value());
+    }
+}
+
+int PassColumns::widthOf(int column) const
+{
+    const QFontMetrics metrics(m_table.font());
+    if (column == PassTable::Satellite) {
+        return kLeastName * metrics.averageCharWidth() + kCellMargins;
+    }
+    const QString heading = m_passes.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+    return std::max(metrics.horizontalAdvance(heading),
+                    metrics.horizontalAdvance(PassTable::widest(static_cast<PassTable::Column>(column)))) +
+           kCellMargins;
+}
+
+QList<int> PassColumns::roomyColumns() const
+{
+    int room = m_table.viewport()->width() - kRowHeight - widthOf(PassTable::Satellite);
+    QList<int> columns;
+    for (const auto& [column, name] : kNames) {
+        room -= widthOf(column);
+        if (room < 0) {
+            break;
+        }
+        columns << column;
+    }
+    return columns;
+}
+
+QHeaderView& PassColumns::header() const
+{
+    return *m_table.horizontalHeader();
+}
+
+}  // namespace boresight::ui
+
+#include "moc_pass_columns.cpp"
