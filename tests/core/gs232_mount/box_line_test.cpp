@@ -154,9 +154,11 @@ TEST(Gs232Connection, AForeignDeviceIsClosedAndLeftAlone)
 {
     Rig rig;
     rig.connection.open();
-    rig.run(Seconds(0.1));
-    rig.wire->say(QByteArray("\xfe\xfe\xe0\x94\x03\xfd", 6));
-    rig.run(Seconds(3.5));
+    for (int i = 0; i < 4; ++i) {
+        rig.run(Seconds(0.1));
+        rig.wire->say(QByteArray("\xfe\xfe\xe0\x94\x03\xfd", 6));  // of a radio whose dial is turned
+        rig.run(Seconds(0.9));
+    }
     EXPECT_TRUE(rig.warns("rotator.foreign"));
     EXPECT_EQ(rig.wire->state(), BoxLine::State::Closed);
     EXPECT_TRUE(rig.wire->written.startsWith("C2\r"));
@@ -166,6 +168,23 @@ TEST(Gs232Connection, AForeignDeviceIsClosedAndLeftAlone)
     rig.run(Seconds(5.0));
     EXPECT_EQ(rig.wire->opened, 1);
     EXPECT_EQ(rig.wire->written, QByteArray());
+}
+
+// REQ-GS232-08
+TEST(Gs232Connection, AByteOfNoiseClosesNoLine)
+{
+    Rig rig;
+    rig.connection.open();
+    rig.run(Seconds(0.1));
+    rig.wire->say("\xff");
+    rig.run(Seconds(10.0));
+    EXPECT_EQ(rig.wire->state(), BoxLine::State::Up);
+    EXPECT_FALSE(rig.warns("rotator.foreign"));
+    rig.wire->say("+0010+0020\r\n");
+    rig.run(Seconds(0.1));
+    StationStatus status;
+    rig.connection.describe(status);
+    EXPECT_EQ(status.line.kind, QStringLiteral("GS-232A"));
 }
 
 TEST(Gs232Connection, ALineThatIsGoneIsAnAlarmAndNotACommand)
