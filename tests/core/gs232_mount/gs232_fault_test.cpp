@@ -18,7 +18,7 @@ struct Fault
     double within;                             // s
 };
 
-// REQ-GS232-20 (Faults/Gs232Fault.*): Each fault of a GS-232 rotator in motion ends the motion with a stop and an alarm
+// REQ-GS232-20 (Gs232Fault.*): Each fault of a GS-232 rotator in motion ends the motion with a stop and an alarm
 // of its own, and nothing moves before a re-arm. A fault that passes by itself is survived.
 class Gs232Fault : public testing::TestWithParam<Fault>
 {
