@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/bus_name.h"
 #include "core/gs232_mount/gs232_connection.h"
 #include "core/gs232_mount/serial_box_line.h"
 #include "core/gs232_mount/simulated_box_line.h"
@@ -94,14 +95,22 @@ TEST(TcpBoxLine, CarriesBytesAndConnectsAgain)
 
 TEST(TcpBoxLine, APortWithoutABoxHasAReason)
 {
-    QTcpServer server;
-    ASSERT_TRUE(server.listen(QHostAddress::LocalHost));
-    const quint16 port = server.serverPort();
-    server.close();
-    TcpBoxLine line(QStringLiteral("127.0.0.1"), port);
+    QTcpSocket keeper;  // has the port, and listens on nothing: nobody else can take it meanwhile
+    ASSERT_TRUE(keeper.bind(QHostAddress::LocalHost, 0, QAbstractSocket::DontShareAddress));
+    TcpBoxLine line(QStringLiteral("127.0.0.1"), keeper.localPort());
     line.open();
     EXPECT_TRUE(waitUntil([&] { return line.state() == BoxLine::State::Lost; }));
     EXPECT_TRUE(line.problem().contains(line.name()));
+}
+
+// REQ-GS232-44: A line is named as the profile writes it, an IPv6 address in brackets.
+TEST(TcpBoxLine, IsNamedAsInTheProfile)
+{
+    for (const char* const name : {"tcp:[::1]:4001", "tcp:[fe80::1%eth0]:23", "tcp:rotator.local:4001"}) {
+        const Result<BusName> bus = parseBusName(name);
+        ASSERT_TRUE(bus);
+        EXPECT_EQ(TcpBoxLine(QString::fromStdString(bus->target), bus->port).name(), QLatin1String(name));
+    }
 }
 
 // A connection over a line that the test plays.
