@@ -2,11 +2,11 @@
 #include "core/can/fdcanusb_link.h"
 
 #include "core/base/control_characters.h"
-#include "core/base/program_lock.h"
 #include "core/base/text.h"
 #include "core/can/adapter_port.h"
 #include "core/can/bus_advice.h"
 #include "core/can/line_checksum.h"
+#include "core/serial/port_claim.h"
 #include "core/serial/port_holder.h"
 #include "core/serial/serial_port_check.h"
 
@@ -99,9 +99,9 @@ Result<> FdcanusbLink::open()
     if (const auto opened = openPort(m_path.device()); !opened) {
         return opened;
     }
-    if (const auto claimed = claimPort(); !claimed) {
+    if (const auto claimed = claimPort(m_port.handle()); !claimed) {
         m_port.close();
-        return claimed;
+        return failure(ErrorCode::Busy, inUse(m_path.device(), claimed.error().text));
     }
     m_path.storeName();
     if (!m_port.setBaudRate(kBaudRate)) {
@@ -141,21 +141,6 @@ Result<> FdcanusbLink::openPort(const QString& device)
                 .arg(device, reason));
     }
     return failure(ErrorCode::Io, Text::tr("%1 cannot be opened: %2").arg(device, reason));
-}
-
-// QSerialPort's lock file is seen only by programs that share its folder: not by a service with a /tmp of its own. So
-// the device itself is locked, in both ways that there are. The kernel's exclusive mark would outlive a killed program
-// on a pseudo-terminal, whose other end stays open.
-Result<> FdcanusbLink::claimPort()
-{
-    if (isPseudoTerminal(m_port.handle())) {
-        ioctl(m_port.handle(), TIOCNXCL);
-    }
-    const Result<> locked = lockDescriptor(m_port.handle());
-    if (!locked && locked.error().code == ErrorCode::Busy) {
-        return failure(ErrorCode::Busy, inUse(m_path.device(), locked.error().text));
-    }
-    return {};
 }
 
 void FdcanusbLink::close()

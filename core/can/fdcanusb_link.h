@@ -77,7 +77,6 @@ private:
     };
 
     Result<> openPort(const QString& device);
-    Result<> claimPort();
     void appendLine(QByteArray& lines, std::string_view line, Command command);
     Result<> writeLines(const QByteArray& lines);
     void readPort();

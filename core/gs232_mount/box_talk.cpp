@@ -63,8 +63,7 @@ void BoxTalk::takeLine(std::string_view line, SteadyTime now)
         m_dialect = position->dialect;
         m_position = *position;
         m_echoes = m_refuses = false;
-        m_firstStrange.reset();
-        m_strange.clear();
+        m_strange = {};
         m_times.asked.reset();
         ++m_counts.received;
         return;
@@ -81,14 +80,20 @@ void BoxTalk::takeLine(std::string_view line, SteadyTime now)
 
 void BoxTalk::takeStrange(std::string_view bytes, SteadyTime now)
 {
-    m_strange = shown(bytes);
-    m_firstStrange = m_firstStrange.value_or(now);
+    if (m_strange.first && now - m_strange.last > kNoise) {
+        m_strange = {};
+    }
+    m_strange.text = shown(bytes);
+    m_strange.first = m_strange.first.value_or(now);
+    m_strange.last = now;
+    m_strange.questions += std::exchange(m_strange.sinceAsked, true) ? 0 : 1;
 }
 
 // Whatever it said in pieces has become an answer, or nothing.
 void BoxTalk::judge(SteadyTime now)
 {
-    if (m_proof == Proof::Unknown && m_firstStrange && now - *m_firstStrange >= kProbeTime) {
+    const bool often = m_strange.first && m_strange.questions >= kProbeQuestions;
+    if (m_proof == Proof::Unknown && often && now - *m_strange.first >= kProbeTime) {
         m_proof = Proof::Foreign;
         m_go.clear();
         m_stop = false;
@@ -149,6 +154,7 @@ std::string BoxTalk::send(SteadyTime now)
         return {};
     }
     m_times.lastAsk = m_times.asked = now;
+    m_strange.sinceAsked = false;
     m_splitter.clear();  // half a line would spoil the answer
     return say(std::string(m_question == Question::Both ? kAskBoth : kAskAzimuth), now);
 }

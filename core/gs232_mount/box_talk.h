@@ -15,8 +15,8 @@
 // a second at most, and sent somewhere twice a second at most. A stop waits for nothing.
 //
 // Behind the port may be a radio, which would take our lines for its commands. So only questions are sent before the
-// port has answered as such a box does. A port that talks and never answers so is foreign, and nothing more is sent.
-// Pure: time and bytes are passed in.
+// port has answered as such a box does. A port that says other things to three questions is foreign, and nothing more
+// is sent. A byte of noise, or the greeting of a box that starts, is not. Pure: time and bytes are passed in.
 namespace boresight::gs232 {
 
 // What the box is asked for.
@@ -42,6 +42,8 @@ public:
     static constexpr std::chrono::milliseconds kBetweenGoes{500};    // from one target to the next
     static constexpr std::chrono::milliseconds kBetweenTries{1000};  // of questions while nothing answers
     static constexpr std::chrono::seconds kProbeTime{3};             // from the first bytes that mean nothing
+    static constexpr int kProbeQuestions = 3;                        // after which such bytes came
+    static constexpr std::chrono::seconds kNoise{10};                // bytes so far apart have nothing to do with us
 
     // `baud` as bits per second of the line.
     BoxTalk(Question question, int baud) : m_question(question), m_baud(baud) {}
@@ -70,7 +72,7 @@ public:
     };
     [[nodiscard]] const Counts& counts() const { return m_counts; }
     // What came in place of an answer, as printable text.
-    [[nodiscard]] const std::string& strange() const { return m_strange; }
+    [[nodiscard]] const std::string& strange() const { return m_strange.text; }
 
 private:
     void takeLine(std::string_view line, SteadyTime now);
@@ -90,8 +92,14 @@ private:
     bool m_stop = false;
     bool m_echoes = false;
     bool m_refuses = false;
-    std::string m_strange;
-    std::optional<SteadyTime> m_firstStrange;  // since it last answered
+    struct
+    {
+        std::string text;
+        std::optional<SteadyTime> first;  // since it last answered, or since it was noise
+        SteadyTime last{};
+        int questions = 0;        // after which something strange came
+        bool sinceAsked = false;  // counted for the last question
+    } m_strange;
     struct
     {
         SteadyTime free{};                // of the pause after the last command

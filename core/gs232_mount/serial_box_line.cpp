@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/gs232_mount/serial_box_line.h"
 
-#include "core/base/program_lock.h"
 #include "core/base/text.h"
+#include "core/serial/port_claim.h"
 #include "core/serial/port_holder.h"
 #include "core/serial/serial_port_check.h"
-
-#include <sys/ioctl.h>
 
 namespace boresight {
 namespace {
@@ -40,7 +38,12 @@ void SerialBoxLine::open()
     if (m_port.isOpen()) {
         return;
     }
-    const Result<> opened = openPort(m_path.device()).and_then([this] { return claimPort(); });
+    const QString device = m_path.device();
+    const auto claim = [this, &device] {
+        const Result<> claimed = claimPort(m_port.handle());
+        return claimed ? claimed : failure(ErrorCode::Busy, inUse(device, claimed.error().text));
+    };
+    const Result<> opened = openPort(device).and_then(claim);
     if (!opened) {
         m_port.close();
         m_port.clearError();
@@ -76,19 +79,6 @@ Result<> SerialBoxLine::openPort(const QString& device)
                                                    "which. End that program first")
                                               .arg(device, reason))
                : failure(ErrorCode::Io, Text::tr("%1 cannot be opened: %2").arg(device, reason));
-}
-
-// As for the CAN adapter: the kernel's exclusive mark would outlive a killed program on a pseudo-terminal.
-Result<> SerialBoxLine::claimPort()
-{
-    if (isPseudoTerminal(m_port.handle())) {
-        ioctl(m_port.handle(), TIOCNXCL);
-    }
-    const Result<> locked = lockDescriptor(m_port.handle());
-    if (!locked && locked.error().code == ErrorCode::Busy) {
-        return failure(ErrorCode::Busy, inUse(m_path.device(), locked.error().text));
-    }
-    return {};
 }
 
 void SerialBoxLine::close()

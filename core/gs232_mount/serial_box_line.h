@@ -26,7 +26,6 @@ public:
 
 private:
     [[nodiscard]] Result<> openPort(const QString& device);
-    [[nodiscard]] Result<> claimPort();
     void read();
     void lose(QSerialPort::SerialPortError error);
 

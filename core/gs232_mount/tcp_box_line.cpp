@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/gs232_mount/tcp_box_line.h"
 
+#include "core/base/bus_name.h"
 #include "core/base/text.h"
 
 #include <QNetworkProxy>
@@ -29,7 +30,7 @@ TcpBoxLine::~TcpBoxLine()
 
 QString TcpBoxLine::name() const
 {
-    return QStringLiteral("tcp:%1:%2").arg(m_host, QString::number(m_port));
+    return toQString(toString(BusName{.kind = BusKind::Tcp, .target = m_host.toStdString(), .port = m_port}));
 }
 
 void TcpBoxLine::open()

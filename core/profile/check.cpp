@@ -115,6 +115,21 @@ std::optional<Problem> wrongBus(const Profile& profile, const DriverKind& kind)
                                    .arg(toQString(kind.name))};
 }
 
+// A profile has one bus.
+std::optional<Problem> twoBuses(const Profile& profile)
+{
+    const DriverKind& azimuth = kindOf(profile.azimuth.driver);
+    const DriverKind& elevation = kindOf(profile.elevation.driver);
+    const bool both = azimuth.line != DriverLine::None && elevation.line != DriverLine::None;
+    if (!both || azimuth.line == elevation.line || namesNoBus(profile)) {
+        return std::nullopt;
+    }
+    return Problem{"elevation.driver",
+                   Text::tr("\"%1\" and azimuth.driver \"%2\" need two buses, and bus.name names only one. Choose one "
+                            "driver for both axes, or \"none\" for one of them.")
+                       .arg(toQString(elevation.name), toQString(azimuth.name))};
+}
+
 template <class Row>
 void checkRow(std::vector<Problem>& problems, const std::string& prefix, std::span<const SettingOf<Row>> all, Row row)
 {
@@ -192,6 +207,10 @@ std::vector<Problem> problemsOfReal(const Profile& profile)
     if (profile.sensor.source == SensorSource::Simulated) {
         problems.push_back({"sensor.source", Text::tr("\"simulated\" needs the simulated mount (bus.name)")});
     }
+    const auto two = twoBuses(profile);
+    if (two) {
+        problems.push_back(*two);
+    }
     for (const Axis axis : kAxes) {
         const DriverKind& kind = kindOf(profile.axis(axis).driver);
         if (kind.onlySimulated) {
@@ -199,7 +218,7 @@ std::vector<Problem> problemsOfReal(const Profile& profile)
                 {axis == Axis::Azimuth ? "azimuth.driver" : "elevation.driver",
                  Text::tr("\"%1\" is only simulated. Start Boresight with --simulate.").arg(toQString(kind.name))});
         }
-        if (auto wrong = wrongBus(profile, kind)) {
+        if (auto wrong = wrongBus(profile, kind); wrong && !two) {
             problems.push_back(*std::move(wrong));
         }
     }

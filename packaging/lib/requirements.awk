@@ -44,7 +44,7 @@ function show(id, name) {
 
 # "REQ-CAN-05 (Suite.*): text", its three parts in id, named and text.
 function read_requirement(line) {
-    match(line, /^REQ-[A-Z]+-[0-9]+[a-z]?/)
+    match(line, /^REQ-[A-Z][A-Z0-9]*-[0-9]+[a-z]?/)
     id = substr(line, 1, RLENGTH)
     line = substr(line, RLENGTH + 1)
     named = ""
@@ -107,7 +107,7 @@ is_page && /^ *```/ { is_fenced = !is_fenced }
 
 is_page {
     rest_of_line = $0
-    while (match(rest_of_line, /REQ-[A-Z]+-[0-9]+[a-z]?/)) {
+    while (match(rest_of_line, /REQ-[A-Z][A-Z0-9]*-[0-9]+[a-z]?/)) {
         id = substr(rest_of_line, RSTART, RLENGTH)
         if (!(id in texts)) mistake("there is no requirement " id)
         rest_of_line = substr(rest_of_line, RSTART + RLENGTH)
@@ -117,7 +117,7 @@ is_page {
     next
 }
 
-/^(\/\/|#) REQ-[A-Z]+-[0-9]/ {
+/^(\/\/|#) REQ-[A-Z][A-Z0-9]*-[0-9]/ {
     line = $0
     sub(/^(\/\/|#) /, "", line)
     add_requirement(line)

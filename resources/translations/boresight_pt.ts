@@ -4264,10 +4264,6 @@ até %1</translation>
         <translation>O registo não está guardado: %1</translation>
     </message>
     <message>
-        <source>Keep its power switch in reach. If Boresight or the cable fails, the rotator still ends its last step</source>
-        <translation>Tenha o interruptor de alimentação ao alcance. Se o Boresight ou o cabo falhar, o rotor ainda termina o último passo</translation>
-    </message>
-    <message>
         <source>The target is outside the limits</source>
         <translation>O alvo está fora dos limites</translation>
     </message>
@@ -7908,10 +7904,6 @@ até %1</translation>
         <translation>Verifique o WSJT-X e depois siga de novo a Lua</translation>
     </message>
     <message>
-        <source>Boresight commands only small steps</source>
-        <translation>O Boresight comanda só pequenos passos</translation>
-    </message>
-    <message>
         <source>The file is not an azel.dat. It is longer than %1 bytes.</source>
         <translation>O ficheiro não é um azel.dat. Tem mais de %1 bytes.</translation>
     </message>
@@ -9040,10 +9032,6 @@ até %1</translation>
         <translation>%1 responde como um %2</translation>
     </message>
     <message>
-        <source>The travel %1…%2 does not fit this rotator, which counts %3…%4. Change %5.travel_min_deg and %5.travel_max_deg in the profile.</source>
-        <translation>O curso %1…%2 não serve a este rotor, que conta %3…%4. Mude %5.travel_min_deg e %5.travel_max_deg no perfil.</translation>
-    </message>
-    <message>
         <source>the %1 fell silent</source>
         <translation>o %1 ficou mudo</translation>
     </message>
@@ -9118,6 +9106,42 @@ até %1</translation>
     <message>
         <source>Check the port and the speed (bus.name, bus.baud). Then press Reconnect</source>
         <translation>Verifique a porta e a velocidade (bus.name, bus.baud). Depois prima Reconectar</translation>
+    </message>
+    <message>
+        <source>Boresight can stop it only through its line</source>
+        <translation>O Boresight só o consegue parar através da sua linha</translation>
+    </message>
+    <message>
+        <source>Keep its power switch in reach. If Boresight or the cable fails, the rotator still goes on to its last target</source>
+        <translation>Mantenha o interruptor ao alcance. Se o Boresight ou o cabo falhar, o rotor continua até ao último alvo</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; and azimuth.driver &quot;%2&quot; need two buses, and bus.name names only one. Choose one driver for both axes, or &quot;none&quot; for one of them.</source>
+        <translation>&quot;%1&quot; e azimuth.driver &quot;%2&quot; precisam de dois barramentos, e bus.name indica apenas um. Escolha o mesmo driver para os dois eixos, ou &quot;none&quot; para um deles.</translation>
+    </message>
+    <message>
+        <source>Dead band of switched motors</source>
+        <translation>Banda morta de motores comutados</translation>
+    </message>
+    <message>
+        <source>A rotator whose motors have no speed control starts only when it is this far from what it follows. 0 means half the beam width. Less than one step of the rotator counts as one step.</source>
+        <translation>Um rotor cujos motores não têm controlo de velocidade só arranca quando está a esta distância do que segue. 0 significa metade da largura do feixe. Menos do que um passo do rotor conta como um passo.</translation>
+    </message>
+    <message>
+        <source>Motor starts per minute</source>
+        <translation>Arranques do motor por minuto</translation>
+    </message>
+    <message>
+        <source>Most starts of a motor without speed control in one minute, for each axis. Each start wears its relay.</source>
+        <translation>Máximo de arranques de um motor sem controlo de velocidade num minuto, para cada eixo. Cada arranque desgasta o seu relé.</translation>
+    </message>
+    <message>
+        <source>This rotator counts its angles itself: %1.sign and %1.offset_deg have no effect on it. Set them to 1 and 0. Calibrate the count at its box.</source>
+        <translation>Este rotor conta ele próprio os seus ângulos: %1.sign e %1.offset_deg não têm efeito nele. Defina-os como 1 e 0. Calibre a contagem na sua caixa.</translation>
+    </message>
+    <message>
+        <source>The travel %1…%2 does not fit this rotator, which counts whole degrees of %3…%4. Change %5.travel_min_deg and %5.travel_max_deg in the profile.</source>
+        <translation>O curso %1…%2 não serve para este rotor, que conta graus inteiros de %3…%4. Altere %5.travel_min_deg e %5.travel_max_deg no perfil.</translation>
     </message>
 </context>
 <context>
@@ -9756,6 +9780,12 @@ velocidade %1</translation>
     <message>
         <source>the cable wrap is unknown</source>
         <translation>a volta é desconhecida</translation>
+    </message>
+    <message>
+        <source>
+motor starts %1, in the last minute %2</source>
+        <translation>
+arranques do motor %1, no último minuto %2</translation>
     </message>
 </context>
 <context>

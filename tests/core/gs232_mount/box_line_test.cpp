@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/bus_name.h"
 #include "core/gs232_mount/gs232_connection.h"
 #include "core/gs232_mount/serial_box_line.h"
 #include "core/gs232_mount/simulated_box_line.h"
@@ -94,14 +95,22 @@ TEST(TcpBoxLine, CarriesBytesAndConnectsAgain)
 
 TEST(TcpBoxLine, APortWithoutABoxHasAReason)
 {
-    QTcpServer server;
-    ASSERT_TRUE(server.listen(QHostAddress::LocalHost));
-    const quint16 port = server.serverPort();
-    server.close();
-    TcpBoxLine line(QStringLiteral("127.0.0.1"), port);
+    QTcpSocket keeper;  // has the port, and listens on nothing: nobody else can take it meanwhile
+    ASSERT_TRUE(keeper.bind(QHostAddress::LocalHost, 0, QAbstractSocket::DontShareAddress));
+    TcpBoxLine line(QStringLiteral("127.0.0.1"), keeper.localPort());
     line.open();
     EXPECT_TRUE(waitUntil([&] { return line.state() == BoxLine::State::Lost; }));
     EXPECT_TRUE(line.problem().contains(line.name()));
+}
+
+// REQ-GS232-44: A line is named as the profile writes it, an IPv6 address in brackets.
+TEST(TcpBoxLine, IsNamedAsInTheProfile)
+{
+    for (const char* const name : {"tcp:[::1]:4001", "tcp:[fe80::1%eth0]:23", "tcp:rotator.local:4001"}) {
+        const Result<BusName> bus = parseBusName(name);
+        ASSERT_TRUE(bus);
+        EXPECT_EQ(TcpBoxLine(QString::fromStdString(bus->target), bus->port).name(), QLatin1String(name));
+    }
 }
 
 // A connection over a line that the test plays.
@@ -154,9 +163,11 @@ TEST(Gs232Connection, AForeignDeviceIsClosedAndLeftAlone)
 {
     Rig rig;
     rig.connection.open();
-    rig.run(Seconds(0.1));
-    rig.wire->say(QByteArray("\xfe\xfe\xe0\x94\x03\xfd", 6));
-    rig.run(Seconds(3.5));
+    for (int i = 0; i < 4; ++i) {
+        rig.run(Seconds(0.1));
+        rig.wire->say(QByteArray("\xfe\xfe\xe0\x94\x03\xfd", 6));  // of a radio whose dial is turned
+        rig.run(Seconds(0.9));
+    }
     EXPECT_TRUE(rig.warns("rotator.foreign"));
     EXPECT_EQ(rig.wire->state(), BoxLine::State::Closed);
     EXPECT_TRUE(rig.wire->written.startsWith("C2\r"));
@@ -166,6 +177,23 @@ TEST(Gs232Connection, AForeignDeviceIsClosedAndLeftAlone)
     rig.run(Seconds(5.0));
     EXPECT_EQ(rig.wire->opened, 1);
     EXPECT_EQ(rig.wire->written, QByteArray());
+}
+
+// REQ-GS232-08
+TEST(Gs232Connection, AByteOfNoiseClosesNoLine)
+{
+    Rig rig;
+    rig.connection.open();
+    rig.run(Seconds(0.1));
+    rig.wire->say("\xff");
+    rig.run(Seconds(10.0));
+    EXPECT_EQ(rig.wire->state(), BoxLine::State::Up);
+    EXPECT_FALSE(rig.warns("rotator.foreign"));
+    rig.wire->say("+0010+0020\r\n");
+    rig.run(Seconds(0.1));
+    StationStatus status;
+    rig.connection.describe(status);
+    EXPECT_EQ(status.line.kind, QStringLiteral("GS-232A"));
 }
 
 TEST(Gs232Connection, ALineThatIsGoneIsAnAlarmAndNotACommand)

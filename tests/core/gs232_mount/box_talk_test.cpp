@@ -122,8 +122,8 @@ TEST(BoxTalk, AStopBeforeTheFirstAnswerWaitsForIt)
     EXPECT_EQ(talk.count("S\r"), 1);
 }
 
-// REQ-GS232-07: A device that talks and never answers as such a box does is left alone after three seconds, also one
-// that answered before its line was opened again.
+// REQ-GS232-07: A device that says other things than such a box does, to three questions within three seconds, is left
+// alone, also one that answered before its line was opened again.
 TEST(BoxTalk, AForeignDeviceIsLeftAlone)
 {
     const std::vector<std::string> devices = {
@@ -148,6 +148,29 @@ TEST(BoxTalk, AForeignDeviceIsLeftAlone)
         talk->stop();
         talk.run(milliseconds(5000), kAnswerB);
         EXPECT_TRUE(talk.sent.empty()) << "not even asked again";
+    }
+}
+
+// REQ-GS232-08: Noise makes no stranger of a box: a byte when a plug is touched, the greeting of a box that starts, or
+// one byte every now and then while the box is off.
+// Story: a byte of noise before the box was switched on closed its line until somebody pressed Reconnect.
+TEST(BoxTalk, NoiseMakesNoStrangerOfABox)
+{
+    for (const std::string& noise : {std::string("\xff"), std::string("\0~", 2), std::string("~\r"),
+                                     std::string("*** BOOT 1.3 ***\r\nready\r\n")}) {
+        Talk talk;
+        talk.run(milliseconds(100));
+        talk.hear(noise);
+        talk.run(milliseconds(30000));
+        EXPECT_EQ(talk->proof(), Proof::Unknown);
+        EXPECT_GE(talk.count("C2\r"), 30) << "it is asked on";
+        for (int i = 0; i < 10; ++i) {
+            talk.hear(noise);
+            talk.run(milliseconds(11000));
+        }
+        EXPECT_EQ(talk->proof(), Proof::Unknown);
+        talk.run(milliseconds(1500), kAnswerB);
+        EXPECT_EQ(talk->proof(), Proof::Box);
     }
 }
 

@@ -76,7 +76,11 @@ TEST(CrossCheck, TheDriversOfTheAxesMakeSense)
     EXPECT_EQ(onBus(AxisDriver::Gs232, AxisDriver::None, "tcp:10.0.0.7:4001"), nothing);
     EXPECT_EQ(onBus(AxisDriver::Gs232, AxisDriver::None, "socketcan:can0"), only("bus.name"));
     EXPECT_EQ(onBus(AxisDriver::None, AxisDriver::Moteus, "serial:/dev/ttyUSB0"), only("bus.name"));
-    EXPECT_EQ(onBus(AxisDriver::Gs232, AxisDriver::Moteus, "serial:/dev/ttyUSB0"), only("bus.name"));
+    // Story: each bus was refused for the other axis, with two texts that sent the operator to and fro.
+    for (const char* const bus : {"serial:/dev/ttyUSB0", "socketcan:can0", "fdcanusb:/dev/ttyACM0"}) {
+        EXPECT_EQ(onBus(AxisDriver::Gs232, AxisDriver::Moteus, bus), only("elevation.driver"));
+        EXPECT_EQ(onBus(AxisDriver::Moteus, AxisDriver::Gs232, bus), only("elevation.driver"));
+    }
     Profile simple;
     simple.azimuth.driver = AxisDriver::None;
     simple.elevation.driver = AxisDriver::Simple;
