@@ -62,7 +62,8 @@ void LocalConversation::end(const LocalAnswer& answer)
     closeOurEnd();
 }
 
-// Once the answer is sent. A list of satellites is more than a socket takes at once: a client that still reads has time.
+// Once the answer is sent. A list of satellites is more than a socket takes at once: a client that still reads has
+// time.
 void LocalConversation::closeOurEnd()
 {
     m_patience.start();
