@@ -91,7 +91,7 @@ inline constexpr std::array kAxisAlarms{
             "Text",
             "Compare the shown angle with the antenna. Check the encoder, its wiring and other programs on the bus."),
         .kin = AlarmKin::Drive,
-        .examples = {"a false reply reported a jump of the azimuth by 40.0° in 0.02 s to 71.2°"}},
+        .examples = {"a false reply reports that the azimuth jumped by 40.0° in 0.02 s to 71.2°"}},
     AlarmEntry{
         .id = "axis.encoder-jump.stop",
         .source = "%1",

@@ -190,8 +190,7 @@ inline constexpr std::array kDriveAlarms{
         .what = QT_TRANSLATE_NOOP("Text", "The %1 is active (mode: %2) without a command from Boresight"),
         .action = QT_TRANSLATE_NOOP(
             "Text", "Boresight leaves it alone until the first motion. STOP takes it over and holds it"),
-        .remedy = QT_TRANSLATE_NOOP(
-            "Text", "End the other program that commands the drive. An old command without a watchdog ends with STOP"),
+        .remedy = QT_TRANSLATE_NOOP("Text", "End the program that commands the drive. If there is none, press STOP"),
         .examples = {"azimuth drive", "position"}},
     AlarmEntry{
         .id = "drive.wrap-unknown",

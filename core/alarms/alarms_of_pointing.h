@@ -92,7 +92,7 @@ inline constexpr std::array kPointingAlarms{
         .source = "station",
         .severity = Severity::Warning,
         .what = QT_TRANSLATE_NOOP("Text", "The clock of this computer is not synchronised, so the beam may miss %1"),
-        .action = QT_TRANSLATE_NOOP("Text", "Boresight tracks by this clock"),
+        .action = QT_TRANSLATE_NOOP("Text", "Tracking uses this clock"),
         .remedy = QT_TRANSLATE_NOOP("Text",
                                     "Synchronise the clock by NTP or GPS. A satellite 420 km up moves 1° in a second"),
         .examples = {"ISS (ZARYA)"}},
@@ -210,7 +210,7 @@ inline constexpr std::array kPointingAlarms{
         .source = "calibration",
         .severity = Severity::Warning,
         .what = QT_TRANSLATE_NOOP("Text", "The history of the calibration is not stored: %1"),
-        .action = QT_TRANSLATE_NOOP("Text", "The calibration is in force. Boresight keeps its history in memory only"),
+        .action = QT_TRANSLATE_NOOP("Text", "The calibration is in force. Its history is lost when Boresight ends"),
         .remedy = QT_TRANSLATE_NOOP(
             "Text", "Check the disk, or choose another folder with --state-dir. After a restart Undo is not possible"),
         .brief = "%1",

@@ -47,7 +47,7 @@ inline constexpr std::array kSurveyAlarms{
                .severity = Severity::Warning,
                .what = QT_TRANSLATE_NOOP("Text", "The board %1 (id %2) reports fault %3"),
                .action = QT_TRANSLATE_NOOP("Text", "Boresight only watches this board"),
-               .remedy = QT_TRANSLATE_NOOP("Text", "Look at what this board drives."),
+               .remedy = QT_TRANSLATE_NOOP("Text", "Check the axis or device that this board moves."),
                .help = AlarmHelp::OpenDrives,
                .examples = {"polarisation", "3", "over temperature (38)"}},
     AlarmEntry{.id = "board.silent",
@@ -86,8 +86,7 @@ inline constexpr std::array kSurveyAlarms{
         .source = "drives",
         .severity = Severity::Alarm,
         .what = "%1",
-        .action = QT_TRANSLATE_NOOP(
-            "Text", "Boresight moves nothing, because the reports of the board may mean something else"),
+        .action = QT_TRANSLATE_NOOP("Text", "Boresight moves nothing. The board's reports may mean something else"),
         .remedy = "%2",
         .examples =
             {"the board of azimuth has the register map 4, but Boresight knows only version 5",

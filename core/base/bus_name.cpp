@@ -89,7 +89,7 @@ Result<BusName> parseBusName(std::string_view text)
     }
     return failure(
         ErrorCode::InvalidInput,
-        Text::tr("unknown bus '%1'; write simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH or tcp:HOST:PORT")
+        Text::tr("unknown bus '%1'. Write simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH or tcp:HOST:PORT")
             .arg(toQString(text)));
 }
 

@@ -245,8 +245,9 @@ void Gs232Mount::showNoAnswer()
         return;
     }
     const QString remedy =
-        m_talk.echoes()
-            ? Text::tr("The line returns what Boresight sends. Check the plug of the rotator, and switch a modem off")
+        m_talk.echoes() ? Text::tr(
+                              "The line returns what Boresight sends. Connect the rotator to it. If a modem is "
+                              "connected, switch the modem off")
         : m_talk.refuses()
             ? Text::tr(
                   "The rotator refuses the question for both axes. If it has no elevation, set elevation.driver to "

@@ -58,7 +58,7 @@ Result<SkyPointing> BodyFollower::direction(Body body)
 {
     const auto direction = m_bodies.direction(body, m_refraction, m_clock.utc());
     if (!direction) {
-        return failure(ErrorCode::Refused, Text::tr("The profile has no site. Sun and Moon need the site"));
+        return failure(ErrorCode::Refused, Text::tr("The profile has no site. Enter the site on the page Profile"));
     }
     return *direction;
 }

@@ -176,7 +176,7 @@ void addPosition(std::vector<Setting>& list)
          QT_TRANSLATE_NOOP(
              "Text",
              "UDP: the address of this computer to listen on. 127.0.0.1 receives from this computer only, "
-             "0.0.0.0 from all computers and what is sent to the whole network.")},
+             "0.0.0.0 receives from all computers, broadcasts included.")},
         [](const Profile& p) { return p.position.host; },
         [](Profile& p, const std::string& text) { return checkHost(text).map([&] { p.position.host = text; }); }));
     list.push_back(integer(

@@ -33,7 +33,8 @@ std::vector<SettingOf<pointing::Antenna>> makeAntennaSettings()
                 [](auto& row) -> auto& { return row.name; }),
             number<Antenna>(
                 "beam_width_deg", "°", {0.01, 180.0}, Applies::Now,
-                {QT_TRANSLATE_NOOP("Text", "Beam width"), QT_TRANSLATE_NOOP("Text", "Its half-power beam width.")},
+                {QT_TRANSLATE_NOOP("Text", "Beam width"),
+                 QT_TRANSLATE_NOOP("Text", "Half-power beam width of the antenna.")},
                 [](auto& row) -> auto& { return row.beamWidth; }),
             number<Antenna>(
                 "offset_across_deg", "°", kSmall, Applies::Now,

@@ -116,8 +116,8 @@ std::string rowsText(std::string_view list, const std::string& meaning, std::spa
 std::string listsAfter(const std::string& table, const Profile& profile)
 {
     if (table == "mount") {
-        return rowsText(kAntennaKey, "Antennas besides the main one, which the table mount describes.",
-                        antennaSettings(), profile.antennas);
+        return rowsText(kAntennaKey, "Further antennas. The table mount describes the main antenna.", antennaSettings(),
+                        profile.antennas);
     }
     if (table == "limits") {
         return horizonText(profile.limits.horizon) +

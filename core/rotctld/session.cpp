@@ -27,7 +27,8 @@ void Session::receive(std::string_view bytes)
 {
     m_input.append(bytes);
     if (paused() && m_input.size() - m_taken > kMaxWaitingInPause) {
-        drop(Text::tr("sent more than %1 bytes during its own pause").arg(QString::number(kMaxWaitingInPause)));
+        drop(
+            Text::tr("sent more than %1 bytes during the pause it asked for").arg(QString::number(kMaxWaitingInPause)));
     }
 }
 
@@ -37,7 +38,7 @@ void Session::endOfInput()
     if (paused()) {
         // Whether it half-closed or left for good cannot be told, and nobody wants a park command of somebody who
         // left to run minutes later.
-        m_ending = Text::tr("closed the connection during its own pause");
+        m_ending = Text::tr("closed the connection during the pause it asked for");
     }
 }
 

@@ -122,7 +122,7 @@ QString PositionFollow::whyToEnd(SteadyTime now)
     const Result<> usable = isUsable();
     if (usable) {
         if (const Angle away = returnedBy(now); away > kFarthestReturn) {
-            return Text::tr("the position came back %1 from the last one").arg(degreesText(away, 1));
+            return Text::tr("the new position is %1 from the last position").arg(degreesText(away, 1));
         }
         m_stale.end();
         return {};

@@ -212,7 +212,7 @@ void AxisSupervisor::judgeJump(const AxisObservation& seen)
         limits, [&] {
             return (seen.jumped
                         ? Text::tr("the reported angle of %1 jumped by %2 in %3 to %4, faster than the axis can move")
-                        : Text::tr("a false reply reported a jump of %1 by %2 in %3 to %4"))
+                        : Text::tr("a false reply reports that %1 jumped by %2 in %3 to %4"))
                 .arg(m_names.axis, words(leap->by), words(leap->within), words(leap->to));
         });
 }

@@ -108,12 +108,12 @@ Result<> follows(const DirectionRow& row, const DirectionRows& rows)
     const DirectionRow& last = rows.back();
     if (row.time <= last.time) {
         return failure(ErrorCode::InvalidInput,
-                       Text::tr("The time is not after that of the row before. Sort the rows by time."));
+                       Text::tr("The time is not later than the time in the row above. Sort the rows by time."));
     }
     const Angle apart = angleBetween(last.direction, row.direction);
     if (row.time - last.time <= kLongestStep && apart >= kFarthest) {
         return failure(ErrorCode::InvalidInput,
-                       Text::tr("The direction is %1 away from that of the row before. It must "
+                       Text::tr("The direction is %1 from the direction in the row above. It must "
                                 "be below 90°. Add rows between them.")
                            .arg(degreesText(apart, 1)));
     }

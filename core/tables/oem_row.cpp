@@ -91,14 +91,14 @@ Result<OrbitRow> oemRow(std::string_view line, TimeSystem system)
 Result<> follows(const OrbitRow& before, const OrbitRow& row)
 {
     if (row.time <= before.time) {
-        return badRow(Text::tr("The time is not after that of the row before. Sort the rows by time."));
+        return badRow(Text::tr("The time is not later than the time in the row above. Sort the rows by time."));
     }
     const double cosine =
         orbit::dot(before.position, row.position) / (orbit::length(before.position) * orbit::length(row.position));
     const double degrees = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi;
     return degrees < kWidest
                ? Result<>()
-               : badRow(Text::tr("The place is %1° around the Earth from that of the row before. It must be "
+               : badRow(Text::tr("The place is %1° around the Earth from the place in the row above. It must be "
                                  "below %2°. Add rows between them.")
                             .arg(degrees, 0, 'f', 1)
                             .arg(kWidest, 0, 'f', 0));

@@ -157,7 +157,7 @@ void judgeSweep(TuningResult& result, const std::vector<response::SweepPoint>& p
         lost == points.end()     ? Text::tr("The axis follows all swings to %1 Hz.").arg(points.back().hertz, 0, 'f', 1)
         : lost == points.begin() ? Text::tr("The axis does not follow a swing at %1 Hz. Raise kp and kd together.")
                                        .arg(points.front().hertz, 0, 'f', 1)
-                                 : Text::tr("The axis follows swings to %1 Hz.").arg((lost - 1)->hertz, 0, 'f', 1));
+                                 : Text::tr("The axis follows swings up to %1 Hz.").arg((lost - 1)->hertz, 0, 'f', 1));
 }
 
 void judgeBacklash(TuningResult& result, const response::BacklashFigures& found)

@@ -278,7 +278,8 @@ void ProfileDraft::applyAlone(const std::function<void(profile::Profile&)>& chan
     } else if (!problems.empty()) {
         reply(draftRefused(problemText(problems.front())));
     } else if (isEdited(profile::changedKeys(m_applied, changed))) {
-        reply(draftRefused(tr("The page Profile has an edit of the same list. Apply it or revert it first.")));
+        reply(draftRefused(
+            tr("This list has edits on the page Profile that are not applied. Apply or revert them first.")));
     } else {
         m_alone = changed;
         send(changed, historyWithApplied(), asker, reply);

@@ -183,9 +183,9 @@ void ModelPage::showSelected()
     const int row = selected();
     m_sky->setSelected(row);
     const bool isUsed = row < 0 || m_points->point(row).isUsed;
-    m_use->setCommand(
-        isUsed ? tr("Leave out") : tr("Use again"),
-        isUsed ? tr("The selected point stays in the list and does not count") : tr("The selected point counts again"));
+    m_use->setCommand(isUsed ? tr("Leave out") : tr("Use again"),
+                      isUsed ? tr("Leave the selected point out of the fit. It stays in the list")
+                             : tr("Use the selected point in the fit again"));
     QString reason = m_status.permissions.reason(Action::ChangePoints);
     if (reason.isEmpty() && row < 0) {
         reason = tr("Select a point first.");

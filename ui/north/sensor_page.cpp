@@ -59,7 +59,7 @@ SensorPage::SensorPage(RequestDesk& desk, ProfileDraft& draft, QWidget* parent)
       m_sensor(new ValueLabel(tr("Heading of the sensor, as sent"), fonts::small(), QStringLiteral("-000.00°"), this)),
       m_axis(new ValueLabel(tr("Azimuth of the axis"), fonts::small(), QStringLiteral("-000.00°"), this)),
       m_difference(new ValueLabel(tr("Sensor minus axis"), fonts::small(), QStringLiteral("-000.00°"), this)),
-      m_truth(new ValueLabel(tr("True azimuth by the sensor, and how well it is known"), fonts::small(),
+      m_truth(new ValueLabel(tr("True azimuth from the sensor and its uncertainty"), fonts::small(),
                              QStringLiteral("000.0° ± 00.0°"), this)),
       m_declination(new ValueLabel(tr("Where the declination is applied"), fonts::label(), {}, this)),
       m_change(makePushButton({.text = tr("Change…"),

@@ -61,7 +61,7 @@ QString reasonText(const schedule::Conflict& conflict)
         case schedule::Reason::LowerNumber:
             break;
     }
-    return ScheduleTable::tr("left out, %1 has the lower number").arg(name);
+    return ScheduleTable::tr("left out, %1 has the lower catalogue number").arg(name);
 }
 
 QString endText(const schedule::PassRecord& record)

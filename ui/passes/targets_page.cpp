@@ -33,8 +33,8 @@ TargetsPage::TargetsPage(RequestDesk& desk, QWidget* parent)
       m_trackTyped(new CommandButton(tr("Track"), tr("Track the typed target, or go there if it does not move"), desk,
                                      *m_refused, this)),
       m_trackFile(new CommandButton(tr("Track file…"),
-                                    tr("Follow the way that a file describes: a table with a time, an azimuth and an "
-                                       "elevation in each line, or a CCSDS OEM"),
+                                    tr("Track the rows of a file: a table with a time, an azimuth and an elevation in "
+                                       "each line, or a CCSDS OEM"),
                                     desk, *m_refused, this)),
       m_azel(new AzelBox(desk, this)),
       m_position(new PositionBox(desk, this))

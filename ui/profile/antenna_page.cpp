@@ -87,7 +87,7 @@ QHBoxLayout* AntennaPage::makeButtons()
 void AntennaPage::add()
 {
     if (m_draft.edited().antennas.size() >= profile::kMaxAntennas) {
-        refuse(tr("The mount already has %1 antennas besides the main one. No more are possible.")
+        refuse(tr("The mount has the main antenna and %1 more. Boresight supports no more. Remove one first.")
                    .arg(profile::kMaxAntennas));
         return;
     }

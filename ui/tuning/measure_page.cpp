@@ -24,15 +24,15 @@ QString runHelp(TuningRun run)
 {
     switch (run) {
         case TuningRun::Step:
-            return MeasurePage::tr("2° away and back: overshoot, time to settle");
+            return MeasurePage::tr("Moves 2° away and back. Shows overshoot and settling time");
         case TuningRun::Ramp:
-            return MeasurePage::tr("At 0.5 °/s away and back: tracking error of a pass");
+            return MeasurePage::tr("Moves away and back at 0.5 °/s. Shows the tracking error of a pass");
         case TuningRun::Sweep:
-            return MeasurePage::tr("Small swings at four frequencies: how fast the axis can follow");
+            return MeasurePage::tr("Swings a little at four frequencies. Shows how fast the axis can be");
         case TuningRun::Backlash:
             break;
     }
-    return MeasurePage::tr("Very slowly to and fro: the backlash of the gear, from the torque");
+    return MeasurePage::tr("Moves very slowly to and fro. Finds the backlash of the gear by the torque");
 }
 
 }  // namespace

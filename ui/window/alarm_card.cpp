@@ -26,7 +26,10 @@ constexpr std::chrono::seconds kSaidFor{10};  // time enough to read a path
 constexpr int kCardMargin = 12;               // px
 constexpr int kCardSymbol = 12;               // px
 constexpr double kCardRadius = 6.0;           // px
-constexpr int kBeforeButtons = 2;             // px
+constexpr int kAlarmEnds = 8;                 // px
+constexpr int kLowAlarmEnds = 4;              // px
+constexpr int kAlarmSpacing = 4;              // px
+constexpr int kLowAlarmSpacing = 2;           // px
 constexpr double kCardTint = 0.09;            // of the alarm's colour in the ground
 
 QFont boldOf(QFont font)
@@ -167,13 +170,19 @@ void AlarmCard::build()
         buttons->setAlignment(part, Qt::AlignRight);
     }
     auto* const column = new QVBoxLayout(this);
-    column->setContentsMargins(2 * kCardMargin + kCardSymbol, kCardMargin - 4, kCardMargin, kCardMargin - 4);
-    column->setSpacing(4);
     column->addWidget(m_what);
     column->addWidget(m_advice);
     column->addWidget(m_notice);
-    column->addSpacing(kBeforeButtons);
     column->addLayout(buttons);
+    setLow(false);
+}
+
+void AlarmCard::setLow(bool low)
+{
+    const int ends = low ? kLowAlarmEnds : kAlarmEnds;
+    m_what->setFont(boldOf(low ? fonts::label() : fonts::text()));
+    layout()->setContentsMargins(2 * kCardMargin + kCardSymbol, ends, kCardMargin, ends);
+    layout()->setSpacing(low ? kLowAlarmSpacing : kAlarmSpacing);
 }
 
 void AlarmCard::showStatus(const StationStatus& status)

@@ -32,6 +32,8 @@ public:
     // In the place of a refusal, for some seconds.
     void sayForAWhile(const QString& what, SteadyTime now);
     void acknowledge();  // F8
+    // For a low window: smaller letters for what happened, and less ground around the text. Nothing is left out.
+    void setLow(bool low);
 
     // For refusals of controls that have no line of their own (STOP).
     [[nodiscard]] ValueLabel& notice() { return *m_notice; }

@@ -22,6 +22,11 @@ Numerals numeralsFor(QSize window)
     return reaches(kLargeFrom) ? Numerals::Large : reaches(kUsualFrom) ? Numerals::Usual : Numerals::Small;
 }
 
+bool isLow(QSize window)
+{
+    return numeralsFor(window) == Numerals::Small;
+}
+
 AxisReadout::AxisReadout(QWidget* parent)
     : QWidget(parent),
       m_cards(new QBoxLayout(QBoxLayout::TopToBottom, this)),

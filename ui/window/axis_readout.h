@@ -15,6 +15,8 @@ namespace boresight::ui {
 
 // The largest that a window of this size has room for.
 [[nodiscard]] Numerals numeralsFor(QSize window);
+// Lower or narrower than 1280×760: each line counts.
+[[nodiscard]] bool isLow(QSize window);
 
 class AxisReadout : public QWidget
 {

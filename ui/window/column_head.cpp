@@ -13,6 +13,13 @@
 
 namespace boresight::ui {
 
+namespace {
+
+constexpr int kKeptForAlarms =
+    32;  // px of a low window: the last line of the log, which stands below the sky there, left 22
+
+}  // namespace
+
 ColumnHead::ColumnHead(AlarmCard& alarms, RequestDesk& desk, QWidget* parent)
     : QWidget(parent),
       m_alarms(alarms),
@@ -42,6 +49,7 @@ void ColumnHead::showStatus(const StationStatus& status)
 void ColumnHead::setRoom(QSize window)
 {
     m_window = window;
+    m_alarms.setLow(isLow(window));
     arrange();
 }
 
@@ -50,7 +58,8 @@ int ColumnHead::heightOfAlarm() const
     return m_alarms.isHidden() ? 0 : m_alarms.heightForWidth(width()) + layout()->spacing();
 }
 
-// The fullest arrangement that the room without an alarm has place for.
+// The fullest arrangement that the room without an alarm has place for. A mount without a sensor has the same room: an
+// alarm needs it.
 void ColumnHead::arrange()
 {
     struct Arrangement
@@ -59,14 +68,14 @@ void ColumnHead::arrange()
         bool sensor;
     };
     const Numerals usual = numeralsFor(m_window);
-    const int sensor = m_sensor->isConfigured() ? m_sensor->sizeHint().height() + layout()->spacing() : 0;
+    const int sensor = m_sensor->sizeHint().height() + layout()->spacing();
     const int antenna = m_antenna->hasChoice() ? m_antenna->sizeHint().height() + layout()->spacing() : 0;
     const auto height = [&](const Arrangement& of) {
         return antenna + m_axes->sizeWith(of.numerals).height() + (of.sensor ? sensor : 0);
     };
     const std::array arrangements{Arrangement{usual, true}, Arrangement{Numerals::Small, true},
                                   Arrangement{Numerals::Beside, true}, Arrangement{Numerals::Beside, false}};
-    const int room = height(arrangements.front());
+    const int room = height(arrangements.front()) + (isLow(m_window) ? kKeptForAlarms : 0);
     const int alarm = heightOfAlarm();
     Arrangement best = arrangements.back();
     for (const Arrangement& one : arrangements) {

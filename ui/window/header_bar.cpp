@@ -87,6 +87,10 @@ Shown sensorShown(const SensorStatus& sensor)
     if (sensor.presence == orientation::Presence::Late) {
         return {HeaderBar::tr("Sensor late"), Tone::Warning, Symbol::Warning};
     }
+    // The broker or the port does not answer: the readout, where there is room for it, and the alarm say why.
+    if (sensor.presence == orientation::Presence::Awaited && !sensor.problem.isEmpty()) {
+        return {HeaderBar::tr("Sensor silent"), Tone::Warning, Symbol::Warning};
+    }
     return sensor.presence == orientation::Presence::Awaited
                ? Shown{HeaderBar::tr("Sensor awaited"), Tone::Secondary, Symbol::Lost}
                : Shown{HeaderBar::tr("Sensor")};

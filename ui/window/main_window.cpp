@@ -24,6 +24,7 @@
 #include "ui/window/about_page.h"
 #include "ui/window/alarm_card.h"
 #include "ui/window/authority_button.h"
+#include "ui/window/axis_readout.h"
 #include "ui/window/close_prompt.h"
 #include "ui/window/column_head.h"
 #include "ui/window/diagnostics_saver.h"
@@ -196,9 +197,7 @@ QWidget* MainWindow::makeSide(QWidget& ground)
     scroll->setMinimumWidth(m_side->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
     column->addWidget(scroll, 1);
     column->addWidget(m_places);
-    column->addWidget(m_lastCommand);
     m_lastCommand->setStretching(true);
-    m_lastCommand->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     return side;
 }
 
@@ -332,6 +331,7 @@ void MainWindow::resizeEvent(QResizeEvent* event)
 {
     QMainWindow::resizeEvent(event);
     m_head->setRoom(size());
+    placeLastCommand();
     const bool beside = width() >= kWidthWithCharts;
     if (beside != m_strip->isHidden()) {
         return;
@@ -344,6 +344,18 @@ void MainWindow::resizeEvent(QResizeEvent* event)
         m_panels->charts().takeBack();
     }
     m_panels->offerCharts(!beside);
+}
+
+// At the end of the column. In a low window there is room below the sky, whose disc is as large as the cell is wide.
+void MainWindow::placeLastCommand()
+{
+    if (isLow(size())) {
+        m_plotCell->addWidget(m_lastCommand, 1, 0);
+        m_lastCommand->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    } else {
+        m_head->parentWidget()->layout()->addWidget(m_lastCommand);
+        m_lastCommand->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    }
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

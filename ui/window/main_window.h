@@ -83,6 +83,7 @@ protected:
 
 private:
     void build();
+    void placeLastCommand();
     void addPrompts();
     [[nodiscard]] QWidget* makeSide(QWidget& ground);
     void addKeys();

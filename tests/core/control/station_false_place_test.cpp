@@ -227,7 +227,7 @@ TEST(FalsePlace, OneIsToldAndTheMotionGoesOn)
     FalsePlaceRig rig(100.0, 45.0);
     rig.tickWithError(Axis::Azimuth, 90.0);
     rig.run(Seconds(0.2));
-    EXPECT_THAT(rig.alarms(), HasSubstr("A false reply reported a jump of the azimuth by 90.0°"));
+    EXPECT_THAT(rig.alarms(), HasSubstr("A false reply reports that the azimuth jumped by 90.0°"));
     EXPECT_THAT(rig.alarms(), HasSubstr("Boresight does not stop the mount."));
     EXPECT_NEAR(rig.control.status().azimuth.actual->degrees(), 100.0, 1e-3);
     rig.run(Seconds(5.0));

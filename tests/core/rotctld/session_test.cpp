@@ -121,7 +121,7 @@ TEST_F(RotctldSession, RunsNothingBehindAPauseOfWhoLeft)
     EXPECT_EQ(answer("\\pause 60\nK\n"), "");
     session.endOfInput();
     EXPECT_EQ(answer(""), "");
-    EXPECT_EQ(session.ending().toStdString(), "closed the connection during its own pause");
+    EXPECT_EQ(session.ending().toStdString(), "closed the connection during the pause it asked for");
     EXPECT_EQ(rotator.actions, 0);
 }
 
@@ -129,7 +129,7 @@ TEST_F(RotctldSession, BoundsWhatWaitsBehindAPause)
 {
     EXPECT_EQ(answer("\\pause 60\n"), "");
     EXPECT_EQ(answer(std::string(5000, 'p')), "");
-    EXPECT_EQ(session.ending().toStdString(), "sent more than 4096 bytes during its own pause");
+    EXPECT_EQ(session.ending().toStdString(), "sent more than 4096 bytes during the pause it asked for");
 }
 
 TEST_F(RotctldSession, CountsAndTellsOddCommands)

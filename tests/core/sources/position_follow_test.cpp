@@ -158,7 +158,7 @@ TEST_F(PositionFollowTest, WhatComesBackElsewhereIsNotFollowed)
     const auto list = rig.alarms.list();
     const auto ended = std::ranges::find(list, QStringLiteral("position.ended"), &Alarm::name);
     ASSERT_NE(ended, list.end());
-    EXPECT_THAT(ended->what.toStdString(), HasSubstr("no longer tracked: the position came back "));
+    EXPECT_THAT(ended->what.toStdString(), HasSubstr("no longer tracked: the new position is "));
 }
 
 // REQ-POSITION-32: Nothing is followed without a report, without the site, while STOP is latched, or for a client.

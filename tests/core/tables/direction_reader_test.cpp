@@ -59,9 +59,10 @@ TEST(DirectionReader, NamesTheLineOfAMistake)
     EXPECT_THAT(mistakeIn(row + "2026-12-24T00:01:00Z,inf,20\n"), StartsWith("2: The azimuth \"inf\" is not"));
     EXPECT_THAT(mistakeIn(row + "2026-12-24T00:01:00Z,10,90.1\n"),
                 StartsWith("2: The elevation is 90.1°. It must be from -90° to 90°."));
-    EXPECT_THAT(mistakeIn(row + row), StartsWith("2: The time is not after that of the row before. Sort"));
-    EXPECT_THAT(mistakeIn(row + "2026-12-24T00:01:00Z,190,20\n"),
-                StartsWith("2: The direction is 140.0° away from that of the row before. It must be below 90°. Add"));
+    EXPECT_THAT(mistakeIn(row + row), StartsWith("2: The time is not later than the time in the row above. Sort"));
+    EXPECT_THAT(
+        mistakeIn(row + "2026-12-24T00:01:00Z,190,20\n"),
+        StartsWith("2: The direction is 140.0° from the direction in the row above. It must be below 90°. Add"));
 }
 
 // REQ-TABLES-912: Over a step of more than an hour nothing is interpolated. A row that has no other within an hour is

@@ -136,7 +136,7 @@ TEST(OemReader, NamesTheLineOfAMistake)
                 StartsWith("a.oem:14: The position is 7e+06 km from the centre of the Earth. The range is 6000 to"));
     EXPECT_THAT(refusalOf(changed(text, " 2.036000000", " 2036.0")), StartsWith("a.oem:14: The speed is 2036 km/s."));
     EXPECT_THAT(refusalOf(changed(text, "T00:02:00.000 ", "T00:00:30.000 ")),
-                StartsWith("a.oem:16: The time is not after that of the row before. Sort the rows by time."));
+                StartsWith("a.oem:16: The time is not later than the time in the row above. Sort the rows by time."));
     EXPECT_THAT(refusalOf(changed(text, "6995", "-6995")), StartsWith("a.oem:16: The place is 177.0°"));
     EXPECT_THAT(refusalOf(text + "COVARIANCE_START\nCOVARIANCE_STOP\n1\n"),
                 StartsWith("a.oem:21: After COVARIANCE_STOP only META_START may follow."));

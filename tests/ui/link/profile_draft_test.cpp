@@ -160,7 +160,8 @@ TEST_F(ProfileDraftTest, AChangeAloneIsRefusedWhereAnEditWouldTakeItBack)
     draft.applyAlone([](Profile& p) { orbit::setFavourite(p.satellites, 27607, true); }, &desk, answered);
     EXPECT_TRUE(requests.empty());
     ASSERT_EQ(answers.size(), 1u);
-    EXPECT_EQ(textOf(*answers[0]), "The page Profile has an edit of the same list. Apply it or revert it first.");
+    EXPECT_EQ(textOf(*answers[0]),
+              "This list has edits on the page Profile that are not applied. Apply or revert them first.");
     draft.revert();
     draft.applyAlone([](Profile& p) { orbit::setFavourite(p.satellites, 27607, true); }, &desk, answered);
     EXPECT_EQ(requests.size(), 1u);

@@ -163,13 +163,13 @@ TEST_F(NorthPagesTest, TheSensorsAzimuthIsToldWithHowWellItIsKnown)
 {
     StationStatus status = samples::heard();
     show(CalibrationStep::Sensor, status);
-    EXPECT_EQ(QStringLiteral("58.1° ± 1.7°"), text("True azimuth by the sensor, and how well it is known"));
+    EXPECT_EQ(QStringLiteral("58.1° ± 1.7°"), text("True azimuth from the sensor and its uncertainty"));
     status.sensor.azimuthSigma.reset();
     show(CalibrationStep::Sensor, status);
-    EXPECT_EQ(QStringLiteral("58.1°"), text("True azimuth by the sensor, and how well it is known"));
+    EXPECT_EQ(QStringLiteral("58.1°"), text("True azimuth from the sensor and its uncertainty"));
     status.sensor.direction.reset();
     show(CalibrationStep::Sensor, status);
-    EXPECT_FALSE(text("True azimuth by the sensor, and how well it is known").contains(QStringLiteral("58")));
+    EXPECT_FALSE(text("True azimuth from the sensor and its uncertainty").contains(QStringLiteral("58")));
 }
 
 // Story: "North: axis +39.93° ± 6.02°" stood there long after ten points of the Sun were in force.

@@ -144,7 +144,7 @@ TEST_F(AntennaPageTest, WhatIsNoAntennaIsRefusedWithTheReason)
         typeInto(qPrintable(QStringLiteral("no %1").arg(table().model()->rowCount())));
     }
     press("Add antenna");
-    EXPECT_TRUE(says("The mount already has 12 antennas besides the main one. No more are possible."));
+    EXPECT_TRUE(says("The mount has the main antenna and 12 more. Boresight supports no more. Remove one first."));
     EXPECT_EQ(table().model()->rowCount(), 13);
 }
 

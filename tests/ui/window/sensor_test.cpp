@@ -90,6 +90,24 @@ TEST(HeaderBar, ShowsTheSensorIfThereIsOne)
     EXPECT_EQ(shown(header, "Orientation sensor"), QStringLiteral("Sensor lost"));
 }
 
+// Story: while the broker did not answer, the header said "Sensor awaited", as if everything were well.
+// REQ-UI-1463: A sensor that is awaited and has a problem, such as a broker that does not answer, is silent in the
+// header.
+TEST(HeaderBar, CallsASensorWithAProblemSilent)
+{
+    RequestDesk desk;
+    ValueLabel notice({}, {}, {});
+    auto* const authority = new AuthorityButton(desk, notice);
+    HeaderBar header(*authority);
+    StationStatus status;
+    status.sensor = {.source = QStringLiteral("mqtt 127.0.0.1:1883"), .open = true};
+    header.showStatus(status);
+    EXPECT_EQ(shown(header, "Orientation sensor"), QStringLiteral("Sensor awaited"));
+    status.sensor.problem = QStringLiteral("MQTT broker 127.0.0.1:1883: No connection");
+    header.showStatus(status);
+    EXPECT_EQ(shown(header, "Orientation sensor"), QStringLiteral("Sensor silent"));
+}
+
 // REQ-TRANSMIT-30: The header shows whether the transmit output is on, and its tooltip what keeps it off. Without an
 // output there is nothing.
 TEST(HeaderBar, ShowsTheTransmitOutputIfThereIsOne)
