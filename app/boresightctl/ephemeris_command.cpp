@@ -241,7 +241,7 @@ const Subcommand kEphemerisCommand{
   --radec HOURS,DEGREES   a place among the stars in place of it: right ascension and declination of J2000, each as a number
                        or like 12:30:49.4
   --table FILE         the table of a file in place of it: each line a time, an azimuth and an elevation, or a CCSDS OEM as
-                       KVN. What is wrong with it is reported as FILE:LINE: reason
+                       KVN or XML. What is wrong with it is reported as FILE:LINE: reason
   --site LAT,LON,ALT   degrees north, degrees east, metres above the ellipsoid of WGS-84. Or a NAME.qth of Gpredict
   --times FILE         a time in each line, - is standard input. UTC like 2024-05-10T04:50:02.5Z, or Unix seconds. What
                        follows a comma, blank lines, lines that begin with # and a first line of names are left out
