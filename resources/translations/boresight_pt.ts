@@ -8336,10 +8336,6 @@ até %1</translation>
         <translation>A tabela de %1 não tem nada acima do horizonte de %2 a %3.</translation>
     </message>
     <message>
-        <source>The file is XML. Boresight reads an OEM in its KVN form: convert the file.</source>
-        <translation>O ficheiro é XML. O Boresight lê um OEM na forma KVN: converta o ficheiro.</translation>
-    </message>
-    <message>
         <source>The file is a CCSDS message, but not an OEM. Boresight tracks tables and OEM.</source>
         <translation>O ficheiro é uma mensagem CCSDS, mas não um OEM. O Boresight segue tabelas e OEM.</translation>
     </message>
@@ -8686,14 +8682,6 @@ até %1</translation>
     <message>
         <source>This is not a file.</source>
         <translation>Isto não é um ficheiro.</translation>
-    </message>
-    <message>
-        <source>. Your level is right to %1</source>
-        <translation>. O seu nivelamento está certo até %1</translation>
-    </message>
-    <message>
-        <source>. Your level is off by %1 ± %2</source>
-        <translation>. O seu nivelamento está errado em %1 ± %2</translation>
     </message>
     <message>
         <source>Check whether the cable is wrapped around the mount. Jog the other way.</source>
@@ -9070,6 +9058,42 @@ até %1</translation>
     <message>
         <source>Check the port and the speed (bus.name, bus.baud). Then press Reconnect</source>
         <translation>Verifique a porta e a velocidade (bus.name, bus.baud). Depois prima Reconectar</translation>
+    </message>
+    <message>
+        <source>%1: This is not a file.</source>
+        <translation>%1: Isto não é um ficheiro.</translation>
+    </message>
+    <message>
+        <source>More than %1 elements stand inside one another.</source>
+        <translation>Mais de %1 elementos estão uns dentro dos outros.</translation>
+    </message>
+    <message>
+        <source>Your level is right to %1.</source>
+        <translation>O seu nivelamento está certo até %1.</translation>
+    </message>
+    <message>
+        <source>Your level is off by %1 ± %2.</source>
+        <translation>O seu nivelamento está errado em %1 ± %2.</translation>
+    </message>
+    <message>
+        <source>The element &lt;%1&gt; has no place here in an OEM.</source>
+        <translation>O elemento &lt;%1&gt; não tem lugar aqui num OEM.</translation>
+    </message>
+    <message>
+        <source>The file has an element &lt;%1&gt;. Boresight tracks only &lt;oem&gt;.</source>
+        <translation>O ficheiro tem um elemento &lt;%1&gt;. O Boresight só segue &lt;oem&gt;.</translation>
+    </message>
+    <message>
+        <source>The file has a second &lt;oem&gt;. Make two files.</source>
+        <translation>O ficheiro tem um segundo &lt;oem&gt;. Faça dois ficheiros.</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;. It must be one value.</source>
+        <translation>%1 é &quot;%2&quot;. Tem de ser um só valor.</translation>
+    </message>
+    <message>
+        <source>The row has no &lt;%1&gt;.</source>
+        <translation>A linha não tem &lt;%1&gt;.</translation>
     </message>
 </context>
 <context>
@@ -12195,6 +12219,14 @@ trocar os motores</translation>
     <message>
         <source>Transmit output</source>
         <translation>Saída de emissão</translation>
+    </message>
+    <message>
+        <source>Schedule armed</source>
+        <translation>Agenda armada</translation>
+    </message>
+    <message>
+        <source>Schedule armed: %1 in %2</source>
+        <translation>Agenda armada: %1 em %2</translation>
     </message>
 </context>
 <context>
