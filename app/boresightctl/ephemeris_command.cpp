@@ -22,6 +22,7 @@ namespace {
 constexpr int kAngleDecimals = 6;
 constexpr int kRangeDecimals = 6;
 constexpr int kRateDecimals = 9;
+constexpr int kDopplerDecimals = 12;  // as fine as the rate
 constexpr int kBodyDecimals = 3;
 constexpr qint64 kMostBytesOfTimes = 16 << 20;  // 700,000 times
 constexpr int kMostBadLines = 100;
@@ -111,12 +112,16 @@ struct SkyView
     const Site& site;
     const std::vector<UtcTime>& utcs;
     ephemeris::Refraction refraction;
+    bool doppler;
 };
 
 RecordTable satelliteTable(const orbit::ElementSet& set, const SkyView& view, QString& problem)
 {
     RecordTable table{
         .columns = {{"t_utc"}, {"az_deg", true}, {"el_deg", true}, {"range_km", true}, {"range_rate_km_s", true}}};
+    if (view.doppler) {
+        table.columns.push_back({"doppler_factor", true});
+    }
     const orbit::Sgp4 orbit(set);
     const orbit::Observer observer(view.site);
     orbit::ResonanceState resonance;
@@ -133,6 +138,9 @@ RecordTable satelliteTable(const orbit::ElementSet& set, const SkyView& view, QS
         Row row = directionRow(utc, ephemeris::apparent(seen.direction, view.refraction));
         row.push_back(formatFixed(seen.kilometres, kRangeDecimals));
         row.push_back(formatFixed(seen.kilometresPerSecond, kRateDecimals));
+        if (view.doppler) {
+            row.push_back(formatFixed(seen.dopplerFactor(), kDopplerDecimals));
+        }
         table.rows.push_back(std::move(row));
     }
     return table;
@@ -178,7 +186,7 @@ RecordTable wayTable(const tables::SharedTable& way, const Site& site, const std
 
 ExitStatus printTable(const SkyOptions& options, const Site& site, const SkyTimes& times)
 {
-    const SkyView view{.site = site, .utcs = times.utcs, .refraction = options.refraction};
+    const SkyView view{.site = site, .utcs = times.utcs, .refraction = options.refraction, .doppler = options.doppler};
     QString problem;
     if (options.object) {
         print(objectTable(*options.object, view, problem).text(options.format));
@@ -227,7 +235,7 @@ const Subcommand kEphemerisCommand{
     .name = "ephemeris",
     .arguments =
         "--elements FILE --norad N | --body NAME | --radec HOURS,DEGREES | --table FILE  --site LAT,LON,ALT --times "
-        "FILE|- [--refraction none|light|radio] [--format FORMAT]",
+        "FILE|- [--refraction none|light|radio] [--doppler on|off] [--format FORMAT]",
     .summary =
         "Print where a satellite, a body, a radio source or the table of a file stands over a site at given times",
     .details =
@@ -241,12 +249,14 @@ const Subcommand kEphemerisCommand{
   --radec HOURS,DEGREES   a place among the stars in place of it: right ascension and declination of J2000, each as a number
                        or like 12:30:49.4
   --table FILE         the table of a file in place of it: each line a time, an azimuth and an elevation, or a CCSDS OEM as
-                       KVN. What is wrong with it is reported as FILE:LINE: reason
+                       KVN or XML. What is wrong with it is reported as FILE:LINE: reason
   --site LAT,LON,ALT   degrees north, degrees east, metres above the ellipsoid of WGS-84. Or a NAME.qth of Gpredict
   --times FILE         a time in each line, - is standard input. UTC like 2024-05-10T04:50:02.5Z, or Unix seconds. What
                        follows a comma, blank lines, lines that begin with # and a first line of names are left out
   --refraction none|light|radio   raise the elevation as the air bends light or radio waves, in an ordinary atmosphere
                        (1010 hPa, 10 °C, half as moist as air can be). none without it
+  --doppler on|off     on: a satellite has a column doppler_factor behind all others. A frequency that it transmits arrives
+                       times this factor. off without it
   --format csv|table|json   csv without it
 
 Columns of a satellite: t_utc,az_deg,el_deg,range_km,range_rate_km_s. Of a table: t_utc,az_deg,el_deg,range_km. Of all

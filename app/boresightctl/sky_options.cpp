@@ -113,6 +113,15 @@ Result<> takeRefraction(const std::string& text, SkyOptions& options)
     return {};
 }
 
+Result<> takeDoppler(const std::string& text, SkyOptions& options)
+{
+    if (text != "on" && text != "off") {
+        return expected("doppler", text, QStringLiteral("on or off"));
+    }
+    options.doppler = text == "on";
+    return {};
+}
+
 Result<> takeFrom(const std::string& text, SkyOptions& options)
 {
     if (text == "now") {
@@ -171,6 +180,7 @@ constexpr std::array kEphemerisOptions{kElements,
                                        SkyOption{"radec", takeRaDec},
                                        kTable,
                                        SkyOption{"refraction", takeRefraction},
+                                       SkyOption{"doppler", takeDoppler},
                                        kFormat};
 constexpr std::array kPassesOptions{kElements,
                                     kNorad,
@@ -238,6 +248,10 @@ Result<SkyOptions> parseEphemerisOptions(Arguments arguments)
                                           "--radec"));
         }
         const bool isSatellite = !options.object && options.table.isEmpty();
+        if (options.doppler && !isSatellite) {
+            return failure(ErrorCode::InvalidInput,
+                           QStringLiteral("--doppler is for a satellite: give --elements and --norad with it"));
+        }
         const QString missing = isSatellite && options.elements.empty() ? QStringLiteral("--elements FILE")
                                 : isSatellite && !options.number        ? QStringLiteral("--norad N")
                                 : !hasSite(options)                     ? QStringLiteral("--site LAT,LON,ALT")

@@ -33,6 +33,7 @@ struct SkyOptions
     std::optional<double> days;
     std::optional<Angle> minimumElevation;
     ephemeris::Refraction refraction = ephemeris::Refraction::None;
+    bool doppler = false;  // a column for the Doppler factor
     TableFormat format = TableFormat::Csv;
 };
 

@@ -107,7 +107,7 @@ TARGET is one of these. Capital and small letters are the same.
   IM58kr                      a Maidenhead locator: the bearing to it. "IM58kr long": the long path
   place NORTH,EAST,HEIGHT     a position in degrees and metres above the ellipsoid of WGS-84
   table FILE, oem FILE        the way that a file describes: a tracking table with a time, an azimuth and an elevation in each
-                              line, or a CCSDS OEM as KVN. The station reads the file, as the user that it runs as.
+                              line, or a CCSDS OEM as KVN or XML. The station reads the file, as the user that it runs as.
                               "ephemeris --table FILE" shows where it leads
   position                    the balloon or rocket whose positions the station receives (settings of position)
 )" + kLocalSocket +

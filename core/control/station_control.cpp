@@ -125,6 +125,7 @@ Result<> StationControl::request(const Request& request, const Source& source)
 StationStatus StationControl::status() const
 {
     StationStatus status = report().status();
+    status.profile = m_profile.shared();
     for (const auto& one : m_sources) {
         one->describe(status);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/diagnostics/tar_archive.h"
 
+#include "core/base/save_whole.h"
 #include "core/base/text.h"
 
 #include <QSaveFile>
@@ -69,8 +70,11 @@ Result<> writeArchive(const QString& path, const std::vector<ArchiveFile>& files
 {
     return packed(files, when).and_then([&](const QByteArray& bytes) -> Result<> {
         QSaveFile file(path);
-        if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
+        if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) {
             return failure(ErrorCode::Io, QStringLiteral("%1: %2").arg(path, file.errorString()));
+        }
+        if (const auto why = saveWhole(file)) {
+            return failure(ErrorCode::Io, QStringLiteral("%1: %2").arg(path, *why));
         }
         return {};
     });

@@ -35,8 +35,19 @@ struct FileReading
     QStringList problems;
 };
 
+// A pipe or a device would keep the reader waiting, and with it the end of the program.
+bool isNoFile(const QString& path)
+{
+    const QFileInfo there(path);
+    return there.exists() && !there.isFile() && !there.isDir();
+}
+
 QStringList filesOf(const QString& path, QStringList& problems)
 {
+    if (isNoFile(path)) {
+        problems.append(Text::tr("%1: This is not a file.").arg(path));
+        return {};
+    }
     if (path.endsWith(QStringLiteral(".mod"))) {
         const GpredictModule module = readGpredictModule(path);
         problems.append(module.problems);

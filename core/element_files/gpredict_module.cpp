@@ -49,7 +49,7 @@ GpredictModule readGpredictModule(const QString& path)
         if (!number) {
             module.problems.append(
                 Text::tr("%1: \"%2\" is not a catalogue number.").arg(path, orbit::quoted(entry.toStdString())));
-        } else if (QFile::exists(file)) {
+        } else if (QFileInfo(file).isFile()) {
             module.files.append(file);
         } else {
             module.problems.append(Text::tr("%1: There are no elements of satellite %2 in %3. Update them in Gpredict.")

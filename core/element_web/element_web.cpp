@@ -16,6 +16,8 @@ namespace boresight::orbit {
 
 namespace {
 
+constexpr qsizetype kQuotedBytes = 200;  // a message has fewer
+
 ElementList elementsOf(const QByteArray& bytes)
 {
     return readElements(std::string_view(bytes.data(), static_cast<std::size_t>(bytes.size())));
@@ -37,7 +39,7 @@ Result<> judgeContent(const QByteArray& content, const QString& path)
     }
     const ElementList list = elementsOf(content);
     if (list.sets.empty()) {
-        const QByteArray line = start.left(start.indexOf('\n')).trimmed();
+        const QByteArray line = start.left(kQuotedBytes).split('\n').front().trimmed();
         return failure(
             ErrorCode::Protocol,
             Text::tr("The answer has no element set. It begins with \"%1\".").arg(orbit::quoted(line.toStdString())));

@@ -14,6 +14,8 @@ namespace boresight::orbit {
 
 namespace {
 
+constexpr int kDeepest = 32;  // of a valid message 7
+
 class OmmXmlReader
 {
 public:
@@ -39,6 +41,11 @@ private:
 
     void take(QXmlStreamReader::TokenType token)
     {
+        // The reader keeps each open element, so a file of nothing else is not read on.
+        m_depth += token == QXmlStreamReader::StartElement ? 1 : token == QXmlStreamReader::EndElement ? -1 : 0;
+        if (m_depth > kDeepest) {
+            m_xml.raiseError(Text::tr("More than %1 elements stand inside one another.").arg(kDeepest));
+        }
         const bool isRecord = m_xml.name() == QLatin1String("omm");
         if (token == QXmlStreamReader::StartElement) {
             m_value.clear();
@@ -62,6 +69,7 @@ private:
     OmmRecord m_record;
     QString m_value;
     bool m_isFound = false;
+    int m_depth = 0;
 };
 
 }  // namespace

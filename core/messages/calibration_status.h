@@ -134,6 +134,7 @@ struct CalibrationProposal
     QString title;             // "North from the compass swing"
     QString reason;            // where it comes from: "typed", "compass swing"
     QString text;              // in words, with the figures that change
+    QString remark;            // "Your level is off by 0.40° ± 0.05°."; mostly empty
     std::vector<TermStatus> terms;
     std::optional<ProposalResiduals> residuals;  // empty: there are no points to compare with
     bool changesSensor = false;                  // its mounting or curve, too

@@ -183,8 +183,8 @@ QString levelText(const calibration::FittedTerm& zero, Angle present, const std:
     }
     const Angle off = abs(zero.estimate.value - present);
     return off < zero.estimate.sigma * kSignificant
-               ? Text::tr(". Your level is right to %1").arg(degreesText(zero.estimate.sigma, 2))
-               : Text::tr(". Your level is off by %1 ± %2")
+               ? Text::tr("Your level is right to %1.").arg(degreesText(zero.estimate.sigma, 2))
+               : Text::tr("Your level is off by %1 ± %2.")
                      .arg(degreesText(off, 2), degreesText(zero.estimate.sigma, 2));
 }
 
@@ -242,9 +242,9 @@ Proposal proposalOf(const calibration::PointingFit& fit, std::span<const calibra
     Proposal proposal{.title = used == 1 ? Text::tr("Pointing model from 1 point")
                                          : Text::tr("Pointing model from %1 points").arg(used),
                       .reason = Text::tr("points"),
-                      .text = changeText(profile.pointing, fit.terms) + levelText(fit.of(Term::ElevationOffset),
-                                                                                  profile.pointing.elevationOffset,
-                                                                                  told[indexOf(Term::ElevationOffset)]),
+                      .text = changeText(profile.pointing, fit.terms),
+                      .remark = levelText(fit.of(Term::ElevationOffset), profile.pointing.elevationOffset,
+                                          told[indexOf(Term::ElevationOffset)]),
                       .terms = fit.terms,
                       .points = {points.begin(), points.end()}};
     proposal.terms.azimuthOffset = nearestOffset(fit.terms.azimuthOffset, profile);

@@ -23,6 +23,7 @@ struct Proposal
     QString title;
     QString reason;  // where it comes from, in a word or two
     QString text;
+    QString remark;  // what it says of the level, a sentence; mostly empty
     std::vector<QString> warnings;
     QString stays;  // which of the terms in force are known better than they were found here; mostly empty
     pointing::PointingTerms terms;

@@ -109,6 +109,7 @@ std::optional<CalibrationProposal> CalibrationReport::proposalStatus() const
                              .title = proposal->title,
                              .reason = proposal->reason,
                              .text = proposal->text,
+                             .remark = proposal->remark,
                              .terms = termsBeside(m_of.profile->pointing, proposal->terms),
                              .residuals = m_of.points.book().residuals(proposal->terms),
                              .changesSensor = proposal->sensor.has_value(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/profile/small_file.h"
 
+#include "core/base/save_whole.h"
 #include "core/base/text.h"
 
 #include <QFile>
@@ -15,9 +16,9 @@ constexpr qint64 kMaxSize = 4 << 20;  // of a horizon with a point per 0.1° and
 
 constexpr auto kOwnerOnly = QFileDevice::ReadOwner | QFileDevice::WriteOwner;
 
-QString told(const QFileDevice& file)
+QString told(const QString& path, const QString& reason)
 {
-    return QStringLiteral("%1: %2").arg(file.fileName(), file.errorString());
+    return QStringLiteral("%1: %2").arg(path, reason);
 }
 
 }  // namespace
@@ -26,11 +27,11 @@ Result<QByteArray> readFile(const QString& path)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) {
-        return failure(ErrorCode::NoDevice, told(file));
+        return failure(ErrorCode::NoDevice, told(path, file.errorString()));
     }
     const QByteArray bytes = file.read(kMaxSize + 1);
     if (file.error() != QFileDevice::NoError) {
-        return failure(ErrorCode::Io, told(file));
+        return failure(ErrorCode::Io, told(path, file.errorString()));
     }
     if (bytes.size() > kMaxSize) {
         return failure(ErrorCode::Io, Text::tr("%1: is larger than 4 MB").arg(path));
@@ -42,8 +43,11 @@ Result<> writeFile(const QString& path, const QByteArray& bytes, Readers readers
 {
     QSaveFile file(path);
     const auto protect = [&] { return readers == Readers::Anybody || file.setPermissions(kOwnerOnly); };
-    if (!file.open(QIODevice::WriteOnly) || !protect() || file.write(bytes) != bytes.size() || !file.commit()) {
-        return failure(ErrorCode::Io, told(file));
+    if (!file.open(QIODevice::WriteOnly) || !protect() || file.write(bytes) != bytes.size()) {
+        return failure(ErrorCode::Io, told(path, file.errorString()));
+    }
+    if (const auto why = saveWhole(file)) {
+        return failure(ErrorCode::Io, told(path, *why));
     }
     return {};
 }

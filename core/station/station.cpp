@@ -491,7 +491,6 @@ void Station::shutDown()
 StationStatus Station::status() const
 {
     StationStatus status = m_control.status();
-    status.profile = m_profile.shared();
     status.waitingKeys = m_profile.waitingKeys();
     status.simulated = m_mount->simulated();
     m_mount->describe(status);

@@ -5,6 +5,7 @@
 #include "core/elements/text_lines.h"
 #include "core/tables/direction_reader.h"
 #include "core/tables/oem_reader.h"
+#include "core/tables/oem_xml.h"
 
 #include <algorithm>
 #include <utility>
@@ -30,6 +31,12 @@ Beginning beginningOf(std::string_view text)
     return {};
 }
 
+Table tableOf(Oem oem)
+{
+    std::vector<TableSpan> spans = spansOf(oem.segments);
+    return {.name = toQString(oem.name), .rows = std::move(oem.segments), .spans = std::move(spans)};
+}
+
 TableReading<Table> read(std::string_view text, const QString& name)
 {
     const Beginning beginning = beginningOf(text);
@@ -37,13 +44,10 @@ TableReading<Table> read(std::string_view text, const QString& name)
         return tl::unexpected(TableProblem{.line = beginning.line, .reason = reason});
     };
     if (beginning.text.starts_with('<')) {
-        return refused(Text::tr("The file is XML. Boresight reads an OEM in its KVN form: convert the file."));
+        return readOemXml(text).map(tableOf);
     }
     if (beginning.text.starts_with(kOemStart)) {
-        return readOem(text).map([&](Oem oem) {
-            std::vector<TableSpan> spans = spansOf(oem.segments);
-            return Table{.name = toQString(oem.name), .rows = std::move(oem.segments), .spans = std::move(spans)};
-        });
+        return readOem(text).map(tableOf);
     }
     if (beginning.text.starts_with("CCSDS_")) {
         return refused(Text::tr("The file is a CCSDS message, but not an OEM. Boresight tracks tables and OEM."));

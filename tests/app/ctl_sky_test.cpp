@@ -63,6 +63,18 @@ TEST_F(CtlSkyTest, EphemerisOfASatellite)
                            "2024-05-10T04:50:02Z  301.839621   0.040811  2339.173033     -6.766431224\n"));
 }
 
+// -6.766431224 km/s over 299792.458 km/s, by hand.
+// REQ-CTL-995: `ephemeris --doppler on` adds the column doppler_factor: what arrives of a frequency that is
+// transmitted.
+TEST_F(CtlSkyTest, EphemerisWithTheDopplerFactor)
+{
+    const QByteArray times = "2024-05-10T04:50:02Z\n";
+    EXPECT_EQ(ephemeris("--doppler on", times).output,
+              "t_utc,az_deg,el_deg,range_km,range_rate_km_s,doppler_factor\n"
+              "2024-05-10T04:50:02Z,301.839621,0.040811,2339.173033,-6.766431224,1.000022570385\n");
+    EXPECT_EQ(ephemeris("--doppler off", times).output, ephemeris("--format csv", times).output);
+}
+
 // Sæmundsson's formula (Meeus, 16.4) and the refractivities of ITU-R P.453, computed in another program.
 // REQ-CTL-10: `ephemeris` raises the elevation as the air bends light or radio waves, where --refraction says so.
 // Nothing else changes, and without it there is no air.

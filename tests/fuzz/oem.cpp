@@ -22,6 +22,20 @@ std::string oemText(const std::string& frame, const std::string& system, const s
            "2026-12-24T00:04:00 6766.1 1773.7 33.0 -1.9 7.25 0.1\n";
 }
 
+std::string xmlText()
+{
+    std::string text =
+        "<ndm><oem id=\"CCSDS_OEM_VERS\" "
+        "version=\"2.0\"><header><COMMENT>x</COMMENT></header><body><segment>\n<metadata>"
+        "<OBJECT_NAME>A</OBJECT_NAME><CENTER_NAME>EARTH</CENTER_NAME><REF_FRAME>GCRF</REF_FRAME>"
+        "<TIME_SYSTEM>UTC</TIME_SYSTEM></metadata><data>\n";
+    for (const char* const row : {"00:00</EPOCH><X>7000.0</X><Y>0</Y>", "01:00</EPOCH><X>6985.3</X><Y>449.7</Y>"}) {
+        text += std::string("<stateVector><EPOCH>2026-12-24T00:") + row +
+                "<Z>9</Z><X_DOT>0</X_DOT><Y_DOT>7.5</Y_DOT><Z_DOT>0</Z_DOT></stateVector>\n";
+    }
+    return text + "<covarianceMatrix><CX_X>1</CX_X></covarianceMatrix></data></segment></body></oem></ndm>";
+}
+
 }  // namespace
 
 Grammar grammar()
@@ -32,7 +46,7 @@ Grammar grammar()
         oemText("TEME", "TAI", "USEABLE_START_TIME = 2026-12-24T00:01:00\nUSEABLE_STOP_TIME = 2026-12-24T00:03:00\n"),
         oemText("EME2000", "GPS", "INTERPOLATION = LAGRANGE\nINTERPOLATION_DEGREE = 5\n") +
             "COVARIANCE_START\nEPOCH = 2026-12-24T00:01:00\n1\n2 3\nCOVARIANCE_STOP\n",
-        oemText("TOD", "TT", "INTERPOLATION = LINEAR\n")};
+        oemText("TOD", "TT", "INTERPOLATION = LINEAR\n"), xmlText()};
     grammar.tokens = {"META_START",
                       "META_STOP",
                       "COVARIANCE_START",

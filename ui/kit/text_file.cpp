@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/kit/text_file.h"
 
+#include "core/base/save_whole.h"
+
 #include <QSaveFile>
 
 namespace boresight::ui {
@@ -8,8 +10,11 @@ namespace boresight::ui {
 Result<> saveText(const QString& path, const QString& text)
 {
     QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(text.toUtf8()) < 0 || !file.commit()) {
+    if (!file.open(QIODevice::WriteOnly) || file.write(text.toUtf8()) < 0) {
         return failure(ErrorCode::Io, file.errorString());
+    }
+    if (const auto why = saveWhole(file)) {
+        return failure(ErrorCode::Io, *why);
     }
     return {};
 }

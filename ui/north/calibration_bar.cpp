@@ -72,12 +72,17 @@ void CalibrationBar::showChange(const std::optional<CalibrationProposal>& propos
 {
     if (!proposal) {
         m_change->setValue(tr("Steps 1 to 3 find north"), Tone::Secondary);
-    } else if (proposal->warnings.empty()) {
-        m_change->setValue(changeText(*proposal), Tone::Secondary);
-    } else {
-        const QStringList warnings(proposal->warnings.begin(), proposal->warnings.end());
-        m_change->setValue(warnings.join(QLatin1Char(' ')) + QLatin1Char('\n') + changeText(*proposal), Tone::Warning);
+        return;
     }
+    QStringList lines;
+    if (!proposal->warnings.empty()) {
+        lines << QStringList(proposal->warnings.begin(), proposal->warnings.end()).join(QLatin1Char(' '));
+    }
+    if (!proposal->remark.isEmpty()) {
+        lines << proposal->remark;
+    }
+    lines << changeText(*proposal);
+    m_change->setValue(lines.join(QLatin1Char('\n')), proposal->warnings.empty() ? Tone::Secondary : Tone::Warning);
 }
 
 }  // namespace boresight::ui

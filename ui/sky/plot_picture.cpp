@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sky/plot_picture.h"
 
+#include "core/base/save_whole.h"
+
 #include <QCoreApplication>
 #include <QFile>
 #include <QImage>
@@ -48,8 +50,11 @@ Result<> savePicture(const QString& path, QSize size, const std::function<void(Q
     } else if (drawn) {
         drawn = drawPng(file, size, paint);
     }
-    if (!drawn || !file.commit()) {
+    if (!drawn) {
         return failure(ErrorCode::Io, file.errorString());
+    }
+    if (const auto why = saveWhole(file)) {
+        return failure(ErrorCode::Io, *why);
     }
     return {};
 }

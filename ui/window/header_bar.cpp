@@ -204,6 +204,16 @@ QString doing(const StationStatus& status)
     return text;
 }
 
+// What the mount waits for while the schedule is armed: it will move by itself.
+QString armedText(const ScheduleStatus& schedule, UtcTime now)
+{
+    const auto next = std::ranges::find_if(schedule.plan.chosen,
+                                           [&](const schedule::WatchedPass& pass) { return pass.begins() > now; });
+    return next == schedule.plan.chosen.end()
+               ? HeaderBar::tr("Schedule armed")
+               : HeaderBar::tr("Schedule armed: %1 in %2").arg(next->name, waitText(next->begins() - now));
+}
+
 QString whoControls(const StationStatus& status)
 {
     if (status.authority == Authority::Operator) {
@@ -401,6 +411,10 @@ void HeaderBar::showTarget(const StationStatus& status)
     m_limited->setValue(status.limited ? tr("AT LIMIT") : QString(), Tone::Warning, Symbol::Warning);
     m_limited->setToolTip(tr("The target is outside the limits. The mount goes to the nearest permitted point.\n%1")
                               .arg(status.limitedReason));
+    if (status.schedule->armed && !status.tracked && !status.slew) {
+        m_target->setValue(armedText(*status.schedule, status.utc));
+        return;
+    }
     if (status.targetText.isEmpty()) {
         m_target->setValue(tr("no target"), Tone::Secondary);
         return;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/element_files/element_files.h"
 
+#include "core/elements/element_reader.h"
 #include "core/elements/tle_fields.h"
 
 #include <QDir>
+#include <QFile>
 #include <QTemporaryDir>
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <fstream>
 #include <string>
@@ -86,9 +89,32 @@ TEST_F(ElementFilesTest, WhatIsBadIsReportedAndTheRestIsUsed)
     EXPECT_EQ(files.sets[0].number, 33591);
     EXPECT_THAT(linesOf(files), ElementsAre(HasSubstr("bad.tle:3: "), HasSubstr("absent.tle: "),
                                             HasSubstr("empty.tle: There is no element set in this file.")));
-    EXPECT_THAT(linesOf(readElementFiles({QStringLiteral("/dev/zero")})),
-                ElementsAre("/dev/zero: The file is larger than 64 MB."));
+    QFile huge(folder.filePath(QStringLiteral("huge.tle")));
+    ASSERT_TRUE(huge.open(QIODevice::WriteOnly));
+    ASSERT_TRUE(huge.resize((kMostElementMegabytes << 20) + 1));
+    EXPECT_THAT(linesOf(readElementFiles({huge.fileName()})),
+                ElementsAre(HasSubstr("huge.tle: The file is larger than 64 MB.")));
     EXPECT_THAT(linesOf(readElementFiles({QStringLiteral("/proc/self/mem")})), SizeIs(1));
+}
+
+// REQ-ELEMENTFILES-05: What is no file is refused without being opened: a pipe would keep the reader waiting. So is one
+// in a folder, or in the place of the file of a satellite.
+TEST_F(ElementFilesTest, APipeIsNotWaitedFor)
+{
+    const auto pipe = [this](const char* name) {
+        const QString path = folder.filePath(QLatin1String(name));
+        EXPECT_EQ(::mkfifo(QFile::encodeName(path).constData(), 0600), 0);
+        return path;
+    };
+    EXPECT_THAT(linesOf(readElementFiles({pipe("pipe.tle")})), ElementsAre(HasSubstr("pipe.tle: This is not a file.")));
+    EXPECT_THAT(linesOf(readElementFiles({pipe("pipe.mod")})), ElementsAre(HasSubstr("pipe.mod: This is not a file.")));
+    EXPECT_THAT(linesOf(readElementFiles({QStringLiteral("/dev/zero")})),
+                ElementsAre("/dev/zero: This is not a file."));
+    EXPECT_THAT(linesOf(readElementFiles({folder.path()})), ElementsAre(HasSubstr("There is no file of elements")));
+    ASSERT_TRUE(QDir(folder.path()).mkdir(QStringLiteral("satdata")));
+    pipe("satdata/25544.sat");
+    EXPECT_THAT(linesOf(readElementFiles({write("one.mod", "[GLOBAL]\nSATELLITES=25544\n")})),
+                ElementsAre(HasSubstr("There are no elements of satellite 25544")));
 }
 
 // REQ-ELEMENTFILES-02

@@ -188,6 +188,10 @@ TEST_F(ElementWebTest, AnAnswerWithoutSetsReplacesNothing)
     server.answersWith("/a", "200 OK", "Content-Type: text/html\r\n", "<html>\n<p>Please log in</p></html>");
     staysWhole("The answer has no element set. It begins with \"<html>\".");
     clock.advance(2 * kPeriod);
+    // CelesTrak answers without a line end.
+    server.answersWith("/a", "200 OK", {}, "No GP data found");
+    staysWhole("The answer has no element set. It begins with \"No GP data found\".");
+    clock.advance(4 * kPeriod);
     server.answersWith("/a", "200 OK", {}, {});
     staysWhole("The answer is empty.");
 }

@@ -253,6 +253,22 @@ TEST(Omm, BrokenFormsAreReportedWithTheirLine)
     EXPECT_EQ(first(readElements("")), "none");
 }
 
+// The reader of Qt keeps each open element. 60 MB of them took 3.5 GB, and the program with them.
+// REQ-ORBIT-06
+TEST(Omm, XmlOfTooManyLevelsIsNotReadOn)
+{
+    std::string xml = "<ndm>\n";
+    for (int i = 0; i < 100; ++i) {
+        xml += "<a>\n";
+    }
+    const ElementList list = readElements(xml + asXml(goodOmm()));
+    EXPECT_TRUE(list.sets.empty());
+    ASSERT_EQ(list.problems.size(), 1U);
+    EXPECT_EQ(list.problems[0].line, 33);
+    EXPECT_EQ(list.problems[0].reason.toStdString(),
+              "This is not valid XML: More than 32 elements stand inside one another.");
+}
+
 // A text of 1 MB of openings neither stalls nor overflows the stack.
 // REQ-ORBIT-06
 TEST(Omm, DeepNestingDoesNoHarm)

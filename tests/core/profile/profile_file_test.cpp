@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/profile/profile_file.h"
 
+#include "core/profile/small_file.h"
+#include "tests/fakes/full_disk.h"
 #include "tests/fakes/text_of.h"
 
 #include <QDir>
@@ -27,6 +29,27 @@ QByteArray contentOf(const QString& path)
 }
 
 }  // namespace
+
+// A full disk left an empty profile in the place of a good one, and reported it as stored: a small file stays in the
+// buffer of QSaveFile until it is renamed.
+// REQ-PROFILE-961: On a full disk no file is replaced, whatever its size, and the reason is told.
+TEST(ProfileFile, AFullDiskReplacesNothing)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("m.toml"));
+    ASSERT_TRUE(writeFile(path, "version = 1\n"));
+    for (const qsizetype size : {10, 100'000}) {
+        const Result<> written = [&] {
+            const FullDisk full;
+            return writeFile(path, QByteArray(size, '#'));
+        }();
+        ASSERT_FALSE(written) << size;
+        EXPECT_TRUE(textOf(written.error()).ends_with("m.toml: File too large")) << textOf(written.error());
+        EXPECT_EQ(contentOf(path), "version = 1\n");
+        EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1) << "nothing is left beside it";
+    }
+    EXPECT_TRUE(writeFile(path, "version = 1\n#\n"));
+}
 
 // REQ-PROFILE-01: The defaults are the reference mount. Azimuth 0…360° is 0…1 turn, travel -90…450°. Elevation is
 // inverted, 0° is -0.25 turn, 90° is -0.5 turn, travel 0…90°.

@@ -340,9 +340,11 @@ protected:
     {
         auto owned = std::make_unique<SimulatedLink>(clock);
         link = owned.get();
-        station = std::make_unique<Station>(held("file:" + path.toStdString()),
-                                            moteusRotator(std::move(owned), {stateDir.path(), Simulation::Reference}),
-                                            stateDir.path(), clock);
+        profile::Profile profile = held("file:" + path.toStdString());
+        profile.mount.beamWidth = 4_deg;
+        profile.antennas = {{.name = "wide", .beamWidth = 20_deg}};
+        station = std::make_unique<Station>(
+            profile, moteusRotator(std::move(owned), {stateDir.path(), Simulation::Reference}), stateDir.path(), clock);
         station->openAll();
         run(4.0);
     }
@@ -393,7 +395,7 @@ TEST_F(TransmitFileTest, FollowsTheMount)
     EXPECT_TRUE(fileSays("off\n"));
     ask(request::PointSky{{.azimuth = 60_deg, .elevation = 30_deg}});
     ASSERT_TRUE(becomes(true));
-    EXPECT_LT(error(), 2.25_deg);
+    EXPECT_LT(error(), 0.9_deg);
     EXPECT_TRUE(fileSays("on\n"));
     run(20.0);
     EXPECT_LT(error(), 0.1_deg);
@@ -408,6 +410,16 @@ TEST_F(TransmitFileTest, FollowsTheMount)
         EXPECT_FALSE(becomes(true, 40.0));
     }
     EXPECT_TRUE(fileSays("off\n"));
+}
+
+// The limit was that of a beam of 10°, whatever the profile said: a transmitter was permitted 2.5° beside a beam of 2°.
+// REQ-TRANSMIT-29: The limit is a part of the beam width of the antenna in use.
+TEST_F(TransmitFileTest, GoesByTheBeamInUse)
+{
+    EXPECT_EQ(station->status().transmit.within, 1_deg);
+    ask(request::UseAntenna{"wide"});
+    tick();
+    EXPECT_EQ(station->status().transmit.within, 5_deg);
 }
 
 // REQ-TRANSMIT-27: STOP, a silent drive, and the end of the program switch it off.

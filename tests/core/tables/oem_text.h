@@ -6,6 +6,8 @@
 
 #include <QDateTime>
 
+#include <gtest/gtest.h>
+
 #include <chrono>
 #include <string>
 #include <utility>
@@ -56,6 +58,14 @@ inline std::string segmentText(const std::string& frame, const std::string& syst
         text += rowText(sample);
     }
     return text;
+}
+
+// With `to` in the place of the first `from`.
+inline std::string changed(std::string text, const std::string& from, const std::string& to)
+{
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
 }
 
 }  // namespace boresight::tables

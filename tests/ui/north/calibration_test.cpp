@@ -120,6 +120,22 @@ TEST_F(NorthTest, EveryWarningStandsBesideApply)
     }
 }
 
+// Story: what the Sun and the Moon said of the level was computed, and shown nowhere.
+// REQ-UI-1496: Beside Apply stands what the proposal says of the level, before what changes.
+TEST_F(NorthTest, WhatWasFoundOfTheLevelStandsBesideApply)
+{
+    StationStatus status = samples::swung();
+    CalibrationStatus checked = *status.calibration;
+    checked.proposal->warnings.clear();
+    checked.proposal->remark = QStringLiteral("Your level is off by 0.40° ± 0.05°.");
+    status.calibration = std::make_shared<const CalibrationStatus>(checked);
+    show(CalibrationStep::Model, status);
+    EXPECT_TRUE(text("What Apply changes")
+                    .startsWith(QStringLiteral("Your level is off by 0.40° ± 0.05°.\nazimuth offset 0.00° → 3")))
+        << text("What Apply changes").toStdString();
+    EXPECT_EQ(named<ValueLabel>("What Apply changes")->tone(), Tone::Secondary);
+}
+
 // Story: a second Space on Discard took back the calibration that was in force.
 TEST_F(NorthTest, ASecondPressOfAButtonThatIsDoneIsNotTheNextOnes)
 {

@@ -57,6 +57,35 @@ TEST_F(WindowTest, ShowsStateTargetSourceLinksAndTime)
     EXPECT_EQ(named<ValueLabel>("Line to the mount")->symbol(), Symbol::Alarm);
 }
 
+// An armed schedule moves the mount by itself, and only the page of the schedule showed it.
+// REQ-UI-1495: While the schedule is armed and waits, the header says so, with the next pass and the time to it.
+TEST_F(WindowTest, TheHeaderSaysThatTheScheduleIsArmed)
+{
+    StationStatus status = samples::idle();
+    ScheduleStatus schedule{.armed = true};
+    status.schedule = std::make_shared<const ScheduleStatus>(schedule);
+    give(samples::update(status));
+    EXPECT_EQ(text("Target and its source"), QStringLiteral("Schedule armed"));
+    passes::Pass pass;
+    pass.aos.utc = status.utc + std::chrono::minutes(97);
+    pass.los.utc = pass.aos.utc + std::chrono::minutes(10);
+    schedule.plan.chosen = {{.number = 25544, .name = QStringLiteral("ISS"), .pass = pass}};
+    status.schedule = std::make_shared<const ScheduleStatus>(schedule);
+    give(samples::update(status));
+    EXPECT_EQ(text("Target and its source"), QStringLiteral("Schedule armed: ISS in 97 min"));
+    status.tracked = TrackedTarget{.name = QStringLiteral("ISS")};
+    status.targetText = QStringLiteral("track ISS");
+    give(samples::update(status));
+    EXPECT_TRUE(text("Target and its source").startsWith(QStringLiteral("ISS")))
+        << text("Target and its source").toStdString();
+    schedule.armed = false;
+    status.schedule = std::make_shared<const ScheduleStatus>(schedule);
+    status.tracked.reset();
+    status.targetText.clear();
+    give(samples::update(status));
+    EXPECT_EQ(text("Target and its source"), QStringLiteral("no target"));
+}
+
 // REQ-UI-1440: The clock says how far it is off by its time source, and what that is on the sky for what is tracked.
 // One that nothing sets has a question mark and says what to do.
 TEST_F(WindowTest, TheClockSaysHowFarItIsOff)

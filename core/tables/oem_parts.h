@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/tables/oem_meta.h"
+#include "core/tables/oem_reader.h"
+
+#include <cstddef>
+#include <string_view>
+
+// The lines of an OEM as KVN, one after the other. Each belongs to the part in which it stands. An OEM as XML becomes
+// the same lines. Pure.
+namespace boresight::tables {
+
+class OemParts
+{
+public:
+    // Without blanks at both ends, no comment, not empty. After a refusal nothing more is taken.
+    Result<> take(std::string_view line);
+    Result<> end();
+    [[nodiscard]] Oem& oem() { return m_oem; }
+
+private:
+    enum class Part
+    {
+        Start,
+        Header,
+        Meta,
+        Rows,
+        Covariance,
+        AfterCovariance
+    };
+
+    Result<> takeStart(std::string_view line);
+    Result<> takeHeader(std::string_view line);
+    Result<> takeMeta(std::string_view line);
+    Result<> takeRow(std::string_view line);
+    Result<> begin();
+    Result<> endRows();
+    [[nodiscard]] Result<> isSameObject() const;
+
+    Oem m_oem;
+    OemMeta m_meta;
+    OrbitSegment m_segment;
+    std::size_t m_rows = 0;  // of all segments
+    Part m_part = Part::Start;
+};
+
+}  // namespace boresight::tables
