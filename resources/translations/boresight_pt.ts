@@ -1861,14 +1861,6 @@ até %1</translation>
         <translation>desconectado: deixou um comando por acabar</translation>
     </message>
     <message>
-        <source>sent more than %1 bytes during its own pause</source>
-        <translation>enviou mais de %1 bytes durante a sua própria pausa</translation>
-    </message>
-    <message>
-        <source>closed the connection during its own pause</source>
-        <translation>fechou a conexão durante a sua própria pausa</translation>
-    </message>
-    <message>
         <source>sent %1 bytes without a line end</source>
         <translation>enviou %1 bytes sem fim de linha</translation>
     </message>
@@ -3296,10 +3288,6 @@ até %1</translation>
         <translation>Afaste-se da montagem. STOP ou Manter termina a compensação</translation>
     </message>
     <message>
-        <source>The calibration is in force. Boresight keeps its history in memory only</source>
-        <translation>A calibração está em vigor. O Boresight guarda o histórico só na memória</translation>
-    </message>
-    <message>
         <source>Boresight no longer uses any of them</source>
         <translation>O Boresight já não usa nenhum deles</translation>
     </message>
@@ -3332,10 +3320,6 @@ até %1</translation>
         <translation>o Boresight não move nada, porque os comandos chegariam ao eixo errado</translation>
     </message>
     <message>
-        <source>Boresight moves nothing, because the reports of the board may mean something else</source>
-        <translation>o Boresight não move nada, porque os dados da placa podem significar outra coisa</translation>
-    </message>
-    <message>
         <source>Boresight read the settings again</source>
         <translation>o Boresight leu de novo as configurações</translation>
     </message>
@@ -3366,10 +3350,6 @@ até %1</translation>
     <message>
         <source>the reported angle of %1 jumped by %2 in %3 to %4, faster than the axis can move</source>
         <translation>o ângulo comunicado de %1 saltou %2 em %3 para %4, mais depressa do que o eixo se pode mover</translation>
-    </message>
-    <message>
-        <source>a false reply reported a jump of %1 by %2 in %3 to %4</source>
-        <translation>uma resposta falsa comunicou um salto de %1 de %2 em %3 para %4</translation>
     </message>
     <message>
         <source>%1 needs %2 Nm, %3 % of the %4 Nm allowed, while its cable wrap is unknown</source>
@@ -4106,10 +4086,6 @@ até %1</translation>
     <message>
         <source>The %1 is active (mode: %2) without a command from Boresight</source>
         <translation>O %1 está ativo (modo: %2) sem comando do Boresight</translation>
-    </message>
-    <message>
-        <source>End the other program that commands the drive. An old command without a watchdog ends with STOP</source>
-        <translation>Termine o outro programa que comanda o acionamento. Um comando antigo sem watchdog termina com STOP</translation>
     </message>
     <message>
         <source>The cable wrap of the %1 is unknown</source>
@@ -5884,10 +5860,6 @@ até %1</translation>
         <translation>O eixo não segue uma oscilação a %1 Hz. Aumente kp e kd em conjunto.</translation>
     </message>
     <message>
-        <source>The axis follows swings to %1 Hz.</source>
-        <translation>O eixo segue oscilações até %1 Hz.</translation>
-    </message>
-    <message>
         <source>The run needs %1 of free travel on both sides of the %2. There is only %3. Move the axis away from its limits.</source>
         <translation>A medição precisa de %1 de curso livre dos dois lados do %2. Só há %3. Afaste o eixo dos seus limites.</translation>
     </message>
@@ -6928,10 +6900,6 @@ até %1</translation>
         <translation>o perfil foi lido de novo; estes parâmetros esperam por um reinício: %1</translation>
     </message>
     <message>
-        <source>%1 (Boresight keeps trying)</source>
-        <translation>%1 (tenta-se de novo repetidamente)</translation>
-    </message>
-    <message>
         <source>MQTT broker %1: a message of %2 kB was dropped. The limit is %3 kB</source>
         <translation>broker MQTT %1: foi descartada uma mensagem de %2 kB; o limite é %3 kB</translation>
     </message>
@@ -7182,10 +7150,6 @@ até %1</translation>
     <message>
         <source>Boresight only watches this board</source>
         <translation>O Boresight só observa esta placa</translation>
-    </message>
-    <message>
-        <source>Look at what this board drives.</source>
-        <translation>Veja o que esta placa comanda.</translation>
     </message>
     <message>
         <source>The board %1 (id %2) does not reply</source>
@@ -7588,10 +7552,6 @@ até %1</translation>
         <translation>O relógio deste computador não está sincronizado, por isso o feixe pode falhar %1</translation>
     </message>
     <message>
-        <source>Boresight tracks by this clock</source>
-        <translation>O Boresight segue por este relógio</translation>
-    </message>
-    <message>
         <source>Synchronise the clock by NTP or GPS. A satellite 420 km up moves 1° in a second</source>
         <translation>Sincronize o relógio por NTP ou GPS. Um satélite a 420 km de altura move-se 1° num segundo</translation>
     </message>
@@ -7992,10 +7952,6 @@ até %1</translation>
         <translation>A estação terminou o seguimento. O registo mostra o motivo</translation>
     </message>
     <message>
-        <source>The profile has no site. Sun and Moon need the site</source>
-        <translation>O perfil não tem local. O Sol e a Lua precisam do local</translation>
-    </message>
-    <message>
         <source>Angle by which the beam is not perpendicular to the elevation axis. Clockwise is positive, at any elevation.</source>
         <translation>Ângulo que falta ao feixe para ser perpendicular ao eixo de elevação. O sentido horário é positivo, em qualquer elevação.</translation>
     </message>
@@ -8244,14 +8200,6 @@ até %1</translation>
         <translation>A linha não tem elevação. Uma linha tem uma hora, um azimute e uma elevação.</translation>
     </message>
     <message>
-        <source>The time is not after that of the row before. Sort the rows by time.</source>
-        <translation>A hora não é posterior à da linha anterior. Ordene as linhas por hora.</translation>
-    </message>
-    <message>
-        <source>The direction is %1 away from that of the row before. It must be below 90°. Add rows between them.</source>
-        <translation>A direção está a %1 da direção da linha anterior. Tem de estar a menos de 90°. Acrescente linhas entre elas.</translation>
-    </message>
-    <message>
         <source>The table has more than %1 rows. Split it.</source>
         <translation>A tabela tem mais de %1 linhas. Divida-a.</translation>
     </message>
@@ -8352,10 +8300,6 @@ até %1</translation>
         <translation>A linha tem de ter 6 números depois da hora, ou 9 com acelerações.</translation>
     </message>
     <message>
-        <source>The place is %1° around the Earth from that of the row before. It must be below %2°. Add rows between them.</source>
-        <translation>O lugar está a %1° à volta da Terra do lugar da linha anterior. Tem de estar a menos de %2°. Acrescente linhas entre eles.</translation>
-    </message>
-    <message>
         <source>The table of %1 ended at %2.</source>
         <translation>A tabela de %1 acabou às %2.</translation>
     </message>
@@ -8374,10 +8318,6 @@ até %1</translation>
     <message>
         <source>The table of %1 has nothing above the horizon from %2 to %3.</source>
         <translation>A tabela de %1 não tem nada acima do horizonte de %2 a %3.</translation>
-    </message>
-    <message>
-        <source>The file is XML. Boresight reads an OEM in its KVN form: convert the file.</source>
-        <translation>O ficheiro é XML. O Boresight lê um OEM na forma KVN: converta o ficheiro.</translation>
     </message>
     <message>
         <source>The file is a CCSDS message, but not an OEM. Boresight tracks tables and OEM.</source>
@@ -8422,10 +8362,6 @@ até %1</translation>
     <message>
         <source>Its name. &quot;main&quot; is the antenna that the table mount describes.</source>
         <translation>O seu nome. &quot;main&quot; é a antena que a tabela mount descreve.</translation>
-    </message>
-    <message>
-        <source>Its half-power beam width.</source>
-        <translation>A sua largura de feixe a meia potência.</translation>
     </message>
     <message>
         <source>Offset across</source>
@@ -8554,10 +8490,6 @@ até %1</translation>
     <message>
         <source>Whether the position of a balloon or a rocket arrives, to be tracked: by UDP on a port of this computer, or by a topic of the MQTT broker.</source>
         <translation>Se chega a posição de um balão ou foguetão, para ser seguido: por UDP numa porta deste computador, ou por um tópico do broker MQTT.</translation>
-    </message>
-    <message>
-        <source>UDP: the address of this computer to listen on. 127.0.0.1 receives from this computer only, 0.0.0.0 from all computers and what is sent to the whole network.</source>
-        <translation>UDP: o endereço deste computador em que se escuta. 127.0.0.1 recebe só deste computador, 0.0.0.0 de todos os computadores e o que é enviado a toda a rede.</translation>
     </message>
     <message>
         <source>UDP port of the positions. radiosonde_auto_rx sends to 55673.</source>
@@ -8726,14 +8658,6 @@ até %1</translation>
     <message>
         <source>This is not a file.</source>
         <translation>Isto não é um ficheiro.</translation>
-    </message>
-    <message>
-        <source>. Your level is right to %1</source>
-        <translation>. O seu nivelamento está certo até %1</translation>
-    </message>
-    <message>
-        <source>. Your level is off by %1 ± %2</source>
-        <translation>. O seu nivelamento está errado em %1 ± %2</translation>
     </message>
     <message>
         <source>Check whether the cable is wrapped around the mount. Jog the other way.</source>
@@ -8908,10 +8832,6 @@ até %1</translation>
         <translation>é igual a um tópico do sensor</translation>
     </message>
     <message>
-        <source>the position came back %1 from the last one</source>
-        <translation>a posição voltou a %1 da última</translation>
-    </message>
-    <message>
         <source>Nothing corrects the declination. The sensor adds %1 to the heading.</source>
         <translation>Nada corrige a declinação. O sensor soma %1 ao rumo.</translation>
     </message>
@@ -9024,20 +8944,12 @@ até %1</translation>
         <translation>&apos;%1&apos; não é um endereço com porta; escreva por exemplo tcp:192.168.1.20:4001</translation>
     </message>
     <message>
-        <source>unknown bus &apos;%1&apos;; write simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH or tcp:HOST:PORT</source>
-        <translation>barramento desconhecido &apos;%1&apos;; escreva simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH ou tcp:HOST:PORT</translation>
-    </message>
-    <message>
         <source>%1 answers as a %2</source>
         <translation>%1 responde como um %2</translation>
     </message>
     <message>
         <source>the %1 fell silent</source>
         <translation>o %1 ficou mudo</translation>
-    </message>
-    <message>
-        <source>The line returns what Boresight sends. Check the plug of the rotator, and switch a modem off</source>
-        <translation>A ligação devolve o que o Boresight envia. Verifique a ficha do rotor e desligue um modem</translation>
     </message>
     <message>
         <source>The rotator refuses the question for both axes. If it has no elevation, set elevation.driver to &quot;none&quot;</source>
@@ -9142,6 +9054,118 @@ até %1</translation>
     <message>
         <source>The travel %1…%2 does not fit this rotator, which counts whole degrees of %3…%4. Change %5.travel_min_deg and %5.travel_max_deg in the profile.</source>
         <translation>O curso %1…%2 não serve para este rotor, que conta graus inteiros de %3…%4. Altere %5.travel_min_deg e %5.travel_max_deg no perfil.</translation>
+    </message>
+    <message>
+        <source>End the program that commands the drive. If there is none, press STOP</source>
+        <translation>Termine o programa que comanda o acionamento. Se não houver nenhum, prima STOP</translation>
+    </message>
+    <message>
+        <source>Tracking uses this clock</source>
+        <translation>O seguimento usa este relógio</translation>
+    </message>
+    <message>
+        <source>The calibration is in force. Its history is lost when Boresight ends</source>
+        <translation>A calibração está em vigor. O seu histórico perde-se quando o Boresight terminar</translation>
+    </message>
+    <message>
+        <source>Check the axis or device that this board moves.</source>
+        <translation>Verifique o eixo ou o dispositivo que esta placa move.</translation>
+    </message>
+    <message>
+        <source>Boresight moves nothing. The board&apos;s reports may mean something else</source>
+        <translation>O Boresight não move nada. Os dados da placa podem ter outro significado</translation>
+    </message>
+    <message>
+        <source>unknown bus &apos;%1&apos;. Write simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH or tcp:HOST:PORT</source>
+        <translation>barramento desconhecido &apos;%1&apos;. Escreva simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH ou tcp:HOST:PORT</translation>
+    </message>
+    <message>
+        <source>%1: This is not a file.</source>
+        <translation>%1: Isto não é um ficheiro.</translation>
+    </message>
+    <message>
+        <source>More than %1 elements stand inside one another.</source>
+        <translation>Mais de %1 elementos estão uns dentro dos outros.</translation>
+    </message>
+    <message>
+        <source>The line returns what Boresight sends. Connect the rotator to it. If a modem is connected, switch the modem off</source>
+        <translation>A ligação devolve o que o Boresight envia. Ligue o rotor a ela. Se houver um modem ligado, desligue o modem</translation>
+    </message>
+    <message>
+        <source>The profile has no site. Enter the site on the page Profile</source>
+        <translation>O perfil não tem local. Introduza o local na página Perfil</translation>
+    </message>
+    <message>
+        <source>Your level is right to %1.</source>
+        <translation>O seu nivelamento está certo até %1.</translation>
+    </message>
+    <message>
+        <source>Your level is off by %1 ± %2.</source>
+        <translation>O seu nivelamento está errado em %1 ± %2.</translation>
+    </message>
+    <message>
+        <source>UDP: the address of this computer to listen on. 127.0.0.1 receives from this computer only, 0.0.0.0 receives from all computers, broadcasts included.</source>
+        <translation>UDP: o endereço deste computador em que se escuta. 127.0.0.1 recebe só deste computador, 0.0.0.0 recebe de todos os computadores, incluindo difusões.</translation>
+    </message>
+    <message>
+        <source>Half-power beam width of the antenna.</source>
+        <translation>Largura de feixe a meia potência da antena.</translation>
+    </message>
+    <message>
+        <source>sent more than %1 bytes during the pause it asked for</source>
+        <translation>enviou mais de %1 bytes durante a pausa que pediu</translation>
+    </message>
+    <message>
+        <source>closed the connection during the pause it asked for</source>
+        <translation>fechou a conexão durante a pausa que pediu</translation>
+    </message>
+    <message>
+        <source>the new position is %1 from the last position</source>
+        <translation>a nova posição está a %1 da última posição</translation>
+    </message>
+    <message>
+        <source>%1 (Boresight tries again at least every 30 s)</source>
+        <translation>%1 (o Boresight tenta de novo pelo menos a cada 30 s)</translation>
+    </message>
+    <message>
+        <source>a false reply reports that %1 jumped by %2 in %3 to %4</source>
+        <translation>uma resposta falsa indica que o %1 saltou %2 em %3 para %4</translation>
+    </message>
+    <message>
+        <source>The time is not later than the time in the row above. Sort the rows by time.</source>
+        <translation>A hora não é posterior à hora da linha acima. Ordene as linhas por hora.</translation>
+    </message>
+    <message>
+        <source>The direction is %1 from the direction in the row above. It must be below 90°. Add rows between them.</source>
+        <translation>A direção está a %1 da direção da linha acima. Tem de estar a menos de 90°. Acrescente linhas entre elas.</translation>
+    </message>
+    <message>
+        <source>The place is %1° around the Earth from the place in the row above. It must be below %2°. Add rows between them.</source>
+        <translation>O lugar está a %1° à volta da Terra do lugar da linha acima. Tem de ser menos de %2°. Acrescente linhas entre eles.</translation>
+    </message>
+    <message>
+        <source>The element &lt;%1&gt; has no place here in an OEM.</source>
+        <translation>O elemento &lt;%1&gt; não tem lugar aqui num OEM.</translation>
+    </message>
+    <message>
+        <source>The file has an element &lt;%1&gt;. Boresight tracks only &lt;oem&gt;.</source>
+        <translation>O ficheiro tem um elemento &lt;%1&gt;. O Boresight só segue &lt;oem&gt;.</translation>
+    </message>
+    <message>
+        <source>The file has a second &lt;oem&gt;. Make two files.</source>
+        <translation>O ficheiro tem um segundo &lt;oem&gt;. Faça dois ficheiros.</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;. It must be one value.</source>
+        <translation>%1 é &quot;%2&quot;. Tem de ser um só valor.</translation>
+    </message>
+    <message>
+        <source>The row has no &lt;%1&gt;.</source>
+        <translation>A linha não tem &lt;%1&gt;.</translation>
+    </message>
+    <message>
+        <source>The axis follows swings up to %1 Hz.</source>
+        <translation>O eixo acompanha oscilações até %1 Hz.</translation>
     </message>
 </context>
 <context>
@@ -9582,10 +9606,6 @@ SDL 2, toml++</translation>
         <translation>Remover a antena selecionada (Del)</translation>
     </message>
     <message>
-        <source>The mount already has %1 antennas besides the main one. No more are possible.</source>
-        <translation>A montagem já tem %1 antenas além da principal. Não são possíveis mais.</translation>
-    </message>
-    <message>
         <source>The main antenna cannot be removed. North is found with it.</source>
         <translation>A antena principal não pode ser removida. O norte é encontrado com ela.</translation>
     </message>
@@ -9596,6 +9616,10 @@ SDL 2, toml++</translation>
     <message>
         <source>Each antenna has a name, a beam width, and two offsets from the beam of the main antenna.</source>
         <translation>Cada antena tem um nome, uma largura de feixe e dois desvios em relação ao feixe da antena principal.</translation>
+    </message>
+    <message>
+        <source>The mount has the main antenna and %1 more. Boresight supports no more. Remove one first.</source>
+        <translation>A montagem tem a antena principal e mais %1. O Boresight não suporta mais. Remova uma primeiro.</translation>
     </message>
 </context>
 <context>
@@ -12274,6 +12298,18 @@ trocar os motores</translation>
         <source>Transmit output</source>
         <translation>Saída de emissão</translation>
     </message>
+    <message>
+        <source>Sensor silent</source>
+        <translation>Sensor mudo</translation>
+    </message>
+    <message>
+        <source>Schedule armed</source>
+        <translation>Agenda armada</translation>
+    </message>
+    <message>
+        <source>Schedule armed: %1 in %2</source>
+        <translation>Agenda armada: %1 em %2</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::HelpPage</name>
@@ -13247,14 +13283,6 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
 <context>
     <name>boresight::ui::MeasurePage</name>
     <message>
-        <source>2° away and back: overshoot, time to settle</source>
-        <translation>2° e volta: ultrapassagem, tempo até estabilizar</translation>
-    </message>
-    <message>
-        <source>At 0.5 °/s away and back: tracking error of a pass</source>
-        <translation>A 0,5 °/s e volta: erro de seguimento de uma passagem</translation>
-    </message>
-    <message>
         <source>Torque</source>
         <translation>Torque</translation>
     </message>
@@ -13323,14 +13351,6 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <translation>Mover o eixo</translation>
     </message>
     <message>
-        <source>Small swings at four frequencies: how fast the axis can follow</source>
-        <translation>Pequenas oscilações a quatro frequências: com que rapidez o eixo consegue seguir</translation>
-    </message>
-    <message>
-        <source>Very slowly to and fro: the backlash of the gear, from the torque</source>
-        <translation>Muito devagar para lá e para cá: a folga da engrenagem, a partir do binário</translation>
-    </message>
-    <message>
         <source>The run or its result</source>
         <translation>A medição ou o seu resultado</translation>
     </message>
@@ -13349,6 +13369,22 @@ Keep people and ropes clear of the antenna. STOP or any other command ends the r
         <translation>%1
 
 Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termina a medição.</translation>
+    </message>
+    <message>
+        <source>Moves 2° away and back. Shows overshoot and settling time</source>
+        <translation>Move 2° para lá e para cá. Mostra a ultrapassagem e o tempo até estabilizar</translation>
+    </message>
+    <message>
+        <source>Moves away and back at 0.5 °/s. Shows the tracking error of a pass</source>
+        <translation>Move para lá e para cá a 0,5 °/s. Mostra o erro de seguimento de uma passagem</translation>
+    </message>
+    <message>
+        <source>Swings a little at four frequencies. Shows how fast the axis can be</source>
+        <translation>Oscila um pouco em quatro frequências. Mostra quão rápido o eixo pode ser</translation>
+    </message>
+    <message>
+        <source>Moves very slowly to and fro. Finds the backlash of the gear by the torque</source>
+        <translation>Move muito devagar para lá e para cá. Encontra a folga da engrenagem pelo binário</translation>
     </message>
 </context>
 <context>
@@ -13406,14 +13442,6 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Usar</translation>
     </message>
     <message>
-        <source>The selected point stays in the list and does not count</source>
-        <translation>O ponto selecionado fica na lista e não conta</translation>
-    </message>
-    <message>
-        <source>The selected point counts again</source>
-        <translation>O ponto selecionado volta a contar</translation>
-    </message>
-    <message>
         <source>Type</source>
         <translation>Digitar</translation>
     </message>
@@ -13436,6 +13464,14 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     <message>
         <source>1 point finds the azimuth offset. 2 points also find the elevation offset. With 3 points or more the fit finds other terms.</source>
         <translation>1 ponto acha o desvio de azimute. 2 pontos acham também o desvio de elevação. Com 3 pontos ou mais o ajuste acha outros termos.</translation>
+    </message>
+    <message>
+        <source>Leave the selected point out of the fit. It stays in the list</source>
+        <translation>Deixar o ponto selecionado fora do ajuste. Fica na lista</translation>
+    </message>
+    <message>
+        <source>Use the selected point in the fit again</source>
+        <translation>Voltar a usar o ponto selecionado no ajuste</translation>
     </message>
 </context>
 <context>
@@ -14408,8 +14444,8 @@ el %2</translation>
         <translation>nada espera por uma reconexão</translation>
     </message>
     <message>
-        <source>The page Profile has an edit of the same list. Apply it or revert it first.</source>
-        <translation>A página Perfil tem uma edição da mesma lista. Aplique-a ou reverta-a primeiro.</translation>
+        <source>This list has edits on the page Profile that are not applied. Apply or revert them first.</source>
+        <translation>Esta lista tem edições não aplicadas na página Perfil. Aplique-as ou reverta-as primeiro.</translation>
     </message>
 </context>
 <context>
@@ -15411,10 +15447,6 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
         <translation>fica de fora, %1 nasce primeiro</translation>
     </message>
     <message>
-        <source>left out, %1 has the lower number</source>
-        <translation>fica de fora, %1 tem o número menor</translation>
-    </message>
-    <message>
         <source>tracked now</source>
         <translation>em seguimento</translation>
     </message>
@@ -15487,6 +15519,10 @@ Erro máximo: %6</translation>
     <message>
         <source>Rehearsed: within 3 dB for %1 of %2 s</source>
         <translation>Ensaio: dentro de 3 dB durante %1 de %2 s</translation>
+    </message>
+    <message>
+        <source>left out, %1 has the lower catalogue number</source>
+        <translation>fica de fora, %1 tem o número de catálogo menor</translation>
     </message>
 </context>
 <context>
@@ -15769,10 +15805,6 @@ Erro máximo: %6</translation>
         <translation>Agora não: %1</translation>
     </message>
     <message>
-        <source>True azimuth by the sensor, and how well it is known</source>
-        <translation>Azimute verdadeiro pelo sensor, e quão bem é conhecido</translation>
-    </message>
-    <message>
         <source>Change…</source>
         <translation>Mudar…</translation>
     </message>
@@ -15847,6 +15879,10 @@ Erro máximo: %6</translation>
     <message>
         <source>As text</source>
         <translation>Como texto</translation>
+    </message>
+    <message>
+        <source>True azimuth from the sensor and its uncertainty</source>
+        <translation>Azimute verdadeiro pelo sensor e a sua incerteza</translation>
     </message>
 </context>
 <context>
@@ -16609,10 +16645,6 @@ Em comparação com a montagem em uso:
         <translation>Seguir ficheiro…</translation>
     </message>
     <message>
-        <source>Follow the way that a file describes: a table with a time, an azimuth and an elevation in each line, or a CCSDS OEM</source>
-        <translation>Seguir o caminho que um ficheiro descreve: uma tabela com uma hora, um azimute e uma elevação em cada linha, ou um OEM do CCSDS</translation>
-    </message>
-    <message>
         <source>A satellite: 25544, iss
 A locator, by the short or the long path: IM58kr, IM58kr long
 A direction: azel 120.5,30
@@ -16645,6 +16677,10 @@ Um ficheiro com uma tabela, ou com um OEM: table /home/me/pass.csv</translation>
     <message>
         <source>Track the typed target, or go there if it does not move</source>
         <translation>Seguir o alvo escrito, ou ir para lá se não se mover</translation>
+    </message>
+    <message>
+        <source>Track the rows of a file: a table with a time, an azimuth and an elevation in each line, or a CCSDS OEM</source>
+        <translation>Seguir as linhas de um ficheiro: uma tabela com uma hora, um azimute e uma elevação em cada linha, ou um OEM do CCSDS</translation>
     </message>
 </context>
 <context>
@@ -16885,10 +16921,6 @@ Um ficheiro com uma tabela, ou com um OEM: table /home/me/pass.csv</translation>
         <translation>nada selecionado</translation>
     </message>
     <message>
-        <source>select where the axis stands first</source>
-        <translation>selecione primeiro onde está o eixo</translation>
-    </message>
-    <message>
         <source>read the question first</source>
         <translation>leia primeiro a pergunta</translation>
     </message>
@@ -16911,6 +16943,10 @@ Um ficheiro com uma tabela, ou com um OEM: table /home/me/pass.csv</translation>
     <message>
         <source>Boresight proposes %1. Look at the mount before you confirm it.</source>
         <translation>O Boresight propõe %1. Olhe para a montagem antes de confirmar.</translation>
+    </message>
+    <message>
+        <source>first select where the axis stands</source>
+        <translation>selecione primeiro onde está o eixo</translation>
     </message>
 </context>
 <context>
