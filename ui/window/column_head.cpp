@@ -58,8 +58,7 @@ int ColumnHead::heightOfAlarm() const
     return m_alarms.isHidden() ? 0 : m_alarms.heightForWidth(width()) + layout()->spacing();
 }
 
-// The fullest arrangement that the room without an alarm has place for. A mount without a sensor has the same room: an
-// alarm needs it.
+// The fullest arrangement that the room without an alarm has place for.
 void ColumnHead::arrange()
 {
     struct Arrangement
@@ -68,7 +67,7 @@ void ColumnHead::arrange()
         bool sensor;
     };
     const Numerals usual = numeralsFor(m_window);
-    const int sensor = m_sensor->sizeHint().height() + layout()->spacing();
+    const int sensor = m_sensor->isConfigured() ? m_sensor->sizeHint().height() + layout()->spacing() : 0;
     const int antenna = m_antenna->hasChoice() ? m_antenna->sizeHint().height() + layout()->spacing() : 0;
     const auto height = [&](const Arrangement& of) {
         return antenna + m_axes->sizeWith(of.numerals).height() + (of.sensor ? sensor : 0);
