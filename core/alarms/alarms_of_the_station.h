@@ -152,11 +152,10 @@ inline constexpr std::array kStationAlarms{
         .source = "station",
         .severity = Severity::Advisory,
         .what = QT_TRANSLATE_NOOP("Text", "This rotator has no watchdog of its own"),
-        .action = QT_TRANSLATE_NOOP("Text", "Boresight can stop it only through its line"),
+        .action = QT_TRANSLATE_NOOP("Text", "Boresight commands only small steps"),
         .remedy = QT_TRANSLATE_NOOP(
             "Text",
-            "Keep its power switch in reach. If Boresight or the cable fails, the rotator still goes on to its last "
-            "target")},
+            "Keep its power switch in reach. If Boresight or the cable fails, the rotator still ends its last step")},
     AlarmEntry{
         .id = "target.outside",
         .source = "target",

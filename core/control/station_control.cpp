@@ -506,7 +506,6 @@ void StationControl::moveOn(Seconds step)
     } else {
         m_motion.brake(step);  // one axis alone goes nowhere, nor does one that nobody sees
     }
-    m_mount.showWay(m_motion.freeWay());
     for (const Axis axis : kAxes) {
         m_mount.command(axis, m_motion.setpoint(axis));
     }

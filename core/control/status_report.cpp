@@ -211,7 +211,6 @@ AxisStatus StatusReport::axisStatus(Axis axis) const
     }
     fillTelemetry(status, report);
     status.power = report.power;
-    status.starts = report.starts;
     status.turnKnown = report.wrapKnown;
     status.stateText = axisText(axis, status.state, report);
     return status;

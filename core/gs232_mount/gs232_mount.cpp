@@ -22,28 +22,9 @@ constexpr Angle kFarthest = 12_deg;
 // Until the operator is told that nothing answers.
 constexpr std::chrono::seconds kPatience{3};
 
-// Beyond its dead band: the axis is not where its way was found to be free.
-constexpr Angle kAstray = 4_deg;
-
-// The whole degrees inside the travel; min > max if there is none.
-TravelRange countsIn(const TravelRange& travel)
+Angle wholeDegrees(Angle angle)
 {
-    constexpr double kRounding = 1e-6;  // degrees
-    return {.min = Angle::fromDegrees(std::ceil(travel.min.degrees() - kRounding)),
-            .max = Angle::fromDegrees(std::floor(travel.max.degrees() + kRounding))};
-}
-
-// The nearest place that the box can be sent to. At an end of the travel it is inside.
-Angle onCount(const TravelRange& travel, Angle angle)
-{
-    const TravelRange counts = countsIn(travel);
-    const Angle count = Angle::fromDegrees(std::round(angle.degrees()));
-    return count > counts.max ? counts.max : count < counts.min ? counts.min : count;
-}
-
-Angle angleOf(Axis axis, const AxisPosition& place)
-{
-    return axis == Axis::Azimuth ? place.azimuth : place.elevation;
+    return Angle::fromDegrees(std::round(angle.degrees()));
 }
 
 std::optional<AxisCapabilities> capabilitiesOf(const AxisSet& axes, Axis axis)
@@ -53,39 +34,19 @@ std::optional<AxisCapabilities> capabilitiesOf(const AxisSet& axes, Axis axis)
     return std::ranges::find(axes, axis) != axes.end() ? std::optional(kAxis) : std::nullopt;
 }
 
-// The box counts by itself, and its count is the angle of the axis. What the profile begins with are the motors of
-// another mount, and nobody's wish.
-Result<> countsAsTheBox(const profile::Profile& profile, Axis axis, const QString& table)
-{
-    const pointing::AxisGeometry& geometry = profile.axis(axis).geometry;
-    const pointing::AxisGeometry usual = profile::Profile().axis(axis).geometry;
-    const bool plain = geometry.sign == 1 && geometry.offset == Angle{};
-    if (plain || (geometry.sign == usual.sign && geometry.offset == usual.offset)) {
-        return {};
-    }
-    return failure(ErrorCode::Refused,
-                   Text::tr("This rotator counts its angles itself: %1.sign and %1.offset_deg have no "
-                            "effect on it. Set them to 1 and 0. Calibrate the count at its box.")
-                       .arg(table));
-}
-
 Result<> fits(const profile::Profile& profile, const Capabilities& capabilities, Axis axis)
 {
-    if (!capabilities.has(axis)) {
-        return {};
-    }
-    const QString table = axis == Axis::Azimuth ? QStringLiteral("azimuth") : QStringLiteral("elevation");
     const TravelRange& reach = axis == Axis::Azimuth ? kAzimuthReach : kElevationReach;
     const TravelRange& travel = profile.axis(axis).geometry.travel;
-    const TravelRange counts = countsIn(travel);
-    if (travel.min >= reach.min && travel.max <= reach.max && counts.min <= counts.max) {
-        return countsAsTheBox(profile, axis, table);
+    if (!capabilities.has(axis) || (travel.min >= reach.min && travel.max <= reach.max)) {
+        return {};
     }
     return failure(ErrorCode::Refused,
-                   Text::tr("The travel %1…%2 does not fit this rotator, which counts whole degrees of %3…%4. Change "
+                   Text::tr("The travel %1…%2 does not fit this rotator, which counts %3…%4. Change "
                             "%5.travel_min_deg and %5.travel_max_deg in the profile.")
-                       .arg(degreesText(travel.min, 1), degreesText(travel.max, 1), degreesText(reach.min, 0),
-                            degreesText(reach.max, 0), table));
+                       .arg(degreesText(travel.min, 0), degreesText(travel.max, 0), degreesText(reach.min, 0),
+                            degreesText(reach.max, 0),
+                            axis == Axis::Azimuth ? QStringLiteral("azimuth") : QStringLiteral("elevation")));
 }
 
 }  // namespace
@@ -139,7 +100,6 @@ AxisReport Gs232Mount::report(Axis axis) const
                       .underOrders = m_state.follows || m_state.wanted,
                       .wrapKnown = mine.filter.place().has_value()};
     report.heard = m_heard;
-    report.starts = mine.motor.starts(m_now);
     if (mine.filter.place()) {
         report.place = mine.filter.place();
         report.placed = mine.filter.placed();
@@ -155,7 +115,6 @@ void Gs232Mount::lineOpened()
     for (AxisOfBox& axis : m_axes) {
         axis.filter.forget();
         axis.watch.release();
-        axis.motor.stop();
     }
 }
 
@@ -190,7 +149,6 @@ void Gs232Mount::takePlaces(const Position& position)
         }
         if (mine.filter.place() && mine.filter.placed() == m_now) {
             mine.watch.place(*mine.filter.place(), m_now);
-            mine.motor.observe(*mine.filter.place(), mine.watch.moves(m_now), m_now);
         }
     }
 }
@@ -207,8 +165,7 @@ MountFindings Gs232Mount::supervise(const MountSituation& /*known*/)
             superviseAxis(axis, found);
         }
     }
-    m_state.rests = m_state.rests && stopping();
-    if (m_state.wanted && !m_state.follows && answers() && placed() && !m_state.rests) {
+    if (m_state.wanted && !m_state.follows && answers() && placed()) {
         begin();
     }
     return found;
@@ -269,7 +226,6 @@ void Gs232Mount::superviseAxis(Axis axis, MountFindings& found)
         case ObedienceWatch::Verdict::Obeys:
             break;
         case ObedienceWatch::Verdict::SendAgain:
-            of(axis).motor.send(*of(axis).filter.place(), *of(axis).ordered, m_now);
             sendOrdered();
             break;
         case ObedienceWatch::Verdict::Stuck:
@@ -302,7 +258,7 @@ void Gs232Mount::begin()
         AxisOfBox& mine = of(axis);
         mine.begins = true;
         mine.watch.release();
-        mine.ordered = m_capabilities.has(axis) ? mine.filter.place() : std::nullopt;
+        mine.ordered = m_capabilities.has(axis) ? std::optional(wholeDegrees(*mine.filter.place())) : std::nullopt;
     }
 }
 
@@ -317,7 +273,6 @@ void Gs232Mount::stop()
     for (const Axis axis : kAxes) {
         if (m_capabilities.has(axis)) {
             of(axis).watch.stopped(m_now);
-            of(axis).motor.stop();
         }
     }
 }
@@ -344,7 +299,8 @@ void Gs232Mount::brakeHard(bool hard)
 // It moves although it does not follow: what was ordered before goes on, or somebody stands at the box.
 void Gs232Mount::seize()
 {
-    if ((!m_state.follows || m_state.hard) && answers() && moves() && !stopping()) {
+    const auto isStopping = [this](Axis axis) { return of(axis).watch.stopping(); };
+    if ((!m_state.follows || m_state.hard) && answers() && moves() && std::ranges::none_of(kAxes, isStopping)) {
         stop();
     }
 }
@@ -365,114 +321,38 @@ void Gs232Mount::leave(profile::OnExit /*how*/)
     }
 }
 
-bool Gs232Mount::stopping() const
-{
-    return std::ranges::any_of(kAxes, [this](Axis axis) { return of(axis).watch.stopping(); });
-}
-
-// How far an axis may be from what it follows.
-Angle Gs232Mount::deadBand() const
-{
-    return std::max(m_profile->control.deadBandOf(m_profile->mount.beamWidth), 1_deg);
-}
-
 // Not farther than the axis needs to stop from there: it is permitted up to that point.
-Angle Gs232Mount::aimAtSetpoint(Axis axis) const
+Angle Gs232Mount::aimOf(Axis axis) const
 {
     const tracking::Setpoint& setpoint = of(axis).setpoint;
     const double rate = setpoint.rate.degrees();
     const double stopping = rate * rate / (2.0 * m_profile->axis(axis).limits.acceleration.degrees());
     const double ahead = std::min(std::abs(rate) * kAhead.count(), stopping);
+    const Angle aim = wholeDegrees(setpoint.position + Angle::fromDegrees(std::copysign(ahead, rate)));
     const auto& place = of(axis).filter.place();
-    const Angle aim = setpoint.position + Angle::fromDegrees(std::copysign(ahead, rate));
-    return onCount(travel(axis), place ? std::clamp(aim, *place - kFarthest, *place + kFarthest) : aim);
-}
-
-// To a place at once. What moves is waited for on its far side, where it passes through the beam.
-Angle Gs232Mount::aimOnWay(Axis axis) const
-{
-    const AxisOfBox& mine = of(axis);
-    const Angle end = angleOf(axis, m_way->end);
-    if (m_way->stands()) {
-        return onCount(travel(axis), end);
-    }
-    const Angle from = mine.motor.runs() || !mine.filter.place() ? mine.ordered.value_or(end) : *mine.filter.place();
-    if (abs(end - from) <= deadBand()) {
-        return mine.ordered.value_or(end);
-    }
-    const Angle way = angleOf(axis, m_way->ahead) - end;
-    return onCount(travel(axis), end + std::clamp(way, -deadBand(), deadBand()));
-}
-
-Angle Gs232Mount::aimOf(Axis axis) const
-{
-    return m_way ? aimOnWay(axis) : aimAtSetpoint(axis);
-}
-
-// The way is free for the set-points. An axis that is elsewhere, because it is faster or slower and its target was
-// changed, or that was sent to the end of a way that is not wanted any more, would be led through what nobody has
-// looked at, or back.
-bool Gs232Mount::strays(Axis axis) const
-{
-    const AxisOfBox& mine = of(axis);
-    const auto& place = mine.filter.place();
-    if (!m_capabilities.has(axis) || !place || !mine.motor.runs() || !mine.ordered) {
-        return false;
-    }
-    const Angle setpoint = mine.setpoint.position;
-    if (!m_way) {
-        return abs(*mine.ordered - aimAtSetpoint(axis)) > kAstray;
-    }
-    const Angle slack = deadBand() + kAstray;
-    const Angle end = angleOf(axis, m_way->end);
-    const bool onWay = *place >= std::min(setpoint, end) - slack && *place <= std::max(setpoint, end) + slack;
-    return !onWay && abs(*mine.ordered - end) > slack;
-}
-
-// It stops where it is, and the control plans from there.
-void Gs232Mount::takeOverAnew()
-{
-    stop();
-    m_state.follows = false;
-    m_state.rests = true;
+    return place ? std::clamp(aim, *place - kFarthest, *place + kFarthest) : aim;
 }
 
 void Gs232Mount::order()
 {
-    if (m_state.hard) {
-        return;
-    }
-    if (std::ranges::any_of(kAxes, [this](Axis axis) { return strays(axis); })) {
-        takeOverAnew();
-        return;
-    }
     bool changed = false;
     for (const Axis axis : kAxes) {
         AxisOfBox& mine = of(axis);
-        const Angle aim = aimOf(axis);
-        const Angle place = mine.filter.place().value_or(aim);
-        if (m_capabilities.has(axis) && aim != mine.ordered &&
-            mine.motor.maySend(place, aim, m_profile->control.startsPerMinute, m_now)) {
+        if (const Angle aim = aimOf(axis); m_capabilities.has(axis) && aim != mine.ordered) {
             mine.ordered = aim;
-            mine.motor.send(place, aim, m_now);
             changed = true;
         }
     }
-    if (changed) {
+    if (changed && !m_state.hard) {
         sendOrdered();
     }
 }
 
-// An axis that this mount does not turn is sent to where it stands. So is one that has arrived: to name its target
-// again would start its motor for the last degree.
+// An axis that this mount does not turn is sent to where it stands.
 void Gs232Mount::sendOrdered()
 {
     const auto target = [this](Axis axis) {
-        const AxisOfBox& mine = of(axis);
-        const Angle place = mine.filter.place().value_or(Angle{});
-        const Angle wanted = mine.ordered.value_or(place);
-        const bool arrived = !mine.motor.runs() && abs(wanted - place) <= SwitchedMotor::kThere;
-        return arrived ? place : wanted;
+        return of(axis).ordered.value_or(of(axis).filter.place().value_or(Angle{}));
     };
     const std::optional<std::string> command =
         m_capabilities.has(Axis::Elevation)

@@ -5,7 +5,6 @@
 #include "core/gs232_mount/box_talk.h"
 #include "core/gs232_mount/obedience_watch.h"
 #include "core/gs232_mount/place_filter.h"
-#include "core/gs232_mount/switched_motor.h"
 #include "core/mount/mount_driver.h"
 #include "core/profile/in_force.h"
 
@@ -15,10 +14,9 @@
 #include <string_view>
 
 // A GS-232 box behind the port of the mount: whole degrees, one speed, no rates, no watchdog. The box runs to where it
-// is sent by itself, and each start wears a relay. So it is sent to the end of a free way at once, and follows a path
-// in steps of its dead band. Without a free way it is sent only as far ahead of a set-point as that needs to stop: what
-// lies beyond may be forbidden. It is sent elsewhere only when the whole degree changes, so taking it over moves
-// nothing. No I/O: bytes and time are passed in. Station thread only. Mechanical angles are those that the box counts.
+// is sent by itself, so it is sent only as far ahead of a set-point as that needs to stop: what lies beyond may be
+// forbidden. It is sent elsewhere only when the whole degree changes, so taking it over moves nothing. No I/O: bytes
+// and time are passed in. Station thread only. Mechanical angles are those that the box counts.
 namespace boresight::gs232 {
 
 class Gs232Mount final : public MountDriver
@@ -57,7 +55,6 @@ public:
     void engage() override { m_state.wanted = !m_state.lost; }
     [[nodiscard]] std::optional<Angle> takeFollowing(Axis axis) override;
     void command(Axis axis, const tracking::Setpoint& setpoint) override { of(axis).setpoint = setpoint; }
-    void showWay(const std::optional<tracking::FreeWay>& way) override { m_way = way; }
     void brakeHard(bool hard) override;
     void seize() override;
     void recover() override { m_state.lost = false; }
@@ -70,7 +67,6 @@ private:
     {
         PlaceFilter filter;
         ObedienceWatch watch;
-        SwitchedMotor motor;
         std::optional<PlaceFilter::Jump> jump;  // not reported yet
         tracking::Setpoint setpoint{};
         std::optional<Angle> ordered;  // whole degrees; where it was sent last, or stood when it was taken over
@@ -83,7 +79,6 @@ private:
         bool lost = false;    // nothing moves before recover()
         bool silent = false;  // it answered, and does not any more
         bool hard = false;    // behind STOP
-        bool rests = false;   // to be taken over only when it stands
     };
 
     [[nodiscard]] AxisOfBox& of(Axis axis) { return m_axes[index(axis)]; }
@@ -91,13 +86,7 @@ private:
     [[nodiscard]] bool answers() const { return m_lineOpen && m_heard && m_now - *m_heard <= kSilence; }
     [[nodiscard]] bool placed() const;
     [[nodiscard]] bool moves() const;
-    [[nodiscard]] const TravelRange& travel(Axis axis) const { return m_profile->axis(axis).geometry.travel; }
-    [[nodiscard]] Angle deadBand() const;
-    [[nodiscard]] bool stopping() const;
-    [[nodiscard]] bool strays(Axis axis) const;
     [[nodiscard]] Angle aimOf(Axis axis) const;
-    [[nodiscard]] Angle aimOnWay(Axis axis) const;
-    [[nodiscard]] Angle aimAtSetpoint(Axis axis) const;
     void takePlaces(const Position& position);
     void beginSilence(MountFindings& found);
     void showNoAnswer();
@@ -106,7 +95,6 @@ private:
     void begin();
     void stop();
     void letGo();
-    void takeOverAnew();
     void order();
     void sendOrdered();
 
@@ -118,7 +106,6 @@ private:
     BoxTalk m_talk;
     std::array<AxisOfBox, 2> m_axes;
     State m_state;
-    std::optional<tracking::FreeWay> m_way;
     std::optional<SteadyTime> m_heard;   // an answer
     std::optional<SteadyTime> m_opened;  // the line
     bool m_lineOpen = false;

@@ -166,7 +166,6 @@ std::optional<tracking::MovingTarget> Motion::movingTarget(SteadyTime now) const
 
 void Motion::advance(SteadyTime now, Seconds step)
 {
-    m_way.free.reset();
     if (const auto target = movingTarget(now)) {
         driveTo(*target, now, step);
     } else if (const auto* const rates = std::get_if<AxisRates>(&m_wanted)) {
@@ -205,7 +204,7 @@ void Motion::driveTo(const tracking::MovingTarget& target, SteadyTime now, Secon
         return;
     }
     if (!m_axes.enforced() || region().permits(AxisBox::between(place(), goal->position))) {
-        m_way = {.free = freeWayTo(*goal)};
+        m_way = {};
         stepTo(*goal, step);
         return;
     }
@@ -217,30 +216,7 @@ void Motion::driveTo(const tracking::MovingTarget& target, SteadyTime now, Secon
     while (m_way.legs.size() > 1 && region().permits(AxisBox::between(place(), m_way.legs[1]))) {
         m_way.legs.erase(m_way.legs.begin());
     }
-    m_way.free = freeWayTo({.position = m_way.legs.front(), .rates = {}, .streaming = false});
     m_axes.step(step, {.target = m_way.legs.front().azimuth}, {.target = m_way.legs.front().elevation});
-}
-
-// What is followed goes on straight for some seconds: as far ahead as all of that is permitted.
-std::optional<tracking::FreeWay> Motion::freeWayTo(const tracking::MovingTarget& goal) const
-{
-    if (!m_axes.enforced()) {
-        return std::nullopt;
-    }
-    const AxisBox direct = AxisBox::between(place(), goal.position);
-    for (const double seconds : {20.0, 10.0, 5.0, 2.0}) {
-        const AxisPosition ahead{.azimuth = goal.position.azimuth + goal.rates.azimuth * Seconds(seconds),
-                                 .elevation = goal.position.elevation + goal.rates.elevation * Seconds(seconds)};
-        const AxisBox box{.azimuth = {.min = std::min(direct.azimuth.min, ahead.azimuth),
-                                      .max = std::max(direct.azimuth.max, ahead.azimuth)},
-                          .elevation = {.min = std::min(direct.elevation.min, ahead.elevation),
-                                        .max = std::max(direct.elevation.max, ahead.elevation)}};
-        if (region().permits(box)) {
-            return tracking::FreeWay{.end = goal.position, .ahead = ahead};
-        }
-    }
-    return region().permits(direct) ? std::optional(tracking::FreeWay{.end = goal.position, .ahead = goal.position})
-                                    : std::nullopt;
 }
 
 void Motion::stepTo(const tracking::MovingTarget& goal, Seconds step)
@@ -278,7 +254,6 @@ Result<std::vector<AxisPosition>> Motion::route(const AxisPosition& from, const 
 
 void Motion::brake(Seconds step)
 {
-    m_way.free.reset();
     const auto braking = [this](std::size_t axis) {
         return AxisWish{.braking = m_hardBraking ? std::optional(m_hardest[axis]) : std::nullopt};
     };

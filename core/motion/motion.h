@@ -6,7 +6,6 @@
 #include "core/messages/capabilities.h"
 #include "core/motion/guarded_axes.h"
 #include "core/profile/profile.h"
-#include "core/tracking/free_way.h"
 #include "core/tracking/target_stream.h"
 #include "core/units/sky.h"
 
@@ -62,8 +61,6 @@ public:
     // Moves the set-points on to `now`, `step` after the previous call.
     void advance(SteadyTime now, Seconds step);
 
-    // Where the rotator may go by itself after this step. Empty: nowhere but along the set-points.
-    [[nodiscard]] const std::optional<tracking::FreeWay>& freeWay() const { return m_way.free; }
     [[nodiscard]] const tracking::Setpoint& setpoint(Axis axis) const { return m_axes.setpoint(axis); }
     [[nodiscard]] AxisPosition place() const { return m_axes.place(); }      // of the set-points
     [[nodiscard]] std::optional<AxisPosition> target(SteadyTime now) const;  // empty while resting or running
@@ -108,14 +105,12 @@ private:
         QString obstacle;  // why there is none
         std::optional<AxisPosition> end;
         SteadyTime planned{};
-        std::optional<tracking::FreeWay> free;  // in this step
     };
 
     [[nodiscard]] std::optional<tracking::MovingTarget> movingTarget(SteadyTime now) const;
     [[nodiscard]] std::optional<tracking::MovingTarget> permitted(const tracking::MovingTarget& target);
     void driveTo(const tracking::MovingTarget& target, SteadyTime now, Seconds step);
     void stepTo(const tracking::MovingTarget& goal, Seconds step);
-    [[nodiscard]] std::optional<tracking::FreeWay> freeWayTo(const tracking::MovingTarget& goal) const;
     void planTo(const AxisPosition& end, SteadyTime now);
     void forgetWay();
 

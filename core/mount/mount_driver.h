@@ -7,7 +7,6 @@
 #include "core/mount/mount_report.h"
 #include "core/profile/profile.h"
 #include "core/tracking/axis_profile.h"
-#include "core/tracking/free_way.h"
 #include "core/units/sky.h"
 
 #include <QString>
@@ -56,8 +55,6 @@ public:
     // The place of an axis that has begun to follow in this tick, once: its first set-point must be there.
     [[nodiscard]] virtual std::optional<Angle> takeFollowing(Axis axis) = 0;
     virtual void command(Axis axis, const tracking::Setpoint& setpoint) = 0;
-    // Before the set-points of a tick. Empty: nothing but the set-points is permitted. Who follows them need not know.
-    virtual void showWay(const std::optional<tracking::FreeWay>& /*way*/) {}
     virtual void brakeHard(bool hard) = 0;  // the set-points brake as hard as the mount can
     virtual void seize() = 0;               // stops what an axis does without our orders
     virtual void recover() = 0;             // clears faults and time-outs; moves nothing

@@ -120,13 +120,9 @@ struct ControlSettings
     Arrival arrival = Arrival::Separate;
     AfterStall afterStall = AfterStall::Resume;
     OnExit onExit = OnExit::Hold;
-    Angle deadBand{};          // of a motor that is only switched on and off; 0: half the beam width
-    int startsPerMinute = 20;  // at most, of such a motor
     Angle driveLimitMargin = Angle::fromDegrees(3.0);  // of the drives' own position bounds beyond the travel
 
     [[nodiscard]] Seconds tickPeriod() const { return Seconds(1.0 / tickHz); }
-    // How far such a motor may be from what it follows before it is started.
-    [[nodiscard]] Angle deadBandOf(Angle beamWidth) const { return deadBand > Angle{} ? deadBand : beamWidth / 2.0; }
     bool operator==(const ControlSettings&) const = default;
 };
 

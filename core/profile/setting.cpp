@@ -182,21 +182,6 @@ void addControl(std::vector<Setting>& list)
              "How the axes arrive at the end of a slew. \"separate\": each axis arrives as soon as it can. "
              "\"together\": the faster axis slows down so that both arrive at the same time.")},
         [](auto& p) -> auto& { return p.control.arrival; }));
-    list.push_back(number(
-        "control.dead_band_deg", "°", {0.0, 45.0}, Applies::Now,
-        {QT_TRANSLATE_NOOP("Text", "Dead band of switched motors"),
-         QT_TRANSLATE_NOOP(
-             "Text",
-             "A rotator whose motors have no speed control starts only when it is this far from what it follows. 0 "
-             "means half the beam width. Less than one step of the rotator counts as one step.")},
-        [](auto& p) -> auto& { return p.control.deadBand; }));
-    list.push_back(integer(
-        "control.starts_per_minute", "", {1, 120}, Applies::Now,
-        {QT_TRANSLATE_NOOP("Text", "Motor starts per minute"),
-         QT_TRANSLATE_NOOP(
-             "Text",
-             "Most starts of a motor without speed control in one minute, for each axis. Each start wears its relay.")},
-        [](auto& p) -> auto& { return p.control.startsPerMinute; }));
     list.push_back(choice(
         "control.after_stall", {"resume", "wait"}, Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "After a stall"),
