@@ -33,7 +33,7 @@ using MotionRequests =
                 request::Unwind, request::Trial, request::FollowAzel, request::FollowPosition>;
 
 // What reaches a source from outside: a look at azel.dat, a report of what flies.
-using SourceNews = std::variant<azel::AzelReading, Result<position::PositionText>>;
+using SourceReport = std::variant<azel::AzelReading, Result<position::PositionText>>;
 
 class MotionSource
 {
@@ -49,8 +49,8 @@ public:
     virtual void describe(StationStatus& /*status*/) const {}
     // Once in a tick, before the set-points move on.
     virtual void step(SteadyTime /*now*/) {}
-    // News for this source or for another one. The error says why they are not believed.
-    virtual Result<> hear(const SourceNews& /*news*/) { return {}; }
+    // For this source or for another one. The error says why it is not believed.
+    virtual Result<> receive(const SourceReport& /*report*/) { return {}; }
     virtual void profileChanged(const profile::Profile& /*before*/, const profile::Profile& /*after*/) {}
     // This client is gone for good.
     virtual void gone(const Source& /*client*/) {}

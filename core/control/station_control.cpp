@@ -152,11 +152,11 @@ void StationControl::stepSources()
     }
 }
 
-Result<> StationControl::hear(const SourceNews& news)
+Result<> StationControl::receive(const SourceReport& received)
 {
     Result<> believed;
     for (const auto& one : m_sources) {
-        believed = believed.and_then([&] { return one->hear(news); });
+        believed = believed.and_then([&] { return one->receive(received); });
     }
     return believed;
 }

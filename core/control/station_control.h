@@ -145,7 +145,7 @@ public:
     // Where a sensor measures the main beam. It counts only when the wrap is asked for.
     void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation);
     // For the source of motion that waits for it. The error says why it is not believed.
-    Result<> hear(const SourceNews& news);
+    Result<> receive(const SourceReport& received);
 
 private:
     Result<> handle(const request::Hold& wanted, const Source& source);

@@ -40,6 +40,7 @@ void Gs232Box::moveOn(SteadyTime now)
     for (Motor& motor : m_axes) {
         run(motor, time);
     }
+    m_shown = m_faults.stuckMeter ? m_shown : truth();
 }
 
 // The relay opens as soon as the potentiometer shows the degree of the target. Then the motor coasts.
@@ -91,7 +92,9 @@ void Gs232Box::take(std::string_view bytes, SteadyTime now)
 
 void Gs232Box::obey(const std::string& command, SteadyTime now)
 {
-    if (const auto answer = query(command)) {
+    if (m_faults.refuses) {
+        reply("?>\r\n", now);
+    } else if (const auto answer = query(command)) {
         const bool half = m_faults.halfLines && ++m_questions % 2 == 0;
         reply(half ? answer->substr(0, answer->size() / 2) : *answer + "\r\n", now);
     } else if (!move(command)) {
@@ -107,8 +110,8 @@ void Gs232Box::obey(const std::string& command, SteadyTime now)
 std::optional<std::string> Gs232Box::query(const std::string& command) const
 {
     const bool a = m_habits.dialect == Dialect::A;
-    const std::string azimuth = (a ? "+0" : "AZ=") + threeDigits(m_axes[0].place + m_faults.offset);
-    const std::string elevation = (a ? "+0" : "EL=") + threeDigits(m_axes[1].place);
+    const std::string azimuth = (a ? "+0" : "AZ=") + threeDigits(m_shown.azimuth + m_faults.offset);
+    const std::string elevation = (a ? "+0" : "EL=") + threeDigits(m_shown.elevation);
     if (command == "C") {
         return azimuth;
     }

@@ -42,6 +42,8 @@ public:
         bool echoes = false;      // sends back what it receives
         bool halfLines = false;   // each second answer to a question is cut in the middle
         bool frozen = false;      // the motors stand, whatever the relays do
+        bool refuses = false;     // whatever it is asked
+        bool stuckMeter = false;  // the potentiometers show what they showed before
         bool stuckRelay = false;  // a stop does not open the relays
         Angle offset{};           // of what the potentiometer of the azimuth reports
     };
@@ -91,6 +93,7 @@ private:
     Habits m_habits;
     Faults m_faults;
     std::array<Motor, 2> m_axes;
+    AxisPosition m_shown = truth();  // by the potentiometers
     bool m_powered = true;
     std::string m_line;
     std::deque<Due> m_due;

@@ -27,6 +27,22 @@ Angle wholeDegrees(Angle angle)
     return Angle::fromDegrees(std::round(angle.degrees()));
 }
 
+// The whole degrees inside the travel; min > max if there is none.
+TravelRange countsIn(const TravelRange& travel)
+{
+    constexpr double kRounding = 1e-6;  // degrees
+    return {.min = Angle::fromDegrees(std::ceil(travel.min.degrees() - kRounding)),
+            .max = Angle::fromDegrees(std::floor(travel.max.degrees() + kRounding))};
+}
+
+// The nearest place that the box can be sent to. From inside the travel it is inside.
+Angle onCount(const TravelRange& travel, Angle angle)
+{
+    const TravelRange counts = countsIn(travel);
+    const bool isInside = angle >= travel.min && angle <= travel.max;
+    return isInside ? std::clamp(wholeDegrees(angle), counts.min, counts.max) : wholeDegrees(angle);
+}
+
 std::optional<AxisCapabilities> capabilitiesOf(const AxisSet& axes, Axis axis)
 {
     constexpr AxisCapabilities kAxis{
@@ -34,19 +50,39 @@ std::optional<AxisCapabilities> capabilitiesOf(const AxisSet& axes, Axis axis)
     return std::ranges::find(axes, axis) != axes.end() ? std::optional(kAxis) : std::nullopt;
 }
 
-Result<> fits(const profile::Profile& profile, const Capabilities& capabilities, Axis axis)
+// The box counts by itself, and its count is the angle of the axis. A new profile has the sign and the offset of
+// another mount.
+Result<> countsAsTheBox(const profile::Profile& profile, Axis axis, const QString& table)
 {
-    const TravelRange& reach = axis == Axis::Azimuth ? kAzimuthReach : kElevationReach;
-    const TravelRange& travel = profile.axis(axis).geometry.travel;
-    if (!capabilities.has(axis) || (travel.min >= reach.min && travel.max <= reach.max)) {
+    const pointing::AxisGeometry& geometry = profile.axis(axis).geometry;
+    const pointing::AxisGeometry usual = profile::Profile().axis(axis).geometry;
+    const bool plain = geometry.sign == 1 && geometry.offset == Angle{};
+    if (plain || (geometry.sign == usual.sign && geometry.offset == usual.offset)) {
         return {};
     }
     return failure(ErrorCode::Refused,
-                   Text::tr("The travel %1…%2 does not fit this rotator, which counts %3…%4. Change "
+                   Text::tr("This rotator counts its angles itself: %1.sign and %1.offset_deg have no "
+                            "effect on it. Set them to 1 and 0, and calibrate the count at its box.")
+                       .arg(table));
+}
+
+Result<> fits(const profile::Profile& profile, const Capabilities& capabilities, Axis axis)
+{
+    if (!capabilities.has(axis)) {
+        return {};
+    }
+    const QString table = axis == Axis::Azimuth ? QStringLiteral("azimuth") : QStringLiteral("elevation");
+    const TravelRange& reach = axis == Axis::Azimuth ? kAzimuthReach : kElevationReach;
+    const TravelRange& travel = profile.axis(axis).geometry.travel;
+    const TravelRange counts = countsIn(travel);
+    if (travel.min >= reach.min && travel.max <= reach.max && counts.min <= counts.max) {
+        return countsAsTheBox(profile, axis, table);
+    }
+    return failure(ErrorCode::Refused,
+                   Text::tr("The travel %1…%2 does not fit this rotator, which counts whole degrees of %3…%4. Change "
                             "%5.travel_min_deg and %5.travel_max_deg in the profile.")
-                       .arg(degreesText(travel.min, 0), degreesText(travel.max, 0), degreesText(reach.min, 0),
-                            degreesText(reach.max, 0),
-                            axis == Axis::Azimuth ? QStringLiteral("azimuth") : QStringLiteral("elevation")));
+                       .arg(degreesText(travel.min, 1), degreesText(travel.max, 1), degreesText(reach.min, 0),
+                            degreesText(reach.max, 0), table));
 }
 
 }  // namespace
@@ -328,9 +364,10 @@ Angle Gs232Mount::aimOf(Axis axis) const
     const double rate = setpoint.rate.degrees();
     const double stopping = rate * rate / (2.0 * m_profile->axis(axis).limits.acceleration.degrees());
     const double ahead = std::min(std::abs(rate) * kAhead.count(), stopping);
-    const Angle aim = wholeDegrees(setpoint.position + Angle::fromDegrees(std::copysign(ahead, rate)));
+    const Angle aim = setpoint.position + Angle::fromDegrees(std::copysign(ahead, rate));
     const auto& place = of(axis).filter.place();
-    return place ? std::clamp(aim, *place - kFarthest, *place + kFarthest) : aim;
+    return onCount(m_profile->axis(axis).geometry.travel,
+                   place ? std::clamp(aim, *place - kFarthest, *place + kFarthest) : aim);
 }
 
 void Gs232Mount::order()

@@ -59,7 +59,10 @@ void LocalConversation::end(const LocalAnswer& answer)
     }
     m_over = true;
     m_patience.start();
-    connect(&m_socket, &QLocalSocket::bytesWritten, this, &LocalConversation::closeOurEnd);
+    connect(&m_socket, &QLocalSocket::bytesWritten, this, [this] {
+        m_reads = true;
+        closeOurEnd();
+    });
     m_socket.write(answerText(answer));
     m_socket.flush();
     closeOurEnd();
@@ -69,7 +72,6 @@ void LocalConversation::end(const LocalAnswer& answer)
 // time.
 void LocalConversation::closeOurEnd()
 {
-    m_reads = true;
     if (m_socket.bytesToWrite() == 0 && m_socket.isValid()) {  // the client is still there
         ::shutdown(static_cast<int>(m_socket.socketDescriptor()), SHUT_WR);
         m_socket.readAll();

@@ -26,9 +26,9 @@ const Source& azelSource()
 
 }  // namespace
 
-Result<> AzelFollow::hear(const SourceNews& news)
+Result<> AzelFollow::receive(const SourceReport& report)
 {
-    if (const auto* const reading = std::get_if<azel::AzelReading>(&news)) {
+    if (const auto* const reading = std::get_if<azel::AzelReading>(&report)) {
         const Clock& clock = helm().view().clock;
         m_feed.take(*reading, clock.now(), clock.utc());
     }

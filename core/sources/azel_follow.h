@@ -22,7 +22,7 @@ public:
     Result<> ask(const request::FollowAzel& wanted, const Source& by);
     void step(SteadyTime now) override;
     void describe(StationStatus& status) const override;
-    Result<> hear(const SourceNews& news) override;
+    Result<> receive(const SourceReport& report) override;
 
 private:
     struct Target

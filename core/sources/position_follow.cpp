@@ -30,9 +30,9 @@ position::FeedLimits limitsOf(const profile::PositionSettings& settings)
 
 }  // namespace
 
-Result<> PositionFollow::hear(const SourceNews& news)
+Result<> PositionFollow::receive(const SourceReport& report)
 {
-    const auto* const read = std::get_if<Result<position::PositionText>>(&news);
+    const auto* const read = std::get_if<Result<position::PositionText>>(&report);
     if (!read) {
         return {};
     }

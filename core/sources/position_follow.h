@@ -21,7 +21,7 @@ public:
     Result<> ask(const request::FollowPosition& wanted, const Source& by);
     void step(SteadyTime now) override;
     void describe(StationStatus& status) const override;
-    Result<> hear(const SourceNews& news) override;
+    Result<> receive(const SourceReport& report) override;
     void profileChanged(const profile::Profile& before, const profile::Profile& after) override;
 
 private:

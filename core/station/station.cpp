@@ -94,9 +94,9 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
     connect(&m_elements, &StationElements::changed, this, [this] { m_night.setSatellites(m_elements.satellites()); });
     connect(&m_power, &StationPower::received, this, [this](const power::Value& value) { m_calibration.take(value); });
     connect(&m_azel, &StationAzel::looked, this,
-            [this](const azel::AzelReading& reading) { (void)m_control.hear(reading); });
+            [this](const azel::AzelReading& reading) { (void)m_control.receive(reading); });
     connect(&m_position, &StationPosition::received, this, [this](const Result<position::PositionText>& read) {
-        if (const Result<> taken = m_control.hear(read); !taken) {
+        if (const Result<> taken = m_control.receive(read); !taken) {
             m_position.tellRefused(taken.error());
         }
     });

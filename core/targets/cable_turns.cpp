@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/targets/cable_turns.h"
 
-#include "core/pointing/permitted_region.h"
+#include "core/pointing/ranges.h"
 #include "core/tracking/cable_room.h"
 
 #include <algorithm>
@@ -105,16 +105,14 @@ MountReach reachOf(const profile::Profile& profile, const pointing::Antenna& ant
     const pointing::PointingModel pointing(profile.termsOf(antenna));
     const pointing::AxisGeometry& azimuth = profile.azimuth.geometry;
     const pointing::AxisGeometry& elevation = profile.elevation.geometry;
-    const pointing::AxisBox ranges =
-        pointing::PermittedRegion(profile.limits, azimuth.travel, elevation.travel, pointing).ranges();
     MountReach reach{.model = pointing::MountModel(azimuth, elevation, pointing),
-                     .azimuths = ranges.azimuth,
-                     .elevations = ranges.elevation,
+                     .azimuths = pointing::common(profile.limits.azimuth, azimuth.travel),
+                     .elevations = pointing::common(profile.limits.elevation, elevation.travel),
                      .turning = profile.azimuth.limits};
     if (const auto missing = profile.missing()) {
         reach.model.leaveOut(*missing);
     }
-    reach.model.limitTo(ranges.azimuth, ranges.elevation);
+    reach.model.limitTo(reach.azimuths, reach.elevations);
     return reach;
 }
 
@@ -135,6 +133,8 @@ CableTurns cableTurns(const std::vector<SkyMoment>& way, const MountReach& reach
         const CableTurns found = turnsFrom(place, way, reach);
         worst = std::tie(found.lost, found.turns) > std::tie(worst.lost, worst.turns) ? found : worst;
     }
+    worst.hasRoom = false;
+    worst.hasGap = reach.azimuths.max - reach.azimuths.min < pointing::kFullTurn - kAtTheRim;
     worst.fitsOverTheTop = worst.lost > Seconds(0.0) && fitsOverTheTop(way, reach);
     return worst;
 }

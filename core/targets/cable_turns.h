@@ -27,7 +27,9 @@ struct MountReach
 
 struct CableTurns
 {
-    int turns = 0;                // back, within the way; 0: a wrap has room for all of it
+    bool hasRoom = true;          // on one wrap, for all of the way
+    bool hasGap = false;          // and there is none because the mount turns less than 360°
+    int turns = 0;                // back, within the way
     Seconds lost{0.0};            // of what the limits do not hide, at most: it depends on where the mount comes from
     bool fitsOverTheTop = false;  // with elevations above 90° the mount would lose nothing
 

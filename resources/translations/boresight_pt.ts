@@ -540,7 +540,7 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     </message>
     <message>
         <source>%1 d, too old</source>
-        <translation>%1 d, velhos de mais</translation>
+        <translation>%1 d, demasiado antigos</translation>
     </message>
     <message>
         <source>%1 d</source>
@@ -548,7 +548,7 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     </message>
     <message>
         <source>%1 or flip</source>
-        <translation>%1 ou zénite</translation>
+        <translation>%1 ou inverter</translation>
     </message>
     <message>
         <source>unwraps the cable, which loses %1. Over the top nothing is lost</source>
@@ -577,6 +577,10 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <message>
         <source>Over the top nothing is lost. Only a client that sends elevations above 90° goes there.</source>
         <translation>Pelo outro lado do zénite nada se perde. Só vai por aí um cliente que envie elevações acima de 90°.</translation>
+    </message>
+    <message>
+        <source>The azimuth turns less than 360°, so the mount does not follow all of the pass.</source>
+        <translation>O azimute roda menos de 360°, por isso a montagem não segue toda a passagem.</translation>
     </message>
 </context>
 <context>
@@ -9020,36 +9024,8 @@ até %1</translation>
         <translation>Verifique a porta e a velocidade (bus.name, bus.baud). Depois prima Reconectar</translation>
     </message>
     <message>
-        <source>Boresight can stop it only through its line</source>
-        <translation>O Boresight só o consegue parar através da sua linha</translation>
-    </message>
-    <message>
-        <source>Keep its power switch in reach. If Boresight or the cable fails, the rotator still goes on to its last target</source>
-        <translation>Mantenha o interruptor ao alcance. Se o Boresight ou o cabo falhar, o rotor continua até ao último alvo</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; and azimuth.driver &quot;%2&quot; need two buses, and bus.name names only one. Choose one driver for both axes, or &quot;none&quot; for one of them.</source>
         <translation>&quot;%1&quot; e azimuth.driver &quot;%2&quot; precisam de dois barramentos, e bus.name indica apenas um. Escolha o mesmo driver para os dois eixos, ou &quot;none&quot; para um deles.</translation>
-    </message>
-    <message>
-        <source>Dead band of switched motors</source>
-        <translation>Banda morta de motores comutados</translation>
-    </message>
-    <message>
-        <source>A rotator whose motors have no speed control starts only when it is this far from what it follows. 0 means half the beam width. Less than one step of the rotator counts as one step.</source>
-        <translation>Um rotor cujos motores não têm controlo de velocidade só arranca quando está a esta distância do que segue. 0 significa metade da largura do feixe. Menos do que um passo do rotor conta como um passo.</translation>
-    </message>
-    <message>
-        <source>Motor starts per minute</source>
-        <translation>Arranques do motor por minuto</translation>
-    </message>
-    <message>
-        <source>Most starts of a motor without speed control in one minute, for each axis. Each start wears its relay.</source>
-        <translation>Máximo de arranques de um motor sem controlo de velocidade num minuto, para cada eixo. Cada arranque desgasta o seu relé.</translation>
-    </message>
-    <message>
-        <source>This rotator counts its angles itself: %1.sign and %1.offset_deg have no effect on it. Set them to 1 and 0. Calibrate the count at its box.</source>
-        <translation>Este rotor conta ele próprio os seus ângulos: %1.sign e %1.offset_deg não têm efeito nele. Defina-os como 1 e 0. Calibre a contagem na sua caixa.</translation>
     </message>
     <message>
         <source>The travel %1…%2 does not fit this rotator, which counts whole degrees of %3…%4. Change %5.travel_min_deg and %5.travel_max_deg in the profile.</source>
@@ -9166,6 +9142,18 @@ até %1</translation>
     <message>
         <source>The axis follows swings up to %1 Hz.</source>
         <translation>O eixo acompanha oscilações até %1 Hz.</translation>
+    </message>
+    <message>
+        <source>Boresight commands only small steps</source>
+        <translation>O Boresight comanda só pequenos passos</translation>
+    </message>
+    <message>
+        <source>Keep its power switch in reach. If Boresight or the cable fails, the rotator still ends its last step</source>
+        <translation>Tenha o interruptor de alimentação ao alcance. Se o Boresight ou o cabo falhar, o rotor ainda termina o último passo</translation>
+    </message>
+    <message>
+        <source>This rotator counts its angles itself: %1.sign and %1.offset_deg have no effect on it. Set them to 1 and 0, and calibrate the count at its box.</source>
+        <translation>Este rotor conta ele próprio os seus ângulos: %1.sign e %1.offset_deg não têm efeito nele. Ponha-os a 1 e 0 e calibre a contagem na sua caixa.</translation>
     </message>
 </context>
 <context>
@@ -9804,12 +9792,6 @@ velocidade %1</translation>
     <message>
         <source>the cable wrap is unknown</source>
         <translation>a volta é desconhecida</translation>
-    </message>
-    <message>
-        <source>
-motor starts %1, in the last minute %2</source>
-        <translation>
-arranques do motor %1, no último minuto %2</translation>
     </message>
 </context>
 <context>
@@ -13379,12 +13361,12 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>Move para lá e para cá a 0,5 °/s. Mostra o erro de seguimento de uma passagem</translation>
     </message>
     <message>
-        <source>Swings a little at four frequencies. Shows how fast the axis can be</source>
-        <translation>Oscila um pouco em quatro frequências. Mostra quão rápido o eixo pode ser</translation>
-    </message>
-    <message>
         <source>Moves very slowly to and fro. Finds the backlash of the gear by the torque</source>
         <translation>Move muito devagar para lá e para cá. Encontra a folga da engrenagem pelo binário</translation>
+    </message>
+    <message>
+        <source>Swings a little at four frequencies. Shows the highest one that the axis follows</source>
+        <translation>Oscila um pouco a quatro frequências. Mostra a mais alta que o eixo segue</translation>
     </message>
 </context>
 <context>
@@ -13803,10 +13785,6 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
         <translation>LOS, quando se põe</translation>
     </message>
     <message>
-        <source>its elevation then</source>
-        <translation>a sua elevação nessa altura</translation>
-    </message>
-    <message>
         <source>from rise to set</source>
         <translation>de nascer a pôr-se</translation>
     </message>
@@ -13825,6 +13803,10 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     <message>
         <source>age of its elements in days</source>
         <translation>idade dos seus elementos em dias</translation>
+    </message>
+    <message>
+        <source>the highest elevation of the pass</source>
+        <translation>a elevação mais alta da passagem</translation>
     </message>
 </context>
 <context>
@@ -13946,6 +13928,10 @@ Mantenha pessoas e cordas longe da antena. STOP ou qualquer outro comando termin
     <message>
         <source>%1 of %2 passes within a day, of %3 satellites</source>
         <translation>%1 de %2 passagens num dia, de %3 satélites</translation>
+    </message>
+    <message>
+        <source>No satellite rises within a day.</source>
+        <translation>Nenhum satélite nasce dentro de um dia.</translation>
     </message>
 </context>
 <context>

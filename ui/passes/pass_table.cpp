@@ -42,9 +42,9 @@ QString PassTable::widest(Column column)
         case Sunlit:
             return QStringLiteral("23 h 59");
         case Unwraps:
-            return briefCableText({.turns = 1, .lost = Seconds(0.0), .fitsOverTheTop = true});
+            return briefCableText({.turns = 1, .lost = Seconds(59.0 * 60.0 + 59.0), .fitsOverTheTop = true});
         case Elements:
-            return daysText({.days = QStringLiteral("99.9"), .late = {}, .shift = {}, .isTooOld = true});
+            return daysText({.days = QStringLiteral("9999.9"), .late = {}, .shift = {}, .isTooOld = true});
         default:
             return {};
     }
@@ -230,7 +230,7 @@ QVariant PassTable::headerData(int section, Qt::Orientation orientation, int rol
         case Sets:
             return tr("LOS, when it sets");
         case Highest:
-            return tr("its elevation then");
+            return tr("the highest elevation of the pass");
         case Lasts:
             return tr("from rise to set");
         case Hidden:

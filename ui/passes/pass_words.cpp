@@ -185,8 +185,11 @@ QString cableFact(const targets::CableTurns& cable)
 
 QString cableText(const targets::CableTurns& cable)
 {
-    if (cable.turns == 0) {
+    if (cable.hasRoom) {
         return PassWords::tr("The cable has room for all of the pass.");
+    }
+    if (cable.hasGap) {
+        return PassWords::tr("The azimuth turns less than 360°, so the mount does not follow all of the pass.");
     }
     const QString turns = cable.turns == 1 ? PassWords::tr("The cable ends during the pass.")
                                            : PassWords::tr("The cable ends %1 times during the pass.").arg(cable.turns);

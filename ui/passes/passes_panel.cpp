@@ -51,6 +51,9 @@ PassAntenna judgedBy(const profile::Profile& profile, const pointing::Antenna& a
 // What is listed, and how many passes the filter leaves out.
 QString countText(const PassCount& count)
 {
+    if (count.coming == 0) {
+        return PassesPanel::tr("No satellite rises within a day.");
+    }
     if (count.listed == count.coming) {
         return PassesPanel::tr("%1 passes of %2 satellites within a day").arg(count.listed).arg(count.satellites);
     }

@@ -23,7 +23,7 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr int kFactLines = 8;
+constexpr int kFactLines = 9;
 constexpr int kBriefLines = 4;
 
 // Only where there is something to know.
@@ -165,7 +165,7 @@ void SelectedPass::showFacts()
     }
     const QString light = QLatin1Char('\n') + m_light;
     const QString note = m_noteText.isEmpty() ? QString() : m_noteText + QLatin1Char('\n');
-    const QString all = factsOf(*m_pass, *m_book, m_now) + m_cable + light;
+    const QString all = factsOf(*m_pass, *m_book, m_now) + light + m_cable;
     const QString brief =
         (m_note->isHidden() ? note : QString()) + briefFactsOf(*m_pass, *m_book, m_now, m_isNamed) + light;
     m_facts->setValue(m_isBrief ? brief : all);

@@ -411,7 +411,9 @@ void HeaderBar::showTarget(const StationStatus& status)
     m_limited->setValue(status.limited ? tr("AT LIMIT") : QString(), Tone::Warning, Symbol::Warning);
     m_limited->setToolTip(tr("The target is outside the limits. The mount goes to the nearest permitted point.\n%1")
                               .arg(status.limitedReason));
-    if (status.schedule->armed && !status.tracked && !status.slew) {
+    const bool rests = status.state == StationState::Standby || status.state == StationState::Hold ||
+                       status.state == StationState::Parked;
+    if (status.schedule->armed && !status.tracked && rests) {
         m_target->setValue(armedText(*status.schedule, status.utc));
         return;
     }

@@ -349,11 +349,16 @@ void MainWindow::resizeEvent(QResizeEvent* event)
 // At the end of the column. In a low window there is room below the sky, whose disc is as large as the cell is wide.
 void MainWindow::placeLastCommand()
 {
-    if (isLow(size())) {
+    QLayout* const column = m_head->parentWidget()->layout();
+    const bool below = isLow(size());
+    if ((below ? m_plotCell : column)->indexOf(m_lastCommand) >= 0) {
+        return;
+    }
+    if (below) {
         m_plotCell->addWidget(m_lastCommand, 1, 0);
         m_lastCommand->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     } else {
-        m_head->parentWidget()->layout()->addWidget(m_lastCommand);
+        column->addWidget(m_lastCommand);
         m_lastCommand->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     }
 }

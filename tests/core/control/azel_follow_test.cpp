@@ -58,7 +58,7 @@ protected:
         ASSERT_TRUE(sets);
         rig.clock.setUtc(*sets);
     }
-    void look() { (void)rig.control.hear(writer.readingAt(now())); }
+    void look() { (void)rig.control.receive(writer.readingAt(now())); }
     // With a writer that writes each second.
     void run(
         Seconds time, const std::function<void()>& each = [] {})

@@ -74,6 +74,9 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"PowerOff", [](Gs232Bench& bench) { bench.box().faults().silent = bench.box().faults().deaf = true; },
               "rotator.silent", 2.0},
         Fault{"MotorsFreeze", [](Gs232Bench& bench) { bench.box().faults().frozen = true; }, "rotator.stuck", 6.0},
+        Fault{"PositionFreezes", [](Gs232Bench& bench) { bench.box().faults().stuckMeter = true; }, "rotator.stuck",
+              6.0},
+        Fault{"RefusesAll", [](Gs232Bench& bench) { bench.box().faults().refuses = true; }, "rotator.silent", 2.0},
         Fault{"JumpByAWholeTurn", [](Gs232Bench& bench) { jumpBy(bench, 360_deg); }, "rotator.jumped", 1.0},
         Fault{"JumpBackwards", [](Gs232Bench& bench) { jumpBy(bench, -20_deg); }, "rotator.jumped", 1.0},
         Fault{"OnlyItsEcho",
@@ -204,6 +207,88 @@ TEST(Gs232Start, ATravelThatItCannotCountIsRefused)
     ASSERT_FALSE(mount.fitness());
     EXPECT_TRUE(mount.fitness().error().text.contains(QStringLiteral("azimuth.travel_min_deg")));
     EXPECT_TRUE(Gs232Bench().mount().fitness());
+}
+
+// REQ-GS232-27 (Gs232Rest.*): A fault of a rotator that rests moves nothing.
+TEST(Gs232Rest, AJumpIsReportedAndNothingMoves)
+{
+    Gs232Bench bench;
+    bench.run(Seconds(2.0));
+    ASSERT_TRUE(bench.goTo(60.0, 40.0));
+    bench.run(Seconds(20.0));
+    jumpBy(bench, 360_deg);
+    bench.run(Seconds(1.0));
+    EXPECT_TRUE(bench.standsOnBoard("rotator.jumped"));
+    EXPECT_TRUE(bench.control().faultLatched());
+    EXPECT_TRUE(bench.stands(Seconds(10.0)));
+}
+
+TEST(Gs232Rest, AMotionThatNobodyOrderedIsStopped)
+{
+    Gs232Bench bench;
+    bench.run(Seconds(5.0));
+    ASSERT_TRUE(bench.ask(request::Stop{}));
+    bench.run(Seconds(5.0));
+    bench.box().take("W200 020\r", bench.clock().now());
+    bench.run(Seconds(8.0));
+    EXPECT_GE(bench.heardOf("S"), 1);
+    EXPECT_LT(bench.truth().azimuth, 30_deg);
+    EXPECT_TRUE(bench.stands(Seconds(10.0)));
+}
+
+TEST(Gs232Rest, AnAzimuthRotatorWithAProfileOfTwoAxesIsTold)
+{
+    Gs232Bench bench(Gs232Box::Habits{.elevation = false});
+    bench.run(Seconds(5.0));
+    EXPECT_TRUE(bench.standsOnBoard("rotator.no-answer"));
+    const auto alarms = bench.control().status().alarms;
+    EXPECT_TRUE(std::ranges::any_of(
+        alarms, [](const Alarm& one) { return one.remedy.contains(QStringLiteral("elevation.driver")); }));
+    EXPECT_FALSE(bench.goTo(60.0, 45.0));
+    EXPECT_FALSE(bench.ordered());
+}
+
+// REQ-GS232-25: The box counts its angles itself. A sign or an offset of its own in the profile is refused, with the
+// keys and what to do. Those that every new profile has are accepted.
+TEST(Gs232Counts, ASignOrAnOffsetIsRefused)
+{
+    const auto refusal = [](int sign, Angle offset) {
+        profile::Profile profile = gs232Profile();
+        profile.elevation.geometry.sign = sign;
+        profile.elevation.geometry.offset = offset;
+        Gs232Bench bench(profile);
+        bench.run(Seconds(2.0));
+        const Result<>& fitness = bench.mount().fitness();
+        EXPECT_EQ(bench.goTo(60.0, 45.0).has_value(), fitness.has_value());
+        return fitness ? QString() : fitness.error().text;
+    };
+    for (const QString& text : {refusal(-1, 0_deg), refusal(1, 5_deg), refusal(-1, 88_deg)}) {
+        EXPECT_TRUE(text.contains(QStringLiteral("elevation.sign"))) << text.toStdString();
+        EXPECT_TRUE(text.contains(QStringLiteral("elevation.offset_deg"))) << text.toStdString();
+    }
+    EXPECT_EQ(refusal(1, 0_deg), QString());
+    const pointing::AxisGeometry usual = profile::Profile().elevation.geometry;
+    EXPECT_EQ(refusal(usual.sign, usual.offset), QString());
+}
+
+// REQ-GS232-26: An end of the travel between two whole degrees of the box is rounded inwards.
+TEST(Gs232Counts, EndInsideTheTravel)
+{
+    profile::Profile profile = gs232Profile();
+    profile.azimuth.geometry.travel = {.min = Angle::fromDegrees(5.5), .max = Angle::fromDegrees(60.5)};
+    profile.park.azimuth = 10_deg;
+    Gs232Bench bench(profile);
+    bench.run(Seconds(2.0));
+    ASSERT_TRUE(bench.goTo(6.0, 60.0));
+    bench.run(Seconds(20.0));
+    bench.expectAt({6_deg, 60_deg}, {}, 0.6_deg);
+    for (const AngularRate rate : {AngularRate::fromDegrees(6.0), AngularRate::fromDegrees(-6.0)}) {
+        ASSERT_TRUE(bench.ask(request::Move{{.azimuth = rate}}));
+        bench.run(Seconds(20.0));
+    }
+    for (const std::string& one : bench.box().heard()) {
+        EXPECT_FALSE(one.starts_with("W005") || one.starts_with("W061")) << one;
+    }
 }
 
 }  // namespace

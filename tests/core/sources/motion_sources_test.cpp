@@ -100,9 +100,9 @@ struct SourcesRig
         rig.azimuth.position = 0.05;
         fakes::AzelWriter writer(Site{});
         for (int second = 0; second < 2; ++second) {
-            (void)rig.control.hear(writer.readingAt(rig.clock.utc() + std::chrono::seconds(second)));
+            (void)rig.control.receive(writer.readingAt(rig.clock.utc() + std::chrono::seconds(second)));
         }
-        EXPECT_TRUE(rig.control.hear(
+        EXPECT_TRUE(rig.control.receive(
             position::PositionText{.site = {.latitude = 0.1_deg, .longitude = 0.2_deg, .heightMetres = 5000.0}}));
         rig.run(Seconds(0.5));
     }

@@ -47,7 +47,7 @@ protected:
     }
     void report()
     {
-        (void)rig.control.hear(position::PositionText{.site = balloon(flown()), .name = QStringLiteral("B1")});
+        (void)rig.control.receive(position::PositionText{.site = balloon(flown()), .name = QStringLiteral("B1")});
     }
     // With a report each second.
     void fly(
@@ -150,7 +150,7 @@ TEST_F(PositionFollowTest, WhatComesBackElsewhereIsNotFollowed)
     const auto place = rig.control.status().actual;
     Site other = balloon(flown());
     other.longitude = kField.longitude;  // to the north of the mount
-    EXPECT_TRUE(rig.control.hear(position::PositionText{.site = other}));
+    EXPECT_TRUE(rig.control.receive(position::PositionText{.site = other}));
     fly(Seconds(5.0));
     EXPECT_LT(angleBetween(*place, *rig.control.status().actual), 0.02_deg);
     EXPECT_FALSE(isRaised("position.stale"));
@@ -220,8 +220,8 @@ TEST_F(PositionFollowTest, AJumpMovesNothing)
     follow();
     Site far = balloon(flown());
     far.latitude = far.latitude - 1_deg;
-    EXPECT_FALSE(rig.control.hear(position::PositionText{.site = far}));
-    EXPECT_FALSE(rig.control.hear(position::readPosition("0,0,0")));
+    EXPECT_FALSE(rig.control.receive(position::PositionText{.site = far}));
+    EXPECT_FALSE(rig.control.receive(position::readPosition("0,0,0")));
     fly(Seconds(5.0));
     EXPECT_LT(off(), 0.05_deg);
     EXPECT_EQ(rig.control.status().position.refused, 2U);

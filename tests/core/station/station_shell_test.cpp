@@ -273,7 +273,7 @@ TEST(StationShell, TracksWhatReportsItsPosition)
     profile::Profile there = rig.profile;
     there.site = {.known = true, .latitude = 38_deg, .longitude = -9_deg};
     rig.setProfile(there);
-    EXPECT_TRUE(rig.control.hear(
+    EXPECT_TRUE(rig.control.receive(
         position::PositionText{.site = {.latitude = 38.1_deg, .longitude = -9_deg, .heightMetres = 5000.0}}));
     EXPECT_EQ(rig.answerTo("track position\n"), "ok\nposition\n");
     rig.run(Seconds(0.2));
