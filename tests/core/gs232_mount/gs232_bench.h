@@ -28,9 +28,11 @@ class Gs232Bench final : public Bench
 {
 public:
     explicit Gs232Bench(const Gs232Box::Habits& habits = {}, const AxisSet& axes = kAxes)
-        : m_profile(gs232Profile(driverIn(axes, Axis::Azimuth), driverIn(axes, Axis::Elevation))),
-          m_box(kBetweenDegrees, habits),
-          m_mount(m_profile, m_alarms, axes)
+        : Gs232Bench(gs232Profile(driverIn(axes, Axis::Azimuth), driverIn(axes, Axis::Elevation)), habits, axes)
+    {}
+    explicit Gs232Bench(const profile::Profile& profile, const Gs232Box::Habits& habits = {},
+                        const AxisSet& axes = kAxes)
+        : m_profile(profile), m_box(kBetweenDegrees, habits), m_mount(m_profile, m_alarms, axes)
     {
         m_mount.lineOpened();
     }
