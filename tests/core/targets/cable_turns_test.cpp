@@ -71,6 +71,8 @@ TEST(CableTurns, WhatIsHiddenIsNotLost)
 TEST(CableTurns, AGapOfTheTravelIsNotATurnMore)
 {
     const MountReach reach = mount({10_deg, 350_deg});
+    EXPECT_TRUE(cableTurns(along(300, 420), reach).hasGap);
+    EXPECT_FALSE(cableTurns(along(340, 460), mount({0_deg, 360_deg})).hasGap);
     EXPECT_EQ(cableTurns(along(300, 420), reach).turns, 1);
     EXPECT_EQ(cableTurns(along(355, 460), reach).turns, 1) << "it rises in the gap, where the mount waits at an end";
 }

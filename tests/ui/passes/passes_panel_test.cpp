@@ -272,13 +272,15 @@ TEST_F(PassColumnsTest, EachFactHasItsColumn)
 TEST_F(PassColumnsTest, UnwrappingIsExplained)
 {
     const targets::CableTurns none;
-    const targets::CableTurns once{.turns = 1, .lost = Seconds(37.0)};
+    const targets::CableTurns once{.hasRoom = false, .turns = 1, .lost = Seconds(37.0)};
+    const targets::CableTurns gap{.hasRoom = false, .hasGap = true};
     targets::CableTurns spared = once;
     spared.fitsOverTheTop = true;
     EXPECT_EQ(briefCableText(none), QStringLiteral("no"));
     EXPECT_EQ(briefCableText(once), QStringLiteral("0:37"));
     EXPECT_EQ(briefCableText(spared), QStringLiteral("0:37 or flip"));
     EXPECT_THAT(cableText(none).toStdString(), HasSubstr("room for all"));
+    EXPECT_THAT(cableText(gap).toStdString(), HasSubstr("less than 360°"));
     EXPECT_THAT(cableText(once).toStdString(), AllOf(HasSubstr("loses 0:37"), Not(HasSubstr("top"))));
     EXPECT_THAT(cableText(spared).toStdString(), HasSubstr("Over the top nothing is lost."));
 
