@@ -155,7 +155,12 @@ TEST_F(CtlStation, ListsTheSatellites)
     EXPECT_THAT(ask("satellites --format json").output, HasSubstr("\"norad\": 90001"));
     EXPECT_EQ(ask("satellites --format text").status, 2);
     EXPECT_EQ(ask("satellites all").status, 2);
-    const Outcome track = ask("track 90001");
+    Outcome track;
+    const auto knowsTheDrives = [&] {
+        track = ask("track 90001");
+        return track.errors.find("The drive check is running") == std::string::npos;
+    };
+    EXPECT_TRUE(fakes::waitUntil(knowsTheDrives));
     EXPECT_EQ(track.status, 1);
     EXPECT_THAT(track.errors, HasSubstr("refused: The site of the mount is not set."));
 }
