@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/event_loop.h"
+#include "tests/ui/passes/passes_fixture.h"
+#include "ui/kit/format.h"
+#include "ui/passes/pass_details.h"
+#include "ui/passes/pass_words.h"
+#include "ui/passes/passes_panel.h"
+
+#include <QMenu>
+#include <QScrollBar>
+#include <QToolButton>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <ranges>
+
+namespace boresight::ui {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+// The columns of the list, and the menu that chooses them.
+class PassColumnsTest : public PassesFixture
+{
+protected:
+    // A mount whose cable ends in the north, with a horizon of 20°.
+    StationStatus withShortCable()
+    {
+        StationStatus status = withSatellites();
+        profile::Profile profile = *status.profile;
+        profile.azimuth.geometry.travel = {0_deg, 360_deg};
+        profile.limits.horizon = {{0_deg, 20_deg}, {180_deg, 20_deg}};
+        status.profile = std::make_shared<const profile::Profile>(profile);
+        return status;
+    }
+    [[nodiscard]] const PassTable& model() { return *qobject_cast<PassTable*>(table().model()); }
+    [[nodiscard]] bool isShown(PassTable::Column column) { return !table().isColumnHidden(column); }
+    [[nodiscard]] QList<QAction*> choices() { return named<QToolButton>("Columns of the list")->menu()->actions(); }
+    void choose(PassTable::Column column)
+    {
+        const QString heading = model().headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        const QList<QAction*> all = choices();
+        const auto found = std::ranges::find_if(
+            all, [&](const QAction* one) { return one->text().startsWith(heading + QStringLiteral(": ")); });
+        ASSERT_NE(found, all.end()) << heading.toStdString();
+        (*found)->trigger();
+        settle();
+    }
+    // A cell whose text is wider than its column is cut.
+    void expectNothingCut()
+    {
+        const QFontMetrics metrics(table().font());
+        for (int column = PassTable::Rises; column < model().columnCount(); ++column) {
+            if (table().isColumnHidden(column)) {
+                continue;
+            }
+            for (int row = 0; row < rows(); ++row) {
+                const QString text = cell(row, static_cast<PassTable::Column>(column));
+                EXPECT_LE(metrics.horizontalAdvance(text) + 6, table().columnWidth(column)) << text.toStdString();
+            }
+        }
+    }
+};
+
+// REQ-PASSES-993: The list has for each pass when it rises, is highest and sets, how high it comes, how long it lasts,
+// for how long it is hidden, what unwrapping the cable loses of it, for how long it is in sunlight, and the age of the
+// elements.
+TEST_F(PassColumnsTest, EachFactHasItsColumn)
+{
+    giveFound(withShortCable());
+    const PassBook& book = *model().book();
+    int unwraps = 0;
+    for (int row = 0; row < rows(); ++row) {
+        const BookedPass& one = model().pass(row);
+        EXPECT_EQ(cell(row, PassTable::HighestAt), clockText(one.pass.tca.utc));
+        EXPECT_EQ(cell(row, PassTable::Sets), setText(one.pass));
+        const Seconds hidden = hiddenTime(one.pass);
+        EXPECT_EQ(cell(row, PassTable::Hidden), one.pass.clear.empty() ? QStringLiteral("all") : lengthText(hidden));
+        const targets::CableTurns cable = cableOf(one, book);
+        EXPECT_EQ(cell(row, PassTable::Unwraps), cable.turns == 0 ? QStringLiteral("no") : lengthText(cable.lost));
+        unwraps += cable.turns;
+        const auto light = passes::lightOf(one.pass, book.elementsOf(one), book.site);
+        EXPECT_EQ(cell(row, PassTable::Sunlit), partText(passes::sunlitTime(one.pass, light), one.pass.duration()));
+        EXPECT_THAT(cell(row, PassTable::Elements).toStdString(), testing::MatchesRegex("0\\.[01] d"));
+    }
+    EXPECT_GT(unwraps, 0) << "some pass goes through north";
+    EXPECT_LT(unwraps, rows());
+    // With one and a half turns of cable none has to.
+    giveFound(withSatellites());
+    ASSERT_TRUE(fakes::waitUntil([&] { return model().book()->antenna.reach.azimuths.max > 360_deg; }));
+    for (int row = 0; row < rows(); ++row) {
+        EXPECT_EQ(cell(row, PassTable::Unwraps), QStringLiteral("no"));
+    }
+}
+
+// REQ-PASSES-994: What unwrapping during a pass means stands in the tooltip, and among the facts of the selected pass.
+// Where the mount could go over the top instead, this is shown.
+TEST_F(PassColumnsTest, UnwrappingIsExplained)
+{
+    const targets::CableTurns none;
+    const targets::CableTurns once{.hasRoom = false, .turns = 1, .lost = Seconds(37.0)};
+    const targets::CableTurns gap{.hasRoom = false, .hasGap = true};
+    targets::CableTurns spared = once;
+    spared.fitsOverTheTop = true;
+    EXPECT_EQ(briefCableText(none), QStringLiteral("no"));
+    EXPECT_EQ(briefCableText(once), QStringLiteral("0:37"));
+    EXPECT_EQ(briefCableText(spared), QStringLiteral("0:37 or flip"));
+    EXPECT_THAT(cableText(none).toStdString(), HasSubstr("room for all"));
+    EXPECT_THAT(cableText(gap).toStdString(), HasSubstr("less than 360°"));
+    EXPECT_THAT(cableText(once).toStdString(), AllOf(HasSubstr("loses 0:37"), Not(HasSubstr("top"))));
+    EXPECT_THAT(cableText(spared).toStdString(), HasSubstr("Over the top nothing is lost."));
+
+    giveFound(withShortCable());
+    for (int row = 0; row < rows(); ++row) {
+        table().selectRow(row);
+        const bool ends = cell(row, PassTable::Unwraps) != QStringLiteral("no");
+        EXPECT_EQ(named<ValueLabel>("The selected pass")->toolTip().contains(QStringLiteral("unwraps the cable")),
+                  ends);
+        const QString help = model().index(row, PassTable::Unwraps).data(Qt::ToolTipRole).toString();
+        EXPECT_EQ(help.contains(QStringLiteral("The cable ends")), ends);
+    }
+}
+
+// REQ-PASSES-995: By itself the list has as many columns as there is room for, the most wanted first. A menu chooses
+// among them. Where the chosen ones need more room the list is scrolled sideways: no number is cut. They are there
+// again at the next start.
+TEST_F(PassColumnsTest, ByItselfTheListHasWhatThereIsRoomFor)
+{
+    giveFound(withShortCable());
+    EXPECT_TRUE(isShown(PassTable::Rises));
+    EXPECT_TRUE(isShown(PassTable::Lasts));
+    EXPECT_FALSE(isShown(PassTable::HighestAt));
+    EXPECT_EQ(table().horizontalScrollBar()->maximum(), 0);
+    expectNothingCut();
+    window.resize(3200, 1000);
+    settle();
+    EXPECT_TRUE(isShown(PassTable::HighestAt));
+    EXPECT_EQ(table().horizontalScrollBar()->maximum(), 0);
+    EXPECT_EQ(window.arrangement().passes.columns, QStringList());
+}
+
+TEST_F(PassColumnsTest, AMenuChoosesTheColumns)
+{
+    giveFound(withShortCable());
+    choose(PassTable::Until);
+    EXPECT_FALSE(isShown(PassTable::Until));
+    for (const auto column : {PassTable::HighestAt, PassTable::Sets, PassTable::Sunlit, PassTable::Elements}) {
+        if (!isShown(column)) {
+            choose(column);
+        }
+        EXPECT_TRUE(isShown(column));
+    }
+    EXPECT_GT(table().horizontalScrollBar()->maximum(), 0);
+    expectNothingCut();
+    EXPECT_GE(table().viewport()->height(), 2 * table().rowHeight(0)) << "the scroll bar takes its room";
+    const QList<QAction*> all = choices();
+    EXPECT_FALSE(all.front()->isChecked());
+    EXPECT_EQ(std::ranges::count_if(all, &QAction::isChecked),
+              std::ranges::count_if(std::views::iota(int(PassTable::Rises), model().columnCount()),
+                                    [this](int column) { return !table().isColumnHidden(column); }));
+
+    WindowSettings next = settings();
+    next.layout = window.arrangement();
+    next.layout.passes.columns << QStringLiteral("no such column");
+    const MainWindow again(clock, next);
+    EXPECT_EQ(again.arrangement().passes.columns, window.arrangement().passes.columns);
+    all.at(1)->trigger();
+    settle();
+    for (int column = 0; column < model().columnCount(); ++column) {
+        EXPECT_FALSE(table().isColumnHidden(column)) << column;
+    }
+    expectNothingCut();
+    all.front()->trigger();
+    settle();
+    EXPECT_TRUE(isShown(PassTable::Until));
+    EXPECT_EQ(table().horizontalScrollBar()->maximum(), 0);
+    EXPECT_EQ(window.arrangement().passes.columns, QStringList());
+}
+
+// REQ-PASSES-996: The menu of the columns leaves the STOP button free, also in a low window.
+TEST_F(PassColumnsTest, TheMenuLeavesStopFree)
+{
+    giveFound(withShortCable());
+    QMenu* const menu = named<QToolButton>("Columns of the list")->menu();
+    auto* const stop = named<QAbstractButton>("STOP");
+    const QRect button(stop->mapToGlobal(QPoint()), stop->size());
+    menu->popup(QPoint(button.left(), 0));  // as Qt does where there is no room below
+    settle();
+    EXPECT_FALSE(menu->geometry().intersects(button));
+    menu->close();
+}
+
+}  // namespace
+}  // namespace boresight::ui
