@@ -72,7 +72,7 @@ StationBroker::StationBroker(const profile::InForce& profile, EventLog& log, con
     connect(&m_client, &mqtt::Connection::problemChanged, this, [this](const QString& problem) {
         if (!problem.isEmpty()) {
             m_log.add(Severity::Warning, kBrokerSource,
-                      Text::tr("%1 (Boresight tries again at least every 30 s)").arg(problem));
+                      Text::tr("%1. Boresight tries again at least every 30 s").arg(problem));
         }
     });
     connect(&m_client, &mqtt::Connection::messageDropped, this, [this](qint64 bytes) {

@@ -85,7 +85,7 @@ Result<> OemParts::isSameObject() const
     const std::string name = orbit::nameOf(m_meta.value("OBJECT_NAME"));
     return m_oem.segments.empty() || name == m_oem.name
                ? Result<>()
-               : wrong(Text::tr("The object is \"%1\". Above it is \"%2\". An OEM is of one object: make two files.")
+               : wrong(Text::tr("The object is \"%1\", and above it is \"%2\". Write a file for each object.")
                            .arg(toQString(name), toQString(m_oem.name)));
 }
 

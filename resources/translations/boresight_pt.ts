@@ -8264,10 +8264,6 @@ até %1</translation>
         <translation>A versão &quot;%1&quot; de OEM não é conhecida. O Boresight lê as versões 1 a 3.</translation>
     </message>
     <message>
-        <source>The object is &quot;%1&quot;. Above it is &quot;%2&quot;. An OEM is of one object: make two files.</source>
-        <translation>O objeto é &quot;%1&quot;. Acima é &quot;%2&quot;. Um OEM é de um só objeto: faça dois ficheiros.</translation>
-    </message>
-    <message>
         <source>The file has more than %1 rows. Split it.</source>
         <translation>O ficheiro tem mais de %1 linhas. Divida-o.</translation>
     </message>
@@ -9100,10 +9096,6 @@ até %1</translation>
         <translation>a nova posição está a %1 da última posição</translation>
     </message>
     <message>
-        <source>%1 (Boresight tries again at least every 30 s)</source>
-        <translation>%1 (o Boresight tenta de novo pelo menos a cada 30 s)</translation>
-    </message>
-    <message>
         <source>a false reply reports that %1 jumped by %2 in %3 to %4</source>
         <translation>uma resposta falsa indica que o %1 saltou %2 em %3 para %4</translation>
     </message>
@@ -9154,6 +9146,14 @@ até %1</translation>
     <message>
         <source>This rotator counts its angles itself: %1.sign and %1.offset_deg have no effect on it. Set them to 1 and 0, and calibrate the count at its box.</source>
         <translation>Este rotor conta ele próprio os seus ângulos: %1.sign e %1.offset_deg não têm efeito nele. Ponha-os a 1 e 0 e calibre a contagem na sua caixa.</translation>
+    </message>
+    <message>
+        <source>%1. Boresight tries again at least every 30 s</source>
+        <translation>%1. O Boresight tenta de novo pelo menos a cada 30 s</translation>
+    </message>
+    <message>
+        <source>The object is &quot;%1&quot;, and above it is &quot;%2&quot;. Write a file for each object.</source>
+        <translation>O objeto é &quot;%1&quot; e acima está &quot;%2&quot;. Escreva um ficheiro para cada objeto.</translation>
     </message>
 </context>
 <context>

@@ -152,7 +152,7 @@ TEST(OemReader, KeepsTheSegmentsApart)
     EXPECT_THAT(refusalOf(first + segmentText("ITRF", "UTC", samples(5, 180s))),
                 HasSubstr("begins before the end of the segment above it."));
     EXPECT_THAT(refusalOf(first + changed(segmentText("ITRF", "UTC", samples(5, 300s)), "TEST ONE", "TEST TWO")),
-                HasSubstr("The object is \"TEST TWO\". Above it is \"TEST ONE\"."));
+                HasSubstr("The object is \"TEST TWO\", and above it is \"TEST ONE\"."));
 }
 
 }  // namespace
