@@ -6,6 +6,7 @@
 #include "ui/profile/setting_picture.h"
 #include "ui/profile/setting_tree.h"
 
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QPainter>
 #include <QSet>

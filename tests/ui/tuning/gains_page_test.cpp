@@ -5,6 +5,8 @@
 #include "tests/ui/tuning/tuning_fixture.h"
 #include "ui/tuning/gains_model.h"
 
+#include <QDoubleSpinBox>
+
 namespace boresight::ui {
 namespace {
 
