@@ -47,6 +47,8 @@ public:
     // A stored report goes on if its last pass ended within this time.
     static constexpr std::chrono::hours kSameNight{24};
     static constexpr std::size_t kMostPasses = 500;  // of the report
+    // What a crash costs at most of a pass. A write takes some 300 bytes, which is little for a flash card.
+    static constexpr std::chrono::seconds kKept{30};
 
     // All of them outlive the desk.
     NightDesk(StationControl& control, const profile::InForce& profile, ReportFile& file, const Clock& clock,
@@ -92,6 +94,7 @@ private:
     void restBetween();
     Result<> ask(const Request& request);
     void goOnWithReport();
+    void keepRunning();
     void store(const schedule::PassRecord& record);
     void keep(const schedule::PassRecord& record);
     void noteFile();
@@ -115,6 +118,7 @@ private:
     UtcTime m_handledUntil{};  // passes that end before are over
     sources::SteeredUtc m_utc;
     std::optional<TrackedPass> m_tracked;
+    std::optional<SteadyTime> m_kept = {};  // the tracked pass was, for a crash
     PassMoments m_moments;
     schedule::NightReport m_report;
     QString m_fileProblem;  // that the log has

@@ -36,7 +36,7 @@ QString reasonWord(schedule::Reason reason)
 
 QString endWord(schedule::PassEnd end)
 {
-    constexpr std::array kWords{"done", "manual", "fault", "refused", "running"};
+    constexpr std::array kWords{"done", "manual", "fault", "refused", "interrupted", "running"};
     return QLatin1String(kWords.at(static_cast<std::size_t>(end)));
 }
 

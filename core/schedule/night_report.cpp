@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/schedule/night_report.h"
 
+#include "core/schedule/night_plan.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,6 +18,13 @@ int NightReport::done() const
 {
     return static_cast<int>(
         std::ranges::count_if(passes, [](const PassRecord& pass) { return pass.end == PassEnd::Set; }));
+}
+
+int partsOf(const NightReport& report, const PassRecord& pass)
+{
+    return static_cast<int>(std::ranges::count_if(report.passes, [&](const PassRecord& one) {
+        return one.number == pass.number && std::chrono::abs(one.aos - pass.aos) < kSamePass;
+    }));
 }
 
 void PassTally::add(Angle error, Seconds during, Angle beamWidth)

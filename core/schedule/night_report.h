@@ -19,10 +19,11 @@ namespace boresight::schedule {
 
 enum class PassEnd
 {
-    Set,      // it was tracked until its end
-    Manual,   // somebody has taken the mount, or pressed STOP
-    Fault,    // or the connection was lost
-    Refused,  // the station did not begin to track it, or gave it up
+    Set,          // it was tracked until its end
+    Manual,       // somebody has taken the mount, or pressed STOP
+    Fault,        // or the connection was lost
+    Refused,      // the station did not begin to track it, or gave it up
+    Interrupted,  // Boresight ended without a shutdown
     Running
 };
 
@@ -53,6 +54,18 @@ struct NightReport
 
     bool operator==(const NightReport&) const = default;
 };
+
+// The pass that is tracked, or was tracked last, as it is kept beside the report.
+struct NewestPass
+{
+    PassRecord pass;
+    int earlier = 0;  // the parts of the same pass that the report had before it
+
+    bool operator==(const NewestPass&) const = default;
+};
+
+// Of a pass that was begun again the report has several parts.
+[[nodiscard]] int partsOf(const NightReport& report, const PassRecord& pass);
 
 // One pass while it is tracked: what is added in each tick.
 class PassTally

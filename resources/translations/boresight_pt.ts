@@ -9155,6 +9155,22 @@ até %1</translation>
         <source>The object is &quot;%1&quot;, and above it is &quot;%2&quot;. Write a file for each object.</source>
         <translation>O objeto é &quot;%1&quot; e acima está &quot;%2&quot;. Escreva um ficheiro para cada objeto.</translation>
     </message>
+    <message>
+        <source>The night report now has the pass of %1 from before the start. It was tracked for %2 s.</source>
+        <translation>O relatório da noite tem agora a passagem de %1 anterior ao arranque. Foi seguida durante %2 s.</translation>
+    </message>
+    <message>
+        <source>The pass that goes on could not be stored: %1</source>
+        <translation>Não foi possível guardar a passagem em curso: %1</translation>
+    </message>
+    <message>
+        <source>The last pass before the start cannot be read: %1. The next pass replaces this file.</source>
+        <translation>Não é possível ler a última passagem antes do arranque: %1. A próxima passagem substitui este ficheiro.</translation>
+    </message>
+    <message>
+        <source>Boresight or its computer stopped during this pass</source>
+        <translation>O Boresight ou o seu computador parou durante esta passagem</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -15509,6 +15525,10 @@ Erro máximo: %6</translation>
     <message>
         <source>left out, %1 has the lower catalogue number</source>
         <translation>fica de fora, %1 tem o número de catálogo menor</translation>
+    </message>
+    <message>
+        <source>interrupted: %1</source>
+        <translation>interrompida: %1</translation>
     </message>
 </context>
 <context>

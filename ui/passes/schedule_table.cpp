@@ -71,6 +71,8 @@ QString endText(const schedule::PassRecord& record)
             return ScheduleTable::tr("tracked now");
         case schedule::PassEnd::Set:
             return ScheduleTable::tr("tracked, error %1 rms").arg(angleText(record.rmsError));
+        case schedule::PassEnd::Interrupted:
+            return ScheduleTable::tr("interrupted: %1").arg(record.why);
         case schedule::PassEnd::Manual:
         case schedule::PassEnd::Fault:
         case schedule::PassEnd::Refused:
