@@ -16,6 +16,9 @@ class StatusReport
 public:
     explicit StatusReport(const ControlParts& parts) : m_of(parts) {}
 
+    // A target within this of the measured direction counts as tracked, not as slewed to.
+    static constexpr Angle kOnTarget = Angle::fromDegrees(1.0);
+
     [[nodiscard]] StationState state() const;
     [[nodiscard]] StationStatus status() const;
     // What the last tick commanded and what the drives have answered to it; empty before the first tick.

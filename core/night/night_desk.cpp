@@ -355,7 +355,8 @@ void NightDesk::move()
     const Seconds before = m_profile->schedule.hooks.before;
     if (m_tracked) {
         m_moments.follow(m_tracked->pass(), before);
-        m_tracked->look(m_control.direction(), utc, m_clock.now(),
+        m_tracked->look({.direction = m_control.direction(), .isOnTarget = m_control.onTarget(StatusReport::kOnTarget)},
+                        utc, m_clock.now(),
                         {.beamWidth = m_control.antenna().beamWidth, .refraction = m_profile->orbit.refraction});
         if (utc >= m_tracked->ends() || !m_control.obeys(scheduleSource())) {
             finish(schedule::PassEnd::Set, {});
@@ -467,15 +468,16 @@ void NightDesk::noteFile()
 void NightDesk::keep(const schedule::PassRecord& record)
 {
     store(record);
-    m_log.add(
-        Severity::Advisory, scheduleSource().name,
-        Text::tr("%1 was tracked for %2 s. Within 1 dB: %3 s. Within 3 dB: %4 s. Error: %5° rms. Largest error: %6°.")
-            .arg(record.name)
-            .arg(record.tracked.count(), 0, 'f', 0)
-            .arg(record.within1dB.count(), 0, 'f', 0)
-            .arg(record.within3dB.count(), 0, 'f', 0)
-            .arg(record.rmsError.degrees(), 0, 'f', 3)
-            .arg(record.peakError.degrees(), 0, 'f', 3));
+    const QString seconds = Text::tr("%1 was tracked for %2 s. Within 1 dB: %3 s. Within 3 dB: %4 s.")
+                                .arg(record.name)
+                                .arg(record.tracked.count(), 0, 'f', 0)
+                                .arg(record.within1dB.count(), 0, 'f', 0)
+                                .arg(record.within3dB.count(), 0, 'f', 0);
+    const QString error = record.rmsError && record.peakError ? Text::tr("Error: %1° rms. Largest error: %2°.")
+                                                                    .arg(record.rmsError->degrees(), 0, 'f', 3)
+                                                                    .arg(record.peakError->degrees(), 0, 'f', 3)
+                                                              : Text::tr("The beam was never on target.");
+    m_log.add(Severity::Advisory, scheduleSource().name, seconds + QLatin1Char(' ') + error);
 }
 
 void NightDesk::show()

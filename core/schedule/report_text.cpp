@@ -39,8 +39,8 @@ void passFields(Visitor& visitor, PassRecord& pass, Range ofEnd)
     inSeconds(visitor, "tracked_s", pass.tracked, kOfTime);
     inSeconds(visitor, "within_1db_s", pass.within1dB, kOfTime);
     inSeconds(visitor, "within_3db_s", pass.within3dB, kOfTime);
-    inDegrees(visitor, "rms_deg", pass.rmsError, kOfError);
-    inDegrees(visitor, "peak_deg", pass.peakError, kOfError);
+    optionalInDegrees(visitor, "rms_deg", pass.rmsError, kOfError);
+    optionalInDegrees(visitor, "peak_deg", pass.peakError, kOfError);
     asWhole(visitor, "end", pass.end, ofEnd);
     visitor.text("why", pass.why);
 }

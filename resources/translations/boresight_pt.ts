@@ -7524,10 +7524,6 @@ até %1</translation>
         <translation>armada pelo perfil (schedule.unattended)</translation>
     </message>
     <message>
-        <source>%1 was tracked for %2 s. Within 1 dB: %3 s. Within 3 dB: %4 s. Error: %5° rms. Largest error: %6°.</source>
-        <translation>%1 foi seguido durante %2 s. A menos de 1 dB: %3 s. A menos de 3 dB: %4 s. Erro: %5° rms. Erro máximo: %6°.</translation>
-    </message>
-    <message>
         <source>The stored night report cannot be read: %1. The new report is kept in memory only.</source>
         <translation>O relatório da noite guardado não se lê: %1. O novo relatório fica só na memória.</translation>
     </message>
@@ -9170,6 +9166,18 @@ até %1</translation>
     <message>
         <source>Boresight or its computer stopped during this pass</source>
         <translation>O Boresight ou o seu computador parou durante esta passagem</translation>
+    </message>
+    <message>
+        <source>%1 was tracked for %2 s. Within 1 dB: %3 s. Within 3 dB: %4 s.</source>
+        <translation>%1 foi seguido durante %2 s. A menos de 1 dB: %3 s. A menos de 3 dB: %4 s.</translation>
+    </message>
+    <message>
+        <source>Error: %1° rms. Largest error: %2°.</source>
+        <translation>Erro: %1° rms. Erro máximo: %2°.</translation>
+    </message>
+    <message>
+        <source>The beam was never on target.</source>
+        <translation>O feixe nunca esteve no alvo.</translation>
     </message>
 </context>
 <context>
@@ -15489,20 +15497,6 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
         <translation>visível</translation>
     </message>
     <message>
-        <source>%1
-Measured: %2 s
-Within 1 dB: %3 s
-Within 3 dB: %4 s
-Error: %5 rms
-Largest error: %6</source>
-        <translation>%1
-Medida: %2 s
-A menos de 1 dB: %3 s
-A menos de 3 dB: %4 s
-Erro: %5 rms
-Erro máximo: %6</translation>
-    </message>
-    <message>
         <source>left out, the limits hide it</source>
         <translation>fica de fora, os limites escondem-na</translation>
     </message>
@@ -15529,6 +15523,32 @@ Erro máximo: %6</translation>
     <message>
         <source>interrupted: %1</source>
         <translation>interrompida: %1</translation>
+    </message>
+    <message>
+        <source>Error: %1 rms
+Largest error: %2</source>
+        <translation>Erro: %1 rms
+Erro máximo: %2</translation>
+    </message>
+    <message>
+        <source>The beam was never on target.</source>
+        <translation>O feixe nunca esteve no alvo.</translation>
+    </message>
+    <message>
+        <source>lost: the beam was never on target</source>
+        <translation>perdida: o feixe nunca esteve no alvo</translation>
+    </message>
+    <message>
+        <source>%1
+Measured: %2 s
+Within 1 dB: %3 s
+Within 3 dB: %4 s
+%5</source>
+        <translation>%1
+Medida: %2 s
+A menos de 1 dB: %3 s
+A menos de 3 dB: %4 s
+%5</translation>
     </message>
 </context>
 <context>

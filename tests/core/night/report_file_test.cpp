@@ -53,7 +53,7 @@ TEST_F(ReportFileTest, TheReportIsThereAgain)
     EXPECT_TRUE(again.problem().isEmpty()) << again.problem().toStdString();
     EXPECT_THAT(again.report().passes, testing::SizeIs(2));
     EXPECT_EQ(again.report().passes[0].aos, report.passes[0].aos);
-    EXPECT_NEAR(again.report().passes[0].rmsError.degrees(), 0.125, 1e-9);
+    EXPECT_NEAR(again.report().passes[0].rmsError.value().degrees(), 0.125, 1e-9);
     EXPECT_EQ(again.report().passes[0].why, report.passes[0].why);
     EXPECT_EQ(again.report().passes[1].name, report.passes[1].name);
     EXPECT_EQ(again.report().passes[1].end, schedule::PassEnd::Manual);
