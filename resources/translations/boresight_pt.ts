@@ -602,6 +602,13 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     </message>
 </context>
 <context>
+    <name>RangeWords</name>
+    <message>
+        <source>%1 km, %2 km/s, Doppler %3 Hz/MHz</source>
+        <translation>%1 km, %2 km/s, Doppler %3 Hz/MHz</translation>
+    </message>
+</context>
+<context>
     <name>RegionEdit</name>
     <message>
         <source>keep-out %1</source>
@@ -15572,6 +15579,10 @@ A menos de 3 dB: %4 s
     <message>
         <source>Go to where the satellite rises and track it until it sets. Then the mount holds</source>
         <translation>Ir para onde o satélite nasce e segui-lo até se pôr. Depois a montagem fica parada</translation>
+    </message>
+    <message>
+        <source>now %1</source>
+        <translation>agora %1</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include "ui/kit/value_label.h"
 #include "ui/kit/widest.h"
 #include "ui/look/glyph.h"
+#include "ui/sky/range_words.h"
 #include "ui/window/authority_button.h"
 #include "ui/window/clock_words.h"
 #include "ui/window/stop_button.h"
@@ -190,7 +191,8 @@ QString trackingText(const TrackedTarget& tracked, UtcTime now)
 QString doing(const StationStatus& status)
 {
     if (status.tracked) {
-        return trackingText(*status.tracked, status.utc);
+        const QString range = trackedRangeText(status);
+        return trackingText(*status.tracked, status.utc) + (range.isEmpty() ? QString() : QLatin1Char('\n') + range);
     }
     QStringList parts{status.targetText};
     if (status.slew) {
