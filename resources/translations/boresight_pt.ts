@@ -9405,6 +9405,18 @@ SDL 2, toml++</translation>
         <source>Unwrapping loses the target for %1. Holding at the end loses it for %2.</source>
         <translation>Desenrolar perde o alvo durante %1. Ficar no fim perde-o durante %2.</translation>
     </message>
+    <message>
+        <source>More</source>
+        <translation>Mais</translation>
+    </message>
+    <message>
+        <source>Whole alarm</source>
+        <translation>Alarme completo</translation>
+    </message>
+    <message>
+        <source>Open the whole alarm in the log</source>
+        <translation>Abrir o alarme completo no registo</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::AlarmModel</name>

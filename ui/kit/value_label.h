@@ -38,6 +38,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override;
     [[nodiscard]] bool hasHeightForWidth() const override { return m_wrapping; }
     [[nodiscard]] int heightForWidth(int width) const override;
+    [[nodiscard]] int heightWith(const QString& text, int width) const;  // of a wrapping label, had it this text
 
 protected:
     void paintEvent(QPaintEvent* event) override;
