@@ -12758,6 +12758,22 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <source>%1: hold LB or RB and move the left stick to jog. Button B is STOP.</source>
         <translation>%1: segure LB ou RB e mova a alavanca esquerda. O botão B é STOP.</translation>
     </message>
+    <message>
+        <source>Elevation up by %1</source>
+        <translation>Elevação sobe %1</translation>
+    </message>
+    <message>
+        <source>Elevation down by %1</source>
+        <translation>Elevação desce %1</translation>
+    </message>
+    <message>
+        <source>Azimuth counter-clockwise by %1</source>
+        <translation>Azimute roda %1 no sentido anti-horário</translation>
+    </message>
+    <message>
+        <source>Azimuth clockwise by %1</source>
+        <translation>Azimute roda %1 no sentido horário</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::JogPanel</name>
