@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-// What the control knows, as the world sees it: the state of the mount and of its axes, in values and words. Made anew
+// What the control knows, as the world sees it: the state of the mount and of its axes, in values and words. Made again
 // from the parts each time that it is asked for; decides nothing. Station thread only.
 namespace boresight {
 

@@ -50,7 +50,7 @@ private:
     bool m_closed = false;           // for good, or left alone
 };
 
-// A simulated one stays the same one when the mount is connected anew.
+// A simulated one stays the same one when the mount is connected again.
 [[nodiscard]] MountKind gs232Rotators();
 // The rotator behind this line.
 [[nodiscard]] MountMaker gs232Rotator(std::unique_ptr<BoxLine> line, const MountStart& start);

@@ -19,7 +19,7 @@ constexpr AngularRate kFastest = AngularRate::fromDegrees(6.0);
 constexpr Seconds kAhead{0.6};
 // Of a rotator that is slower than its profile says: it must not run far when the line fails.
 constexpr Angle kFarthest = 12_deg;
-// Until the operator is told that nothing answers.
+// Until an alarm reports that nothing answers.
 constexpr std::chrono::seconds kPatience{3};
 
 Angle wholeDegrees(Angle angle)
@@ -103,7 +103,7 @@ QString Gs232Mount::label(Axis axis) const
     return Text::of(name(axis).toStdString());
 }
 
-// Such a box tells nobody who it is.
+// Such a box does not report who it is.
 std::optional<QString> Gs232Mount::identity(Axis /*axis*/) const
 {
     return m_heard ? std::optional(QString()) : std::nullopt;
@@ -328,7 +328,7 @@ void Gs232Mount::brakeHard(bool hard)
         stop();
     }
     if (was && !hard) {
-        m_state.follows = false;  // the set-points braked farther than the box: it is taken over anew where it stands
+        m_state.follows = false;  // the set-points braked farther than the box: it is taken over again where it stands
     }
 }
 

@@ -37,7 +37,7 @@ class NightDesk
 public:
     using Satellites = std::shared_ptr<const std::vector<orbit::ElementSet>>;  // in the order of the numbers
     using Found = std::function<void(const std::vector<passes::PassList>&)>;
-    // Searches beside the station thread, and tells what it found on the station thread.
+    // Searches beside the station thread, and reports what it found on the station thread.
     using Search = std::function<void(std::vector<passes::SatelliteSearch>, Found)>;
 
     static constexpr std::chrono::hours kPlanned{24};

@@ -10,7 +10,7 @@ enum class FindingWeight
 {
     Advice,
     Warning,
-    Blocking,  // nothing moves before it is mended
+    Blocking,  // nothing moves before it is fixed
 };
 
 enum class FindingKind

@@ -9436,6 +9436,18 @@ SDL 2, toml++</translation>
         <source>Unwrapping loses the target for %1. Holding at the end loses it for %2.</source>
         <translation>Desenrolar perde o alvo durante %1. Ficar no fim perde-o durante %2.</translation>
     </message>
+    <message>
+        <source>More</source>
+        <translation>Mais</translation>
+    </message>
+    <message>
+        <source>Whole alarm</source>
+        <translation>Alarme completo</translation>
+    </message>
+    <message>
+        <source>Open the whole alarm in the log</source>
+        <translation>Abrir o alarme completo no registo</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::AlarmModel</name>
@@ -12776,6 +12788,22 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <message>
         <source>%1: hold LB or RB and move the left stick to jog. Button B is STOP.</source>
         <translation>%1: segure LB ou RB e mova a alavanca esquerda. O botão B é STOP.</translation>
+    </message>
+    <message>
+        <source>Elevation up by %1</source>
+        <translation>Elevação sobe %1</translation>
+    </message>
+    <message>
+        <source>Elevation down by %1</source>
+        <translation>Elevação desce %1</translation>
+    </message>
+    <message>
+        <source>Azimuth counter-clockwise by %1</source>
+        <translation>Azimute roda %1 no sentido anti-horário</translation>
+    </message>
+    <message>
+        <source>Azimuth clockwise by %1</source>
+        <translation>Azimute roda %1 no sentido horário</translation>
     </message>
 </context>
 <context>
