@@ -15,7 +15,7 @@ namespace {
 
 // The common ones turn by 6 °/s. Set-points that are slower let it run into each target, stop and start again.
 constexpr AngularRate kFastest = AngularRate::fromDegrees(6.0);
-// Ahead of a set-point: it runs on from one target to the next, which comes half a second later.
+// The target is this far ahead of the set-point. The box then runs on until the next target, half a second later.
 constexpr Seconds kAhead{0.6};
 // Of a rotator that is slower than its profile says: it must not run far when the line fails.
 constexpr Angle kFarthest = 12_deg;

@@ -51,7 +51,7 @@ struct PairReply
 {
     CanFrame frame;
     Seconds due{0.0};      // when it is to arrive
-    bool damaged = false;  // an adapter shall garble it
+    bool damaged = false;  // an adapter is to garble it
 };
 
 // Replies since the pair was made, by the drives' own count.

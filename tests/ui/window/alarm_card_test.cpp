@@ -32,6 +32,7 @@ protected:
 TEST_F(AlarmCardTest, IsThereOnlyWhileThereIsAnAlarm)
 {
     window.resize(kWithRoom);
+    QCoreApplication::processEvents();
     EXPECT_FALSE(card().isVisible());
     give(samples::update(samples::faulted()));
     EXPECT_TRUE(card().isVisible());
@@ -107,6 +108,7 @@ TEST_F(AlarmCardTest, StopBesideAnotherAlarmCanBeReset)
 TEST_F(AlarmCardTest, BothChoicesAtTheCableEndSayWhatTheyLose)
 {
     window.resize(kWithRoom);
+    QCoreApplication::processEvents();
     StationStatus status = samples::cableEnding();
     give(samples::update(status));
     EXPECT_FALSE(text("What was done and what to do").contains(QStringLiteral("Holding at the end loses")))
