@@ -9055,10 +9055,6 @@ até %1</translation>
         <translation>barramento desconhecido &apos;%1&apos;. Escreva simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH ou tcp:HOST:PORT</translation>
     </message>
     <message>
-        <source>%1: This is not a file.</source>
-        <translation>%1: Isto não é um ficheiro.</translation>
-    </message>
-    <message>
         <source>More than %1 elements stand inside one another.</source>
         <translation>Mais de %1 elementos estão uns dentro dos outros.</translation>
     </message>
@@ -9185,6 +9181,10 @@ até %1</translation>
     <message>
         <source>The beam was never on target.</source>
         <translation>O feixe nunca esteve no alvo.</translation>
+    </message>
+    <message>
+        <source>%1: Pipes and devices are not read. Give a file or a folder.</source>
+        <translation>%1: Os pipes e os dispositivos não são lidos. Indique um ficheiro ou uma pasta.</translation>
     </message>
 </context>
 <context>
