@@ -9155,6 +9155,14 @@ até %1</translation>
         <source>The object is &quot;%1&quot;, and above it is &quot;%2&quot;. Write a file for each object.</source>
         <translation>O objeto é &quot;%1&quot; e acima está &quot;%2&quot;. Escreva um ficheiro para cada objeto.</translation>
     </message>
+    <message>
+        <source>Motor starts per minute</source>
+        <translation>Arranques do motor por minuto</translation>
+    </message>
+    <message>
+        <source>How often a motor without speed control is started in one minute at most. Each start wears its relay. Jog and stops do not wait for that.</source>
+        <translation>Quantas vezes, no máximo, um motor sem controlo de velocidade arranca num minuto. Cada arranque desgasta o seu relé. O movimento manual e as paragens não esperam por isso.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -9792,6 +9800,24 @@ velocidade %1</translation>
     <message>
         <source>the cable wrap is unknown</source>
         <translation>a volta é desconhecida</translation>
+    </message>
+    <message>
+        <source>
+motor starts %1, in the last minute %2 of %3</source>
+        <translation>
+arranques do motor %1, no último minuto %2 de %3</translation>
+    </message>
+    <message>
+        <source>
+dead band %1</source>
+        <translation>
+banda morta %1</translation>
+    </message>
+    <message>
+        <source>
+waits: too many motor starts in this minute</source>
+        <translation>
+em espera: demasiados arranques do motor neste minuto</translation>
     </message>
 </context>
 <context>
