@@ -202,15 +202,12 @@ SwitchedMotor::Decision SwitchedMotor::decide(const Wish& wish, SteadyTime now) 
     return mayStart(wish.most, now) ? Decision{.act = Act::Go, .to = aim(wish.end)} : Decision{.act = Act::Wait};
 }
 
+// What lies beyond its end may have become forbidden since it was sent.
 SwitchedMotor::Decision SwitchedMotor::decideRunning(const Wish& wish) const
 {
-    const double way = ahead(wish.end);
-    if (way < -(wish.follows ? deadBand(wish.slack).degrees() : kHalf)) {
-        return {.act = Act::Stop};
-    }
     const Angle to = aim(wish.end);
     const double longer = ahead(to) - ahead(m_to);
-    const bool tooFar = longer < -kHalf && !wish.follows;
+    const bool tooFar = longer < -kHalf;
     if (tooFar && ahead(to) < kHalf) {
         return {.act = Act::Stop};
     }

@@ -127,7 +127,9 @@ TEST_F(SwitchedMotorTest, WhatMovesHasADeadBand)
     expectGo(following(96.5, 93, 4), 93);
     motor.sent(107_deg, 107_deg, now);
     showAfter(seconds(1), 105);
-    EXPECT_EQ(following(101.0, 103, 4).act, Act::Stay) << "it arrives";
+    EXPECT_EQ(following(104.5, 108, 4).act, Act::Stay) << "it arrives";
+    expectGo(following(103.0, 106, 4), 106);
+    EXPECT_EQ(following(101.0, 104, 4).act, Act::Stop) << "beyond its end may be forbidden";
     EXPECT_EQ(following(90.0, 94, 4).act, Act::Stop);
 }
 
