@@ -23,7 +23,8 @@
 // so limits, STOP, faults and authority hold for it like for everybody. It is off after each start; only a person arms
 // it, or the written policy of the profile, once. Whatever else is done with the mount disarms it. Station thread.
 //
-// More than 15 members: what it stands beside, the plan with what it was made of, and what goes on.
+// More than 15 members and 600 lines: what it stands beside, the plan with what it was made of, and what goes on. Each
+// act ends the pass, the moments of it and the report together.
 namespace boresight {
 
 // Who asks for the motions of the schedule.
