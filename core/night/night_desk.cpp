@@ -465,6 +465,17 @@ void NightDesk::noteFile()
     }
 }
 
+// Empty where nothing was measured.
+QString NightDesk::errorOf(const schedule::PassRecord& record)
+{
+    if (record.rmsError && record.peakError) {
+        return QLatin1Char(' ') + Text::tr("Error: %1° rms. Largest error: %2°.")
+                                      .arg(record.rmsError->degrees(), 0, 'f', 3)
+                                      .arg(record.peakError->degrees(), 0, 'f', 3);
+    }
+    return record.tracked > Seconds(0.0) ? QLatin1Char(' ') + Text::tr("The beam was never on target.") : QString();
+}
+
 void NightDesk::keep(const schedule::PassRecord& record)
 {
     store(record);
@@ -473,11 +484,7 @@ void NightDesk::keep(const schedule::PassRecord& record)
                                 .arg(record.tracked.count(), 0, 'f', 0)
                                 .arg(record.within1dB.count(), 0, 'f', 0)
                                 .arg(record.within3dB.count(), 0, 'f', 0);
-    const QString error = record.rmsError && record.peakError ? Text::tr("Error: %1° rms. Largest error: %2°.")
-                                                                    .arg(record.rmsError->degrees(), 0, 'f', 3)
-                                                                    .arg(record.peakError->degrees(), 0, 'f', 3)
-                                                              : Text::tr("The beam was never on target.");
-    m_log.add(Severity::Advisory, scheduleSource().name, seconds + QLatin1Char(' ') + error);
+    m_log.add(Severity::Advisory, scheduleSource().name, seconds + errorOf(record));
 }
 
 void NightDesk::show()

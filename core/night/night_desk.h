@@ -97,6 +97,7 @@ private:
     void goOnWithReport();
     void keepRunning();
     void store(const schedule::PassRecord& record);
+    [[nodiscard]] static QString errorOf(const schedule::PassRecord& record);
     void keep(const schedule::PassRecord& record);
     void noteFile();
     void show();

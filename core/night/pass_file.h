@@ -19,8 +19,8 @@ class PassFile final : public QObject
     Q_OBJECT
 
 public:
-    // An empty path: nothing is kept. Blocks while it reads.
-    explicit PassFile(const QString& path, QObject* parent = nullptr);
+    // An empty path: nothing is kept. Blocks while it reads. It goes to the thread of its parent with it.
+    PassFile(const QString& path, QObject* parent);
 
     // As the program before has left it.
     [[nodiscard]] const std::optional<schedule::NewestPass>& found() const { return m_found; }

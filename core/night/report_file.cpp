@@ -26,7 +26,7 @@ QString reportPath(const QString& stateDir, const QString& mountName, bool simul
 }
 
 ReportFile::ReportFile(const QString& path, QObject* parent)
-    : QObject(parent), m_path(path), m_pass(path.isEmpty() ? QString() : path + QStringLiteral(".pass"))
+    : QObject(parent), m_path(path), m_pass(path.isEmpty() ? QString() : path + QStringLiteral(".pass"), this)
 {
     connect(&m_writer, &NewestWriter::written, this, [this] { m_problem.clear(); });
     connect(&m_writer, &NewestWriter::failed, this, [this](const QString& reason) {

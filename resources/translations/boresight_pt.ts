@@ -15611,6 +15611,14 @@ A menos de 1 dB: %3 s
 A menos de 3 dB: %4 s
 %5</translation>
     </message>
+    <message>
+        <source>Nothing was measured.</source>
+        <translation>Nada foi medido.</translation>
+    </message>
+    <message>
+        <source>nothing was measured</source>
+        <translation>nada foi medido</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::SelectedPass</name>

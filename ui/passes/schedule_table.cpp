@@ -68,7 +68,8 @@ QString errorText(const schedule::PassRecord& record)
 {
     return record.rmsError && record.peakError ? ScheduleTable::tr("Error: %1 rms\nLargest error: %2")
                                                      .arg(angleText(*record.rmsError), angleText(*record.peakError))
-                                               : ScheduleTable::tr("The beam was never on target.");
+           : record.tracked > Seconds(0.0) ? ScheduleTable::tr("The beam was never on target.")
+                                           : ScheduleTable::tr("Nothing was measured.");
 }
 
 QString endText(const schedule::PassRecord& record)
@@ -78,7 +79,8 @@ QString endText(const schedule::PassRecord& record)
             return ScheduleTable::tr("tracked now");
         case schedule::PassEnd::Set:
             return record.rmsError ? ScheduleTable::tr("tracked, error %1 rms").arg(angleText(*record.rmsError))
-                                   : ScheduleTable::tr("lost: the beam was never on target");
+                   : record.tracked > Seconds(0.0) ? ScheduleTable::tr("lost: the beam was never on target")
+                                                   : ScheduleTable::tr("nothing was measured");
         case schedule::PassEnd::Interrupted:
             return ScheduleTable::tr("interrupted: %1").arg(record.why);
         case schedule::PassEnd::Manual:

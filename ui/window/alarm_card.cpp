@@ -145,7 +145,11 @@ AlarmCard::AlarmCard(const ProfileDraft& draft, RequestDesk& desk, QWidget* pare
     connect(m_recover, &QPushButton::clicked, this, [this] { help(m_recovery, *m_recover); });
     connect(m_acknowledge, &QPushButton::clicked, this, [this] { m_acknowledge->ask(request::AcknowledgeAlarms{}); });
     connect(m_count, &QPushButton::clicked, this, &AlarmCard::listWanted);
-    connect(m_more, &QPushButton::clicked, this, [this] { Q_EMIT lineWanted(*m_shown); });
+    connect(m_more, &QPushButton::clicked, this, [this] {
+        if (m_shown) {
+            Q_EMIT lineWanted(*m_shown);
+        }
+    });
     m_notice->installEventFilter(this);
     hide();
 }
@@ -218,8 +222,14 @@ void AlarmCard::setForm(AlarmForm form)
         return;
     }
     m_advice->setValue(adviceIn(form));
-    m_more->setVisible(form == AlarmForm::Remedy);
-    m_since->setVisible(form != AlarmForm::Remedy && !m_since->text().isEmpty());
+    showTimeOrMore();
+}
+
+void AlarmCard::showTimeOrMore()
+{
+    const bool isBrief = m_form == AlarmForm::Remedy;
+    m_more->setVisible(isBrief && m_shown);
+    m_since->setVisible(!isBrief && !m_since->text().isEmpty());
 }
 
 void AlarmCard::showStatus(const StationStatus& status)
@@ -238,7 +248,9 @@ void AlarmCard::showAlarm(const StationStatus& status)
     for (ValueLabel* const label : {m_what, m_advice}) {
         label->setVisible(m_shown.has_value());
     }
-    m_since->setVisible(!status.alarms.empty() && m_form != AlarmForm::Remedy);
+    m_since->setValue(status.alarms.empty() ? QString() : clockText(status.alarms.front().since) + QLatin1Char('Z'),
+                      Tone::Secondary);
+    showTimeOrMore();
     if (!m_shown) {
         m_what->setValue({});
         m_advice->setValue({});
@@ -251,7 +263,6 @@ void AlarmCard::showAlarm(const StationStatus& status)
     m_cost = alarm.active && alarm.help == AlarmHelp::Unwind ? costOf(status) : QString();
     m_advice->setValue(adviceIn(m_form));
     m_advice->setVisible(!m_advice->text().isEmpty());
-    m_since->setValue(clockText(alarm.since) + QLatin1Char('Z'), Tone::Secondary);
     m_what->setToolTip(listOf(status.alarms));
     m_advice->setToolTip(m_what->toolTip());
 }

@@ -71,6 +71,7 @@ private:
     void showAlarm(const StationStatus& status);
     void showButtons(const StationStatus& status);
     void showCount(const StationStatus& status);
+    void showTimeOrMore();
     [[nodiscard]] QString adviceIn(AlarmForm form) const;
     void showWhetherNeeded();
     void help(AlarmHelp help, CommandButton& button);

@@ -326,8 +326,12 @@ Angle AxisCard::trim() const
     return !m_trim ? 0_deg : m_axis == Axis::Azimuth ? m_trim->azimuth : m_trim->elevation;
 }
 
+// The bare card has room for the age only.
 QString AxisCard::detail()
 {
+    if (m_numerals == Numerals::Bare) {
+        return detailText(m_shown, m_shown.turnKnown);
+    }
     QStringList parts;
     if (trim() != 0_deg) {
         parts << tr("trim %1").arg(signedAngleText(trim()));

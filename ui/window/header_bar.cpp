@@ -191,8 +191,7 @@ QString trackingText(const TrackedTarget& tracked, UtcTime now)
 QString doing(const StationStatus& status)
 {
     if (status.tracked) {
-        const QString range = trackedRangeText(status);
-        return trackingText(*status.tracked, status.utc) + (range.isEmpty() ? QString() : QLatin1Char('\n') + range);
+        return trackingText(*status.tracked, status.utc);
     }
     QStringList parts{status.targetText};
     if (status.slew) {
@@ -423,7 +422,15 @@ void HeaderBar::showTarget(const StationStatus& status)
         m_target->setValue(tr("no target"), Tone::Secondary);
         return;
     }
-    m_target->setValue(doing(status));
+    m_target->setValue(withRange(doing(status), trackedRangeText(status)));
+}
+
+// The second line, where both lines are whole.
+QString HeaderBar::withRange(const QString& doing, const QString& range) const
+{
+    const QString both = doing + QLatin1Char('\n') + range;
+    const auto height = [this](const QString& text) { return m_target->heightWith(text, m_target->width()); };
+    return !range.isEmpty() && height(both) <= height(QStringLiteral("1\n2")) ? both : doing;
 }
 
 void HeaderBar::showLinks(const StationStatus& status)

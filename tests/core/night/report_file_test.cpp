@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
+#include <QThread>
 
 #include <gmock/gmock.h>
 
@@ -153,6 +154,26 @@ TEST_F(ReportFileTest, ATornPassCostsNothingElse)
     file.keepPass(begunPass(8, Seconds(1.0)));
     ASSERT_TRUE(fakes::waitUntil([&] { return file.problem().isEmpty(); }));
     EXPECT_EQ(ReportFile(path()).lostPass()->number, 8);
+}
+
+// Story: a station is made on the main thread and moved to its own. The writer of the pass stayed behind, and two
+// threads worked on it.
+TEST_F(ReportFileTest, BothWritersGoToTheThreadOfTheFile)
+{
+    QThread other;
+    auto* const file = new ReportFile(path());
+    file->moveToThread(&other);
+    const auto writers = file->findChildren<NewestWriter*>();
+    EXPECT_EQ(writers.size(), 2);
+    for (const NewestWriter* const writer : writers) {
+        EXPECT_EQ(writer->thread(), &other);
+    }
+    QObject::connect(&other, &QThread::started, file, [file, &other] {
+        delete file;
+        other.quit();
+    });
+    other.start();
+    EXPECT_TRUE(other.wait());
 }
 
 TEST_F(ReportFileTest, ASimulatedMountHasItsOwn)
