@@ -45,7 +45,7 @@ QString reportText(const QJsonObject& report)
     return lineOf(report, QStringLiteral("station")) + lineOf(report, QStringLiteral("state")) +
            lineOf(report, QStringLiteral("reason")) + lineOf(report, QStringLiteral("motion")) +
            QStringLiteral("actual:   %1\n").arg(actualText(report[QStringLiteral("actual")])) +
-           lineOf(report, QStringLiteral("starts")) + transmitText(report[QStringLiteral("transmit")].toObject());
+           transmitText(report[QStringLiteral("transmit")].toObject());
 }
 
 }  // namespace boresight::ctl

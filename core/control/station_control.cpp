@@ -7,7 +7,6 @@
 #include "core/profile/setting.h"
 
 #include <algorithm>
-#include <numbers>
 #include <type_traits>
 
 namespace boresight {
@@ -22,16 +21,6 @@ constexpr bool kIsCarriedOutAbove =
     std::is_same_v<Wanted, CalibrationRequest> || std::is_same_v<Wanted, TuningRequest> ||
     std::is_same_v<Wanted, ScheduleRequest> || std::is_same_v<Wanted, request::Rehearse> ||
     std::is_same_v<Wanted, request::JudgeDirection> || std::is_same_v<Wanted, request::TrackFile>;
-
-// How far each axis may be from a target that moves: both together leave the beam on it, and a transmitter on that is
-// switched by the error.
-Angle slackOf(const profile::Profile& profile, const pointing::Antenna& antenna)
-{
-    constexpr double kHalfPower = 0.5;
-    const double widths =
-        profile.transmit.output.empty() ? kHalfPower : std::min(profile.transmit.beamFraction, kHalfPower);
-    return antenna.beamWidth * (widths / std::numbers::sqrt2);
-}
 
 Result<> makesSense(const profile::Profile& profile)
 {
@@ -510,7 +499,6 @@ void StationControl::moveOn(Seconds step)
         }
     }
     m_motion.enforceRegion(turnsKnown());
-    m_motion.setSlack(slackOf(*m_profile, m_antenna.inUse()));
     m_motion.setHardBraking(m_arming.stopLatched());
     m_mount.brakeHard(m_arming.stopLatched());
     if (m_mount.follows() && m_mount.seen()) {
@@ -518,7 +506,6 @@ void StationControl::moveOn(Seconds step)
     } else {
         m_motion.brake(step);  // one axis alone goes nowhere, nor does one that nobody sees
     }
-    m_mount.showWay(m_motion.ownWay());
     for (const Axis axis : kAxes) {
         m_mount.command(axis, m_motion.setpoint(axis));
     }

@@ -33,20 +33,7 @@ void fillTelemetry(auto& values, const AxisReport& report)
 
 }  // namespace
 
-// A rotator that stands until its target is a dead band away is on target until then.
-Angle StatusReport::onTrack(Axis axis) const
-{
-    const AxisReport report = m_of.mount.report(axis);
-    constexpr Angle kUntilItMoves = Angle::fromDegrees(1.5);
-    return report.starts ? std::max(report.starts->deadBand + kUntilItMoves, kOnTarget) : kOnTarget;
-}
-
 bool StatusReport::onTarget(Angle within) const
-{
-    return isWithin(within, within);
-}
-
-bool StatusReport::isWithin(Angle azimuth, Angle elevation) const
 {
     const auto target = m_of.motion.target(m_of.now);
     const auto measured = m_of.mount.measured();
@@ -54,11 +41,11 @@ bool StatusReport::isWithin(Angle azimuth, Angle elevation) const
         return false;
     }
     const Capabilities can = m_of.mount.capabilities();
-    const auto near = [&](Axis axis, Angle away, Angle within) {
+    const auto near = [&](Axis axis, Angle away) {
         return abs(away) < std::max(within, can.inexactness(axis) + kBetweenSteps);
     };
-    return near(Axis::Azimuth, target->azimuth - measured->azimuth, azimuth) &&
-           near(Axis::Elevation, target->elevation - measured->elevation, elevation);
+    return near(Axis::Azimuth, target->azimuth - measured->azimuth) &&
+           near(Axis::Elevation, target->elevation - measured->elevation);
 }
 
 bool StatusReport::arrived() const
@@ -103,8 +90,7 @@ StationState StatusReport::state() const
             return arrived() ? StationState::Parked : StationState::Slew;
         case Activity::Streaming:
             if (m_of.motion.streaming(m_of.now)) {
-                return isWithin(onTrack(Axis::Azimuth), onTrack(Axis::Elevation)) ? StationState::Track
-                                                                                  : StationState::Slew;
+                return onTarget(kOnTarget) ? StationState::Track : StationState::Slew;
             }
             return arrived() ? StationState::Hold : StationState::Slew;
         case Activity::Jogging:
@@ -223,7 +209,6 @@ AxisStatus StatusReport::axisStatus(Axis axis) const
     }
     fillTelemetry(status, report);
     status.power = report.power;
-    status.starts = report.starts;
     status.turnKnown = report.wrapKnown;
     status.stateText = axisText(axis, status.state, report);
     return status;

@@ -30,8 +30,6 @@ public:
     [[nodiscard]] QString limitedReason() const;
 
 private:
-    [[nodiscard]] Angle onTrack(Axis axis) const;
-    [[nodiscard]] bool isWithin(Angle azimuth, Angle elevation) const;
     [[nodiscard]] bool aimed() const;
     [[nodiscard]] AxisStatus axisStatus(Axis axis) const;
     [[nodiscard]] std::vector<SkyPointing> route() const;

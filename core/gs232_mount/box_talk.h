@@ -56,7 +56,6 @@ public:
 
     // Replaces the target that was not sent yet.
     void go(std::string command) { m_go = std::move(command); }
-    [[nodiscard]] bool waits() const { return !m_go.empty(); }  // the target was not sent yet
     void stop();
     // What is to be sent now. Once per tick.
     [[nodiscard]] std::string send(SteadyTime now);

@@ -13,7 +13,6 @@ namespace boresight::gs232 {
 namespace {
 
 constexpr std::size_t kHeardKept = 1000;
-constexpr Angle kShows = Angle::fromDegrees(0.5);  // the potentiometer shows the degree of a target from there on
 
 std::string threeDigits(Angle angle)
 {
@@ -54,14 +53,14 @@ void Gs232Box::run(Motor& motor, Seconds time)
     Angle farthest = kSpeed * time;
     if (motor.runs && motor.target) {
         const Angle way = *motor.target - motor.place;
-        const Angle edge = std::max(abs(way) - kShows, Angle{});
+        const Angle edge = std::max(abs(way) - kCoast, Angle{});
         const Angle done = std::min(edge, farthest);
         motor.place += way < Angle{} ? -done : done;
         farthest -= done;
         if (done == edge) {
             motor.runs = false;
             motor.target.reset();
-            motor.coast = way < Angle{} ? -m_habits.coast : m_habits.coast;
+            motor.coast = way < Angle{} ? -std::min(kCoast, abs(way)) : std::min(kCoast, abs(way));
         }
     }
     const Angle coasted = std::clamp(motor.coast, -farthest, farthest);
@@ -161,7 +160,7 @@ bool Gs232Box::send(Axis axis, std::string_view digits)
         return true;  // the potentiometer shows it already
     }
     if (!motor.runs) {
-        ++motor.starts;
+        ++m_starts;
     }
     motor.target = target;
     motor.runs = true;
@@ -175,7 +174,7 @@ void Gs232Box::stop(Axis axis)
     if (m_faults.stuckRelay || !motor.runs) {
         return;
     }
-    motor.coast = *motor.target < motor.place ? -m_habits.coast : m_habits.coast;
+    motor.coast = *motor.target < motor.place ? -kCoast : kCoast;
     motor.target.reset();
     motor.runs = false;
 }

@@ -20,6 +20,7 @@ class Gs232Box
 {
 public:
     static constexpr AngularRate kSpeed = AngularRate::fromDegrees(6.0);
+    static constexpr Angle kCoast = Angle::fromDegrees(0.5);
 
     enum class Acknowledge
     {
@@ -33,7 +34,6 @@ public:
         Acknowledge acknowledge = Acknowledge::Cr;
         bool elevation = true;  // false: it has one axis, and refuses what is about the other one
         std::chrono::milliseconds latency{60};
-        Angle coast = Angle::fromDegrees(0.5);  // after a relay opens
     };
     struct Faults
     {
@@ -62,10 +62,9 @@ public:
 
     // Where it really stands at the time of the last call.
     [[nodiscard]] AxisPosition truth() const { return {.azimuth = m_axes[0].place, .elevation = m_axes[1].place}; }
-    [[nodiscard]] int moves() const { return m_moves; }  // commands to move or stop, accepted so far
-    [[nodiscard]] int starts() const { return starts(Axis::Azimuth) + starts(Axis::Elevation); }
-    [[nodiscard]] int starts(Axis axis) const { return m_axes[index(axis)].starts; }  // of its motor
-    [[nodiscard]] const std::deque<std::string>& heard() const { return m_heard; }    // commands, without line ends
+    [[nodiscard]] int moves() const { return m_moves; }    // commands to move or stop, accepted so far
+    [[nodiscard]] int starts() const { return m_starts; }  // of a motor
+    [[nodiscard]] const std::deque<std::string>& heard() const { return m_heard; }  // commands, without line ends
     void moveOn(SteadyTime now);
 
 private:
@@ -76,7 +75,6 @@ private:
         std::optional<Angle> target;
         bool runs = false;
         Angle coast{};  // still to come, with its sign
-        int starts = 0;
     };
     struct Due
     {
@@ -102,6 +100,7 @@ private:
     std::deque<std::string> m_heard;
     std::optional<SteadyTime> m_moved;
     int m_moves = 0;
+    int m_starts = 0;
     int m_questions = 0;
 };
 

@@ -9,18 +9,16 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 namespace boresight::gs232 {
-
-using tracking::OwnWay;
-
 namespace {
 
 // The common ones turn by 6 °/s. Set-points that are slower let it run into each target, stop and start again.
 constexpr AngularRate kFastest = AngularRate::fromDegrees(6.0);
 // The target is this far ahead of the set-point. The box then runs on until the next target, half a second later.
 constexpr Seconds kAhead{0.6};
+// Of a rotator that is slower than its profile says: it must not run far when the line fails.
+constexpr Angle kFarthest = 12_deg;
 // Until an alarm reports that nothing answers.
 constexpr std::chrono::seconds kPatience{3};
 
@@ -45,18 +43,10 @@ Angle onCount(const TravelRange& travel, Angle angle)
     return isInside ? std::clamp(wholeDegrees(angle), counts.min, counts.max) : wholeDegrees(angle);
 }
 
-Angle angleOf(Axis axis, const AxisPosition& place)
-{
-    return axis == Axis::Azimuth ? place.azimuth : place.elevation;
-}
-
 std::optional<AxisCapabilities> capabilitiesOf(const AxisSet& axes, Axis axis)
 {
-    constexpr AxisCapabilities kAxis{.step = 1_deg,
-                                     .miss = ObedienceWatch::kMet,
-                                     .fastest = kFastest,
-                                     .silence = Gs232Mount::kSilence,
-                                     .switched = true};
+    constexpr AxisCapabilities kAxis{
+        .step = 1_deg, .miss = ObedienceWatch::kMet, .fastest = kFastest, .silence = Gs232Mount::kSilence};
     return std::ranges::find(axes, axis) != axes.end() ? std::optional(kAxis) : std::nullopt;
 }
 
@@ -131,17 +121,6 @@ bool Gs232Mount::moves() const
                                [this](Axis axis) { return m_capabilities.has(axis) && of(axis).watch.moves(m_now); });
 }
 
-bool Gs232Mount::runs() const
-{
-    return std::ranges::any_of(kAxes, [this](Axis axis) { return m_capabilities.has(axis) && of(axis).motor.runs(); });
-}
-
-bool Gs232Mount::stands() const
-{
-    return std::ranges::all_of(kAxes,
-                               [this](Axis axis) { return !m_capabilities.has(axis) || of(axis).motor.stands(); });
-}
-
 AxisReport Gs232Mount::report(Axis axis) const
 {
     if (!m_capabilities.has(axis)) {
@@ -157,11 +136,6 @@ AxisReport Gs232Mount::report(Axis axis) const
                       .underOrders = m_state.follows || m_state.wanted,
                       .wrapKnown = mine.filter.place().has_value()};
     report.heard = m_heard;
-    report.starts = MotorStarts{.total = mine.motor.starts(),
-                                .lastMinute = mine.motor.startsInLastMinute(m_now),
-                                .most = m_profile->control.startsPerMinute,
-                                .waits = mine.waits && m_way.kind == OwnWay::Kind::Drives,
-                                .deadBand = mine.motor.deadBand(m_way.slack)};
     if (mine.filter.place()) {
         report.place = mine.filter.place();
         report.placed = mine.filter.placed();
@@ -177,7 +151,6 @@ void Gs232Mount::lineOpened()
     for (AxisOfBox& axis : m_axes) {
         axis.filter.forget();
         axis.watch.release();
-        axis.motor.forget();
     }
 }
 
@@ -206,28 +179,14 @@ void Gs232Mount::takePlaces(const Position& position)
         if (!angle) {
             continue;
         }
-        takePlace(axis, *angle);
+        AxisOfBox& mine = of(axis);
+        if (const auto jump = mine.filter.take(*angle, m_now); jump && m_capabilities.has(axis)) {
+            mine.jump = jump;
+        }
+        if (mine.filter.place() && mine.filter.placed() == m_now) {
+            mine.watch.place(*mine.filter.place(), m_now);
+        }
     }
-}
-
-void Gs232Mount::takePlace(Axis axis, Angle angle)
-{
-    AxisOfBox& mine = of(axis);
-    if (const auto jump = mine.filter.take(angle, m_now); jump && m_capabilities.has(axis)) {
-        mine.jump = jump;
-    }
-    if (!mine.filter.place() || mine.filter.placed() != m_now) {
-        return;
-    }
-    mine.watch.place(*mine.filter.place(), m_now);
-    mine.motor.place(*mine.filter.place(), m_now);
-    if (mine.motor.stands()) {
-        mine.watch.arrived();
-    }
-    // The control plans from where the axis is. Only at a place that it has reached it rests with its set-point.
-    const bool there = !m_way.follows && mine.motor.isAt(countOf(axis, angleOf(axis, m_way.end)));
-    const bool drives = m_state.kind == OwnWay::Kind::Drives && !there;
-    mine.begins = mine.begins || (m_state.follows && m_capabilities.has(axis) && (drives || m_state.settles));
 }
 
 MountFindings Gs232Mount::supervise(const MountSituation& /*known*/)
@@ -259,7 +218,6 @@ void Gs232Mount::beginSilence(MountFindings& found)
     for (const Axis axis : kAxes) {
         of(axis).filter.forget();
         of(axis).watch.release();
-        of(axis).motor.forget();
         if (followed && m_capabilities.has(axis)) {
             m_state.lost = true;
             found.troubles.push_back({.axis = axis,
@@ -300,15 +258,11 @@ void Gs232Mount::superviseAxis(Axis axis, MountFindings& found)
     if (!answers()) {
         return;
     }
-    if (of(axis).motor.overran()) {
-        stopFirst();
-    }
     switch (of(axis).watch.judge(m_now)) {
         case ObedienceWatch::Verdict::Obeys:
             break;
         case ObedienceWatch::Verdict::SendAgain:
-            of(axis).motor.sentAgain(m_now);
-            sendOrdered(true);
+            sendOrdered();
             break;
         case ObedienceWatch::Verdict::Stuck:
             lose(found, axis,
@@ -341,16 +295,12 @@ void Gs232Mount::begin()
         mine.begins = true;
         mine.watch.release();
         mine.ordered = m_capabilities.has(axis) ? std::optional(wholeDegrees(*mine.filter.place())) : std::nullopt;
-        mine.motor.beginHere();
     }
 }
 
 std::optional<Angle> Gs232Mount::takeFollowing(Axis axis)
 {
-    if (!std::exchange(of(axis).begins, false)) {
-        return std::nullopt;
-    }
-    return m_capabilities.has(axis) ? of(axis).motor.believed() : report(axis).place;
+    return std::exchange(of(axis).begins, false) ? report(axis).place : std::nullopt;
 }
 
 void Gs232Mount::stop()
@@ -359,16 +309,8 @@ void Gs232Mount::stop()
     for (const Axis axis : kAxes) {
         if (m_capabilities.has(axis)) {
             of(axis).watch.stopped(m_now);
-            of(axis).motor.stopped(m_now);
         }
     }
-}
-
-// Its places change until it stands. Then the control goes on from there.
-void Gs232Mount::stopFirst()
-{
-    stop();
-    m_state.settles = true;
 }
 
 void Gs232Mount::letGo()
@@ -386,7 +328,7 @@ void Gs232Mount::brakeHard(bool hard)
         stop();
     }
     if (was && !hard) {
-        m_state.settles = true;  // the set-points braked farther than the box: it is taken over again where it stands
+        m_state.follows = false;  // the set-points braked farther than the box: it is taken over again where it stands
     }
 }
 
@@ -415,11 +357,6 @@ void Gs232Mount::leave(profile::OnExit /*how*/)
     }
 }
 
-Angle Gs232Mount::countOf(Axis axis, Angle angle) const
-{
-    return onCount(m_profile->axis(axis).geometry.travel, angle);
-}
-
 // Not farther than the axis needs to stop from there: it is permitted up to that point.
 Angle Gs232Mount::aimOf(Axis axis) const
 {
@@ -429,116 +366,36 @@ Angle Gs232Mount::aimOf(Axis axis) const
     const double ahead = std::min(std::abs(rate) * kAhead.count(), stopping);
     const Angle aim = setpoint.position + Angle::fromDegrees(std::copysign(ahead, rate));
     const auto& place = of(axis).filter.place();
-    constexpr Angle kFarthest = SwitchedMotor::kFarthest;
-    return countOf(axis, place ? std::clamp(aim, *place - kFarthest, *place + kFarthest) : aim);
-}
-
-SwitchedMotor::Wish Gs232Mount::wishOf(Axis axis) const
-{
-    return {.end = countOf(axis, angleOf(axis, m_way.end)),
-            .target = angleOf(axis, m_way.target),
-            .follows = m_way.follows,
-            .slack = m_way.slack,
-            .most = m_profile->control.startsPerMinute};
+    return onCount(m_profile->axis(axis).geometry.travel,
+                   place ? std::clamp(aim, *place - kFarthest, *place + kFarthest) : aim);
 }
 
 void Gs232Mount::order()
 {
-    using Kind = OwnWay::Kind;
-    const bool another = std::exchange(m_state.kind, m_way.kind) != m_way.kind;
-    m_state.settles = m_state.settles || another;
-    if (runs() && (another || m_way.kind == Kind::Rests)) {
-        stopFirst();
-    }
-    if (m_state.settles) {
-        if (stands()) {
-            m_state.settles = false;
-            begin();
-        }
-        return;
-    }
-    if (m_way.kind == Kind::Steered) {
-        steer();
-    } else if (m_way.kind == Kind::Drives) {
-        drive();
-    }
-}
-
-// By hand: what is ordered now is carried out now, however often the motors were started.
-void Gs232Mount::steer()
-{
-    std::vector<Axis> changed;
+    bool changed = false;
     for (const Axis axis : kAxes) {
         AxisOfBox& mine = of(axis);
-        const Angle aim = aimOf(axis);
-        if (!m_capabilities.has(axis) || aim == mine.ordered) {
-            continue;
+        if (const Angle aim = aimOf(axis); m_capabilities.has(axis) && aim != mine.ordered) {
+            mine.ordered = aim;
+            changed = true;
         }
-        if (mine.motor.reverses(aim)) {
-            stopFirst();
-            return;
-        }
-        mine.ordered = aim;
-        mine.motor.sent(aim, aim, m_now);
-        changed.push_back(axis);
     }
-    if (!changed.empty()) {
-        sendOrdered(changed.back() == Axis::Elevation || m_talk.waits());
+    if (changed && !m_state.hard) {
+        sendOrdered();
     }
 }
 
-// Each motor is started, sent on, left alone or stopped. A stop is never put off, and stops both.
-void Gs232Mount::drive()
+// An axis that this mount does not turn is sent to where it stands.
+void Gs232Mount::sendOrdered()
 {
-    using Act = SwitchedMotor::Act;
-    Decisions decisions;
-    std::vector<Axis> going;
-    for (const Axis axis : kAxes) {
-        SwitchedMotor::Decision& decision = decisions[index(axis)];
-        decision = m_capabilities.has(axis) ? of(axis).motor.decide(wishOf(axis), m_now) : decision;
-        of(axis).waits = decision.act == Act::Wait;
-        if (decision.act == Act::Stop) {
-            stopFirst();
-            return;
-        }
-        if (decision.act == Act::Go) {
-            going.push_back(axis);
-        }
-    }
-    if (going.empty() || (going.size() == 1 && mustWait(going.front()))) {
-        return;
-    }
-    for (const Axis axis : going) {
-        of(axis).ordered = decisions[index(axis)].to;
-        of(axis).motor.sent(decisions[index(axis)].to, wishOf(axis).end, m_now);
-    }
-    sendOrdered(going.back() == Axis::Elevation);
-}
-
-// The command for the elevation names the azimuth, which must not be started by that. That for the azimuth names no
-// other axis, so it must not take the place of one that does and was not sent yet.
-bool Gs232Mount::mustWait(Axis axis) const
-{
-    const bool named = axis == Axis::Elevation && m_capabilities.has(Axis::Azimuth);
-    return named ? of(Axis::Azimuth).motor.ends() : m_talk.waits();
-}
-
-// What the command says of an axis. One that stands is named where it is reported, which starts nothing.
-Angle Gs232Mount::named(Axis axis) const
-{
-    const AxisOfBox& mine = of(axis);
-    const Angle place = mine.filter.place().value_or(Angle{});
-    return mine.motor.stands() ? place : mine.ordered.value_or(place);
-}
-
-// There is no command for the elevation alone. An axis that this mount does not turn is sent to where it stands.
-void Gs232Mount::sendOrdered(bool elevation)
-{
-    const bool both = elevation && m_capabilities.has(Axis::Elevation);
+    const auto target = [this](Axis axis) {
+        return of(axis).ordered.value_or(of(axis).filter.place().value_or(Angle{}));
+    };
     const std::optional<std::string> command =
-        both ? goTo({.azimuth = named(Axis::Azimuth), .elevation = named(Axis::Elevation)})
-             : goToAzimuth(named(Axis::Azimuth));
-    if (both && !of(Axis::Azimuth).ordered && !of(Axis::Azimuth).filter.place()) {
+        m_capabilities.has(Axis::Elevation)
+            ? goTo({.azimuth = target(Axis::Azimuth), .elevation = target(Axis::Elevation)})
+            : goToAzimuth(target(Axis::Azimuth));
+    if (m_capabilities.has(Axis::Elevation) && !of(Axis::Azimuth).ordered && !of(Axis::Azimuth).filter.place()) {
         return;  // the command names the azimuth, too, and nobody knows it
     }
     if (!command) {
@@ -546,7 +403,7 @@ void Gs232Mount::sendOrdered(bool elevation)
     }
     m_talk.go(*command);
     for (const Axis axis : kAxes) {
-        if (of(axis).ordered && of(axis).motor.runs()) {
+        if (of(axis).ordered) {
             of(axis).watch.sent(*of(axis).ordered, m_now);
         }
     }
@@ -554,7 +411,7 @@ void Gs232Mount::sendOrdered(bool elevation)
 
 std::string Gs232Mount::send()
 {
-    if (m_state.follows && !m_state.hard) {
+    if (m_state.follows) {
         order();
     }
     return m_lineOpen ? m_talk.send(m_now) : std::string();

@@ -5,7 +5,6 @@
 #include "core/gs232_mount/box_talk.h"
 #include "core/gs232_mount/obedience_watch.h"
 #include "core/gs232_mount/place_filter.h"
-#include "core/gs232_mount/switched_motor.h"
 #include "core/mount/mount_driver.h"
 #include "core/profile/in_force.h"
 
@@ -14,12 +13,10 @@
 #include <string>
 #include <string_view>
 
-// A GS-232 box behind the port of the mount: whole degrees, one speed, no rates, no watchdog. The box drives to where
-// it is sent by itself. Where the control shows a free way, each axis drives it at its own pace, and the set-points are
-// kept where the axis is, so the control plans from there. Else the box is sent along the set-points, ahead only as far
-// as they need to stop: what lies beyond may be forbidden. No I/O: bytes and time are passed in. Station thread only.
-// Mechanical angles are those that the box counts.
-// More than 600 lines: it is the port, which asks for some thirty answers. What decides is in classes of its own.
+// A GS-232 box behind the port of the mount: whole degrees, one speed, no rates, no watchdog. The box runs to where it
+// is sent by itself, so it is sent only as far ahead of a set-point as that needs to stop: what lies beyond may be
+// forbidden. It is sent elsewhere only when the whole degree changes, so taking it over moves nothing. No I/O: bytes
+// and time are passed in. Station thread only. Mechanical angles are those that the box counts.
 namespace boresight::gs232 {
 
 class Gs232Mount final : public MountDriver
@@ -58,7 +55,6 @@ public:
     void engage() override { m_state.wanted = !m_state.lost; }
     [[nodiscard]] std::optional<Angle> takeFollowing(Axis axis) override;
     void command(Axis axis, const tracking::Setpoint& setpoint) override { of(axis).setpoint = setpoint; }
-    void showWay(const tracking::OwnWay& way) override { m_way = way; }
     void brakeHard(bool hard) override;
     void seize() override;
     void recover() override { m_state.lost = false; }
@@ -71,38 +67,26 @@ private:
     {
         PlaceFilter filter;
         ObedienceWatch watch;
-        SwitchedMotor motor;
         std::optional<PlaceFilter::Jump> jump;  // not reported yet
         tracking::Setpoint setpoint{};
         std::optional<Angle> ordered;  // whole degrees; where it was sent last, or stood when it was taken over
-        bool begins = false;           // to follow, not taken yet: its set-point begins where it is
-        bool waits = false;            // with a start, because there were too many
+        bool begins = false;           // to follow, not taken yet
     };
     struct State
     {
         bool wanted = false;  // to be taken over
         bool follows = false;
-        bool lost = false;              // nothing moves before recover()
-        bool silent = false;            // it answered, and does not any more
-        bool hard = false;              // behind STOP
-        bool settles = false;           // it was stopped, and is taken over where it stands
-        tracking::OwnWay::Kind kind{};  // of the way that it is on
+        bool lost = false;    // nothing moves before recover()
+        bool silent = false;  // it answered, and does not any more
+        bool hard = false;    // behind STOP
     };
-    using Decisions = std::array<SwitchedMotor::Decision, 2>;
 
     [[nodiscard]] AxisOfBox& of(Axis axis) { return m_axes[index(axis)]; }
     [[nodiscard]] const AxisOfBox& of(Axis axis) const { return m_axes[index(axis)]; }
     [[nodiscard]] bool answers() const { return m_lineOpen && m_heard && m_now - *m_heard <= kSilence; }
     [[nodiscard]] bool placed() const;
     [[nodiscard]] bool moves() const;
-    [[nodiscard]] bool runs() const;
-    [[nodiscard]] bool stands() const;
-    [[nodiscard]] Angle countOf(Axis axis, Angle angle) const;
     [[nodiscard]] Angle aimOf(Axis axis) const;
-    [[nodiscard]] SwitchedMotor::Wish wishOf(Axis axis) const;
-    [[nodiscard]] bool mustWait(Axis axis) const;
-    [[nodiscard]] Angle named(Axis axis) const;
-    void takePlace(Axis axis, Angle angle);
     void takePlaces(const Position& position);
     void beginSilence(MountFindings& found);
     void showNoAnswer();
@@ -111,11 +95,8 @@ private:
     void begin();
     void stop();
     void letGo();
-    void stopFirst();
     void order();
-    void drive();
-    void steer();
-    void sendOrdered(bool elevation);
+    void sendOrdered();
 
     const profile::InForce& m_profile;
     AlarmBoard& m_alarms;
@@ -125,7 +106,6 @@ private:
     BoxTalk m_talk;
     std::array<AxisOfBox, 2> m_axes;
     State m_state;
-    tracking::OwnWay m_way;
     std::optional<SteadyTime> m_heard;   // an answer
     std::optional<SteadyTime> m_opened;  // the line
     bool m_lineOpen = false;

@@ -33,8 +33,6 @@ public:
 
     void sent(Angle target, SteadyTime now);
     void stopped(SteadyTime now);
-    // It stands where it was sent, as nearly as it can: it is not sent there again.
-    void arrived() { m_target.reset(); }
     // Boresight sends it nothing more and does not watch it.
     void release();
     void place(Angle place, SteadyTime now);

@@ -4,7 +4,6 @@
 #include "core/units/quantity.h"
 #include "core/units/sky.h"
 
-#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -19,7 +18,6 @@ struct AxisCapabilities
     std::optional<AngularRate> fastest{};  // empty: whatever the profile permits
     Seconds silence{0.0};                  // after this long without an answer it is reported
     bool watchdog = false;                 // it stops by itself when the orders end
-    bool switched = false;                 // its motor is on or off: it drives to a place by itself
 };
 
 struct Capabilities
@@ -27,11 +25,6 @@ struct Capabilities
     std::array<std::optional<AxisCapabilities>, 2> axes{AxisCapabilities{}, AxisCapabilities{}};  // empty: no such axis
 
     [[nodiscard]] bool has(Axis axis) const { return axes[index(axis)].has_value(); }
-    // One of its axes drives to a place by itself.
-    [[nodiscard]] bool drives() const
-    {
-        return std::ranges::any_of(axes, [](const auto& axis) { return axis && axis->switched; });
-    }
     // A place of an axis that was reached can be this far from what was asked for.
     [[nodiscard]] Angle inexactness(Axis axis) const
     {

@@ -12,7 +12,6 @@ namespace boresight {
 namespace {
 
 using pointing::AxisBox;
-using tracking::OwnWay;
 
 // A way is not planned again more often than this, nor for a target that has hardly moved.
 constexpr std::chrono::milliseconds kPlanPause{250};
@@ -21,9 +20,6 @@ constexpr Angle kSameEnd = Angle::fromDegrees(0.5);
 // Behind a keep-out both of its sides can be equally near: the other one must be better by this much to be worth the
 // way.
 constexpr Angle kSidePreference = Angle::fromDegrees(1.0);
-
-// A rotator that drives by itself is sent ahead of its target by what that takes so long for.
-constexpr Seconds kLead{20.0};
 
 Angle distance(const AxisPosition& a, const AxisPosition& b)
 {
@@ -170,7 +166,6 @@ std::optional<tracking::MovingTarget> Motion::movingTarget(SteadyTime now) const
 
 void Motion::advance(SteadyTime now, Seconds step)
 {
-    m_own = {.kind = OwnWay::Kind::Steered, .target = {}, .end = {}, .slack = m_slack};
     if (const auto target = movingTarget(now)) {
         driveTo(*target, now, step);
     } else if (const auto* const rates = std::get_if<AxisRates>(&m_wanted)) {
@@ -210,7 +205,6 @@ void Motion::driveTo(const tracking::MovingTarget& target, SteadyTime now, Secon
     }
     if (!m_axes.enforced() || region().permits(AxisBox::between(place(), goal->position))) {
         m_way = {};
-        driveItself(*goal);
         stepTo(*goal, step);
         return;
     }
@@ -222,36 +216,7 @@ void Motion::driveTo(const tracking::MovingTarget& target, SteadyTime now, Secon
     while (m_way.legs.size() > 1 && region().permits(AxisBox::between(place(), m_way.legs[1]))) {
         m_way.legs.erase(m_way.legs.begin());
     }
-    if (region().permits(AxisBox::between(place(), m_way.legs.front()))) {
-        driveItself({.position = m_way.legs.front(), .rates = {}, .streaming = false});
-    }
     m_axes.step(step, {.target = m_way.legs.front().azimuth}, {.target = m_way.legs.front().elevation});
-}
-
-// What moves is waited for on its far side, where it passes through the beam: as far ahead as all in between is
-// permitted, and not farther than it comes within a short time.
-void Motion::driveItself(const tracking::MovingTarget& goal)
-{
-    m_own.kind = OwnWay::Kind::Drives;
-    m_own.target = m_own.end = goal.position;
-    m_own.follows = goal.streaming;
-    if (!goal.streaming || !m_capabilities.drives()) {
-        return;
-    }
-    const auto ahead = [this](Axis axis, Angle from, AngularRate rate, double share) {
-        const auto& can = m_capabilities.axes[index(axis)];
-        const Angle most = can ? std::max(m_slack - can->step, Angle{}) : Angle{};
-        return from + std::clamp(rate * kLead, -most, most) * share;
-    };
-    for (const double share : {1.0, 0.5}) {
-        const AxisPosition end{
-            .azimuth = ahead(Axis::Azimuth, goal.position.azimuth, goal.rates.azimuth, share),
-            .elevation = ahead(Axis::Elevation, goal.position.elevation, goal.rates.elevation, share)};
-        if (!m_axes.enforced() || region().permits(AxisBox::between(place(), end))) {
-            m_own.end = end;
-            return;
-        }
-    }
 }
 
 void Motion::stepTo(const tracking::MovingTarget& goal, Seconds step)
@@ -289,7 +254,6 @@ Result<std::vector<AxisPosition>> Motion::route(const AxisPosition& from, const 
 
 void Motion::brake(Seconds step)
 {
-    m_own = {.kind = OwnWay::Kind::Rests, .target = {}, .end = {}, .slack = m_slack};
     const auto braking = [this](std::size_t axis) {
         return AxisWish{.braking = m_hardBraking ? std::optional(m_hardest[axis]) : std::nullopt};
     };

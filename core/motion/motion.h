@@ -6,7 +6,6 @@
 #include "core/messages/capabilities.h"
 #include "core/motion/guarded_axes.h"
 #include "core/profile/profile.h"
-#include "core/tracking/own_way.h"
 #include "core/tracking/target_stream.h"
 #include "core/units/sky.h"
 
@@ -55,8 +54,6 @@ public:
     // While nobody knows on which turn an axis stands, nobody knows what is forbidden: only the travel counts.
     void enforceRegion(bool enforced) { m_axes.enforce(enforced); }
 
-    // How far the beam may be from a target that moves, on each axis: for a rotator that drives by itself.
-    void setSlack(Angle slack) { m_slack = slack; }
     // Braking is as hard as that of a drive that is left alone, still with bounded jerk; otherwise within the limits.
     void setHardBraking(bool hard) { m_hardBraking = hard; }
     // One step of braking; what is wanted stays, for when both axes can move again.
@@ -64,8 +61,6 @@ public:
     // Moves the set-points on to `now`, `step` after the previous call.
     void advance(SteadyTime now, Seconds step);
 
-    // What a rotator that drives by itself is to do after this step.
-    [[nodiscard]] const tracking::OwnWay& ownWay() const { return m_own; }
     [[nodiscard]] const tracking::Setpoint& setpoint(Axis axis) const { return m_axes.setpoint(axis); }
     [[nodiscard]] AxisPosition place() const { return m_axes.place(); }      // of the set-points
     [[nodiscard]] std::optional<AxisPosition> target(SteadyTime now) const;  // empty while resting or running
@@ -116,7 +111,6 @@ private:
     [[nodiscard]] std::optional<tracking::MovingTarget> permitted(const tracking::MovingTarget& target);
     void driveTo(const tracking::MovingTarget& target, SteadyTime now, Seconds step);
     void stepTo(const tracking::MovingTarget& goal, Seconds step);
-    void driveItself(const tracking::MovingTarget& goal);
     void planTo(const AxisPosition& end, SteadyTime now);
     void forgetWay();
 
@@ -129,8 +123,6 @@ private:
     bool m_hardBraking = false;
     profile::Arrival m_arrival;
     Way m_way;
-    Angle m_slack{};
-    tracking::OwnWay m_own;  // of this step
     struct Limited
     {
         AxisPosition target;   // forbidden

@@ -7,7 +7,6 @@
 #include "core/mount/mount_report.h"
 #include "core/profile/profile.h"
 #include "core/tracking/axis_profile.h"
-#include "core/tracking/own_way.h"
 #include "core/units/sky.h"
 
 #include <QString>
@@ -53,12 +52,9 @@ public:
 
     // Takes the axes over where they stand; then they follow set-points.
     virtual void engage() = 0;
-    // The place of an axis that has begun to follow in this tick, once: its first set-point must be there. An axis that
-    // drives by itself begins anew wherever it is.
+    // The place of an axis that has begun to follow in this tick, once: its first set-point must be there.
     [[nodiscard]] virtual std::optional<Angle> takeFollowing(Axis axis) = 0;
     virtual void command(Axis axis, const tracking::Setpoint& setpoint) = 0;
-    // Before the set-points of a tick. A driver whose axes follow every set-point need not know.
-    virtual void showWay(const tracking::OwnWay& /*way*/) {}
     virtual void brakeHard(bool hard) = 0;  // the set-points brake as hard as the mount can
     virtual void seize() = 0;               // stops what an axis does without our orders
     virtual void recover() = 0;             // clears faults and time-outs; moves nothing

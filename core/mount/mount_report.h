@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/messages/motor_starts.h"
 #include "core/supervision/retry_policy.h"
 #include "core/units/sky.h"
 
@@ -47,7 +46,6 @@ struct AxisReport
     std::optional<double> power;             // W, electrical; negative while the axis feeds the supply
     std::optional<double> boardTemperature;  // °C
     std::optional<double> motorTemperature;  // °C
-    std::optional<MotorStarts> starts;       // of a motor that is only switched on and off
 };
 
 // Of an axis that the mount does not have: it stands at 0, needs nothing and hinders nothing.

@@ -64,13 +64,6 @@ void PairedMount::engage()
     }
 }
 
-void PairedMount::showWay(const tracking::OwnWay& way)
-{
-    for (MountDriver* const driver : m_drivers) {
-        driver->showWay(way);
-    }
-}
-
 void PairedMount::brakeHard(bool hard)
 {
     for (MountDriver* const driver : m_drivers) {

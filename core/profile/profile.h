@@ -120,7 +120,6 @@ struct ControlSettings
     Arrival arrival = Arrival::Separate;
     AfterStall afterStall = AfterStall::Resume;
     OnExit onExit = OnExit::Hold;
-    int startsPerMinute = 10;                          // at most, of a motor that is only switched on and off
     Angle driveLimitMargin = Angle::fromDegrees(3.0);  // of the drives' own position bounds beyond the travel
 
     [[nodiscard]] Seconds tickPeriod() const { return Seconds(1.0 / tickHz); }

@@ -182,13 +182,6 @@ void addControl(std::vector<Setting>& list)
              "How the axes arrive at the end of a slew. \"separate\": each axis arrives as soon as it can. "
              "\"together\": the faster axis slows down so that both arrive at the same time.")},
         [](auto& p) -> auto& { return p.control.arrival; }));
-    list.push_back(integer(
-        "control.starts_per_minute", "", {1, 60}, Applies::Now,
-        {QT_TRANSLATE_NOOP("Text", "Motor starts per minute"),
-         QT_TRANSLATE_NOOP("Text",
-                           "How often a motor without speed control is started in one minute at most. Each start wears "
-                           "its relay. Jog and stops do not wait for that.")},
-        [](auto& p) -> auto& { return p.control.startsPerMinute; }));
     list.push_back(choice(
         "control.after_stall", {"resume", "wait"}, Applies::Now,
         {QT_TRANSLATE_NOOP("Text", "After a stall"),

@@ -9,7 +9,6 @@
 
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QStringList>
 
 namespace boresight {
 namespace {
@@ -53,33 +52,13 @@ Request requestOf(const local::LocalRequest& asked)
     return request::Stop{};
 }
 
-// Of motors that are only switched on and off; else empty.
-QString startsText(const StationStatus& status)
-{
-    QStringList parts;
-    const auto add = [&parts](const QString& axis, const std::optional<MotorStarts>& starts) {
-        if (starts) {
-            parts << QStringLiteral("%1 %2 (in the last minute %3 of %4%5)")
-                         .arg(axis)
-                         .arg(starts->total)
-                         .arg(starts->lastMinute)
-                         .arg(starts->most)
-                         .arg(starts->waits ? QStringLiteral(", waits") : QString());
-        }
-    };
-    add(QStringLiteral("azimuth"), status.azimuth.starts);
-    add(QStringLiteral("elevation"), status.elevation.starts);
-    return parts.join(QStringLiteral(", "));
-}
-
 // As the header of the window shows it. `motion` is what the mount carries out.
 QByteArray statusJson(const StationStatus& status)
 {
     const QString reason = status.stateReason == status.targetText ? QString() : status.stateReason;
     return QJsonDocument(QJsonObject{{QStringLiteral("state"), protocolWord(status.state)},
                                      {QStringLiteral("reason"), reason},
-                                     {QStringLiteral("motion"), status.targetText},
-                                     {QStringLiteral("starts"), startsText(status)}})
+                                     {QStringLiteral("motion"), status.targetText}})
         .toJson(QJsonDocument::Compact);
 }
 

@@ -9186,14 +9186,6 @@ até %1</translation>
         <source>%1: Pipes and devices are not read. Give a file or a folder.</source>
         <translation>%1: Os pipes e os dispositivos não são lidos. Indique um ficheiro ou uma pasta.</translation>
     </message>
-    <message>
-        <source>Motor starts per minute</source>
-        <translation>Arranques do motor por minuto</translation>
-    </message>
-    <message>
-        <source>How often a motor without speed control is started in one minute at most. Each start wears its relay. Jog and stops do not wait for that.</source>
-        <translation>Quantas vezes, no máximo, um motor sem controlo de velocidade arranca num minuto. Cada arranque desgasta o seu relé. O movimento manual e as paragens não esperam por isso.</translation>
-    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -9843,24 +9835,6 @@ velocidade %1</translation>
     <message>
         <source>the cable wrap is unknown</source>
         <translation>a volta é desconhecida</translation>
-    </message>
-    <message>
-        <source>
-motor starts %1, in the last minute %2 of %3</source>
-        <translation>
-arranques do motor %1, no último minuto %2 de %3</translation>
-    </message>
-    <message>
-        <source>
-dead band %1</source>
-        <translation>
-banda morta %1</translation>
-    </message>
-    <message>
-        <source>
-waits: too many motor starts in this minute</source>
-        <translation>
-em espera: demasiados arranques do motor neste minuto</translation>
     </message>
 </context>
 <context>

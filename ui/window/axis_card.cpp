@@ -84,14 +84,6 @@ QString driveHelp(const QString& axisName, const AxisStatus& axis, const QString
     text += line(AxisCard::tr("motor "), axis.motorTemperature, "%.0f °C");
     text += line(AxisCard::tr("torque "), axis.torque, "%.2f Nm");
     text += line(AxisCard::tr("current "), axis.current, "%.1f A");
-    if (axis.starts) {
-        text += AxisCard::tr("\nmotor starts %1, in the last minute %2 of %3")
-                    .arg(axis.starts->total)
-                    .arg(axis.starts->lastMinute)
-                    .arg(axis.starts->most);
-        text += AxisCard::tr("\ndead band %1").arg(angleText(axis.starts->deadBand, 1));
-        text += axis.starts->waits ? AxisCard::tr("\nwaits: too many motor starts in this minute") : QString();
-    }
     for (const QString& more : {registers, axis.stateText}) {
         text += more.isEmpty() ? QString() : QLatin1Char('\n') + more;
     }
