@@ -69,7 +69,7 @@ public:
     // The same, on whichever wrap there is a way to.
     Result<> goToAnyTurn(const AxisPosition& place, Activity activity, const Source& by, const QString& what);
     // One point of a stream. A direction out of reach is followed at the nearest permitted place, or refused, as the
-    // profile says. `again`: this point does not continue the points before. An empty `what` names the direction.
+    // profile says. `anew`: this point does not continue the points before. An empty `what` names the direction.
     Result<> streamTo(const SkyPointing& direction, const Source& by, const QString& what = {}, bool anew = false);
     Result<> streamTo(const AxisPosition& place, const Source& by);
     // What is followed goes from one direction to another in this time, and is in the first one now. A direction out of
