@@ -141,6 +141,7 @@ TEST_F(ColumnHeadTest, TheBareCardShowsTheAgeOfLateData)
 {
     window.resize(1024, 700);
     StationStatus status = samples::alarmed(alarmEntry("sun.clock"));
+    status.trim = SkyPointing{.azimuth = 0.3_deg, .elevation = -0.1_deg};  // the detail is longer
     tabs(status);
     EXPECT_TRUE(labelOf("Error of azimuth").isVisible());
     EXPECT_FALSE(labelOf("Detail of azimuth").isVisible());
