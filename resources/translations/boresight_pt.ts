@@ -9167,22 +9167,6 @@ até %1</translation>
         <translation>O objeto é &quot;%1&quot; e acima está &quot;%2&quot;. Escreva um ficheiro para cada objeto.</translation>
     </message>
     <message>
-        <source>The night report now has the pass of %1 from before the start. It was tracked for %2 s.</source>
-        <translation>O relatório da noite tem agora a passagem de %1 anterior ao arranque. Foi seguida durante %2 s.</translation>
-    </message>
-    <message>
-        <source>The pass that goes on could not be stored: %1</source>
-        <translation>Não foi possível guardar a passagem em curso: %1</translation>
-    </message>
-    <message>
-        <source>The last pass before the start cannot be read: %1. The next pass replaces this file.</source>
-        <translation>Não é possível ler a última passagem antes do arranque: %1. A próxima passagem substitui este ficheiro.</translation>
-    </message>
-    <message>
-        <source>Boresight or its computer stopped during this pass</source>
-        <translation>O Boresight ou o seu computador parou durante esta passagem</translation>
-    </message>
-    <message>
         <source>%1 was tracked for %2 s. Within 1 dB: %3 s. Within 3 dB: %4 s.</source>
         <translation>%1 foi seguido durante %2 s. A menos de 1 dB: %3 s. A menos de 3 dB: %4 s.</translation>
     </message>
@@ -9195,8 +9179,24 @@ até %1</translation>
         <translation>O feixe nunca esteve no alvo.</translation>
     </message>
     <message>
-        <source>%1: Pipes and devices are not read. Give a file or a folder.</source>
-        <translation>%1: Os pipes e os dispositivos não são lidos. Indique um ficheiro ou uma pasta.</translation>
+        <source>%1: This is a pipe or a device. Give a file or a folder.</source>
+        <translation>%1: Isto é um tubo (pipe) ou um dispositivo. Indique um ficheiro ou uma pasta.</translation>
+    </message>
+    <message>
+        <source>The running pass could not be stored: %1</source>
+        <translation>Não foi possível guardar a passagem em curso: %1</translation>
+    </message>
+    <message>
+        <source>The file of the last pass cannot be read: %1. The next pass replaces it.</source>
+        <translation>O ficheiro da última passagem não pode ser lido: %1. A próxima passagem substitui-o.</translation>
+    </message>
+    <message>
+        <source>Boresight stopped during this pass</source>
+        <translation>O Boresight parou durante esta passagem</translation>
+    </message>
+    <message>
+        <source>The last pass before this start was of %1. It was tracked for %2 s. The night report now has it.</source>
+        <translation>A última passagem antes deste arranque foi de %1. Foi seguida durante %2 s. O relatório da noite já a inclui.</translation>
     </message>
 </context>
 <context>
