@@ -2,6 +2,7 @@
 #include "core/sources/azel_follow.h"
 
 #include "core/base/text.h"
+#include "core/control/beam_report.h"
 #include "core/sources/roomy_start.h"
 #include "core/units/angle_between.h"
 #include "core/units/degrees_text.h"
@@ -267,6 +268,19 @@ void AzelFollow::end(Severity severity, const QString& why)
     helm().end(severity, why);
 }
 
+// While the mount stands still for the radio the Moon goes on.
+void AzelFollow::aimAtTheMoon(StationStatus& status) const
+{
+    const ControlParts view = helm().view();
+    const SkyPointing moon = m_feed.text()->moon;
+    const AxisPosition place = view.model.resolve(moon, m_followed->place.value_or(view.motion.place())).position;
+    status.target = moon;
+    status.azimuth.target = place.azimuth;
+    status.elevation.target = place.elevation;
+    addBeam(status, view.model.pointing());
+    status.stateReason = Text::tr("stands still while WSJT-X transmits");
+}
+
 void AzelFollow::describe(StationStatus& status) const
 {
     const ControlParts view = helm().view();
@@ -287,6 +301,9 @@ void AzelFollow::describe(StationStatus& status) const
     if (m_followed) {
         status.azel.phase = m_followed->phase;
         status.azel.next = m_followed->next;
+        if (m_followed->phase == AzelPhase::Transmitting && m_followed->isUp) {
+            aimAtTheMoon(status);
+        }
         status.tracked =
             TrackedTarget{.name = Text::tr("Moon (WSJT-X)"), .isUp = m_followed->isUp, .next = m_followed->next};
     }

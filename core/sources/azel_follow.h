@@ -55,6 +55,7 @@ private:
     Result<> follow(SteadyTime now, UtcTime utc);
     Result<> park();
     Result<> stand();
+    void aimAtTheMoon(StationStatus& status) const;
     void forget();
     void end(Severity severity, const QString& why);
 

@@ -66,12 +66,6 @@ Obstacle obstacleOf(const StationStatus& status)
     return status.limited ? Obstacle::OutOfReach : Obstacle::None;
 }
 
-// While the mount stands still for the Moon of WSJT-X, the Moon goes on.
-std::optional<SkyPointing> targetOf(const StationStatus& status)
-{
-    return status.azel.phase == AzelPhase::Transmitting && status.azel.moon ? status.azel.moon : status.target;
-}
-
 QString whyOff(const transmit::GateDecision& decision, Angle limit)
 {
     switch (decision.obstacle) {
@@ -211,7 +205,7 @@ transmit::GateInput StationTransmit::inputOf(const StationStatus& status) const
     const bool live = isLive(status.azimuth) && isLive(status.elevation);
     return {.obstacle = isHeld ? Obstacle::Simulated : obstacleOf(status),
             .beam = live ? status.actual : std::nullopt,
-            .target = targetOf(status),
+            .target = status.target,
             .within = m_within};
 }
 

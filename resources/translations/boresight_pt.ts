@@ -9198,6 +9198,10 @@ até %1</translation>
         <source>The last pass before this start was of %1. It was tracked for %2 s. The night report now has it.</source>
         <translation>A última passagem antes deste arranque foi de %1. Foi seguida durante %2 s. O relatório da noite já a inclui.</translation>
     </message>
+    <message>
+        <source>stands still while WSJT-X transmits</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

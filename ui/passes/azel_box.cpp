@@ -132,9 +132,12 @@ void AzelBox::showStatus(const StationStatus& status)
                           m_isFollowed ? Symbol::Warning : Symbol::None);
         return;
     }
+    // One line: what the mount does comes first, and agreement is no news then.
     const QString phase = phaseText(azel);
-    m_state->setValue((phase.isEmpty() ? QString() : phase + QLatin1Char(' ')) + agreementText(azel),
-                      azel.apart && !azel.interpolates ? Tone::Warning : Tone::Secondary);
+    QStringList parts{phase, phase.isEmpty() || !azel.interpolates ? agreementText(azel) : QString()};
+    parts.removeAll(QString());
+    m_state->setValue(parts.join(QLatin1Char(' ')), azel.apart && !azel.interpolates ? Tone::Warning : Tone::Secondary);
+    m_state->setToolTip(agreementText(azel));
 }
 
 }  // namespace boresight::ui

@@ -32,10 +32,12 @@ namespace {
 
 constexpr int kWheelStep = 120;  // eighths of a degree of a mouse wheel's notch
 
-// Where the mount should be now. On the way to a fixed target that is the set-point: the rest of the way is planned.
+// Where the mount should be now. On the way to a fixed target, and while it waits, that is the set-point: the rest of
+// the way is planned.
 std::optional<SkyPointing> expectedPlace(const StationStatus& status)
 {
-    return status.slew || !status.route.empty() ? status.commanded : status.target;
+    const bool isPlanned = status.slew || !status.route.empty() || status.state == StationState::Hold;
+    return isPlanned ? status.commanded : status.target;
 }
 
 std::optional<Angle> distanceTo(const StationStatus& status, const std::optional<SkyPointing>& place)

@@ -139,10 +139,12 @@ int pointsOf(Numerals numerals)
     return 60;
 }
 
-// Where the axis should be now. On the way to a fixed target that is the set-point: the rest of the way is planned.
+// Where the axis should be now. On the way to a fixed target, and while it waits, that is the set-point: the rest of
+// the way is planned.
 std::optional<Angle> expectedAngle(const StationStatus& status, const BeamAngles& beam)
 {
-    return status.slew || !status.route.empty() ? beam.commanded : beam.target;
+    const bool isPlanned = status.slew || !status.route.empty() || status.state == StationState::Hold;
+    return isPlanned ? beam.commanded : beam.target;
 }
 
 Angle steady(SteadyNumber& number, Angle measured)

@@ -262,6 +262,25 @@ TEST_F(StationAzelFollow, MovesOnlyWhileReceiving)
     EXPECT_EQ(starts(), before) << "it is one motion";
 }
 
+// REQ-AZEL-922: While the mount stands still for the radio the Moon goes on. It is the target that is
+// shown, and the error from it counts.
+TEST_F(StationAzelFollow, TheMoonIsTheTargetWhileTheMountStandsStill)
+{
+    set({.onlyWhileReceiving = profile::OnlyWhileReceiving::On});
+    writer.flag = ", T";
+    run(Seconds(2.5));
+    ASSERT_EQ(ask(), "");
+    run(Seconds(2.0));
+    const StationStatus status = rig.control.status();
+    const SkyPointing moon = writer.moon(now());
+    ASSERT_TRUE(status.target);
+    EXPECT_LT(angleBetween(*status.target, moon), 0.1_deg);
+    EXPECT_LT(angleBetween({*status.azimuth.beam.target, *status.elevation.beam.target}, moon), 0.1_deg);
+    EXPECT_GT(off(), 10_deg);
+    EXPECT_EQ(status.state, StationState::Hold);
+    EXPECT_EQ(status.stateReason, QStringLiteral("stands still while WSJT-X transmits"));
+}
+
 // REQ-AZEL-916: Below the horizon the mount is parked once, and the time of the next rise is known. It follows the Moon
 // from its rise on. At the horizon nothing goes to and fro.
 TEST_F(StationAzelFollow, IsParkedOnceWhileTheMoonIsDown)

@@ -176,20 +176,6 @@ TEST_F(StationTransmitTest, IsOffInTheTickInWhichSomethingIsInTheWay)
     EXPECT_EQ(whyOffWith([this] { status.actual.reset(); }), "off: The mount reports no position.");
 }
 
-// While WSJT-X transmits and the mount stands still for it, the Moon goes on.
-// REQ-TRANSMIT-21
-TEST_F(StationTransmitTest, TheMoonGoesOnWhileTheMountStandsStill)
-{
-    begin();
-    status.azel.phase = AzelPhase::Transmitting;
-    status.azel.moon = SkyPointing{.azimuth = 120_deg, .elevation = 42.4_deg};
-    tick();
-    EXPECT_THAT(take(), IsEmpty());
-    status.azel.moon->elevation = 42.6_deg;
-    tick();
-    EXPECT_THAT(take(), ElementsAre("off"));
-}
-
 // REQ-TRANSMIT-22: An output that fails is an alarm and counts as off. It is off for 10 s, then it is tried again. The
 // alarm ends when the output is what it should be.
 TEST_F(StationTransmitTest, AnOutputThatFailsCountsAsOff)
