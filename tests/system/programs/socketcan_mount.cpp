@@ -104,7 +104,10 @@ bool MountOnCan::notesProof()
     return fakes::waitUntil(
         [&folder] {
             const QStringList journals = folder.entryList({QStringLiteral("*.memory.json")});
-            QFile journal(journals.isEmpty() ? QString() : folder.filePath(journals.constFirst()));
+            if (journals.isEmpty()) {
+                return false;
+            }
+            QFile journal(folder.filePath(journals.constFirst()));
             return journal.open(QIODevice::ReadOnly) && journal.readAll().count("origin_beginning") == kDrives;
         },
         kPatience);
