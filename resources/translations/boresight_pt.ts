@@ -9200,7 +9200,7 @@ até %1</translation>
     </message>
     <message>
         <source>stands still while WSJT-X transmits</source>
-        <translation type="unfinished"></translation>
+        <translation>parada enquanto o WSJT-X transmite</translation>
     </message>
 </context>
 <context>
