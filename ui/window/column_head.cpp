@@ -16,7 +16,7 @@ namespace boresight::ui {
 namespace {
 
 constexpr int kKeptForAlarms =
-    32;  // px of a low window: the last line of the log, which stands below the sky there, left 22
+    46;  // px of a low window: the last line of the log, which stands below the sky there, left 22
 
 }  // namespace
 
