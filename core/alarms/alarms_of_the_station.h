@@ -96,6 +96,28 @@ inline constexpr std::array kStationAlarms{
             "Text", "Enter the addresses that may connect on the page Profile (rotctld.allow), or listen on 127.0.0.1"),
         .help = AlarmHelp::OpenProfile,
         .examples = {"0.0.0.0:4533"}},
+    AlarmEntry{.id = "listener.not-open",
+               .source = "listeners",
+               .severity = Severity::Alarm,
+               .what = QT_TRANSLATE_NOOP("Text", "Further clients cannot connect: %1"),
+               .action = QT_TRANSLATE_NOOP("Text", "Boresight serves its other listeners"),
+               .remedy = QT_TRANSLATE_NOOP("Text",
+                                           "End the other program, or choose another place (listeners.list on the page "
+                                           "Profile). Then press Reconnect"),
+               .brief = "%1",
+               .help = AlarmHelp::OpenProfile,
+               .examples = {"another program already uses port 4534"}},
+    AlarmEntry{
+        .id = "listener.open",
+        .source = "listeners",
+        .severity = Severity::Advisory,
+        .what = QT_TRANSLATE_NOOP("Text", "Every computer that reaches %1 can move the mount"),
+        .action = QT_TRANSLATE_NOOP("Text", "Boresight accepts every client"),
+        .remedy = QT_TRANSLATE_NOOP("Text",
+                                    "Add the addresses that may connect to the listener (listeners.list on the page "
+                                    "Profile), or let it listen on 127.0.0.1"),
+        .help = AlarmHelp::OpenProfile,
+        .examples = {"0.0.0.0:4534"}},
     AlarmEntry{
         .id = "journal.in-use",
         .source = "position journal",

@@ -20,6 +20,9 @@ QHostAddress plain(const std::string& host)
 
 std::string hostOf(std::string_view address)
 {
+    if (address.starts_with('/')) {
+        return "127.0.0.1";
+    }
     std::string_view host = address.substr(0, address.rfind(':'));
     if (host.starts_with('[') && host.ends_with(']')) {
         host = host.substr(1, host.size() - 2);

@@ -12,7 +12,7 @@
 // looked up, and an IPv4 address that came over IPv6 is the IPv4 address. Pure.
 namespace boresight {
 
-// "127.0.0.1" of "127.0.0.1:51234", "::1" of "[::1]:51234".
+// "127.0.0.1" of "127.0.0.1:51234", "::1" of "[::1]:51234". A path is a place of this computer: "127.0.0.1".
 [[nodiscard]] std::string hostOf(std::string_view address);
 // However they are written: "::1" and "0:0:0:0:0:0:0:1".
 [[nodiscard]] bool sameHost(const std::string& one, const std::string& other);

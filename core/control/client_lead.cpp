@@ -30,9 +30,10 @@ QString ago(SteadyTime::duration age)
 
 }  // namespace
 
-void ClientLead::came(const Source& client, const std::string& host)
+void ClientLead::came(const Source& client, const std::string& host, bool readsOnly)
 {
-    Connected& one = m_clients[client.clientId] = {.client = client, .host = host};
+    Connected& one =
+        m_clients[client.clientId] = {.client = client, .host = host, .readOnly = readsOnly, .boundToRead = readsOnly};
     if (const auto passer = m_passers.find(host); passer != m_passers.end()) {
         one.asked = passer->second.asked;
         one.waits = passer->second.waits;
@@ -212,7 +213,16 @@ Result<> ClientLead::mayBeGiven(const Rules& rules, std::uint64_t clientId) cons
         return failure(ErrorCode::Refused,
                        Text::tr("The mount is locked to %1. Unlock it first.").arg(toQString(rules.lockedTo)));
     }
-    return {};
+    return mayMove(found->second);
+}
+
+Result<> ClientLead::mayMove(const Connected& one)
+{
+    return one.boundToRead
+               ? failure(
+                     ErrorCode::Refused,
+                     Text::tr("The listener of this client has the right \"read\" (listeners.list in the profile)."))
+               : Result<>{};
 }
 
 Result<> ClientLead::give(const Rules& rules, std::uint64_t clientId, SteadyTime now)
@@ -230,6 +240,9 @@ Result<> ClientLead::setReadOnly(std::uint64_t clientId, bool readOnly)
     const auto found = m_clients.find(clientId);
     if (found == m_clients.end()) {
         return failure(ErrorCode::NotAvailable, Text::tr("this client has disconnected"));
+    }
+    if (const Result<> may = mayMove(found->second); !readOnly && !may) {
+        return may;
     }
     found->second.readOnly = readOnly;
     if (readOnly && m_leader && m_leader->client.clientId == clientId) {

@@ -25,7 +25,8 @@ public:
 
     using Rules = profile::RotctldSettings;
 
-    void came(const Source& client, const std::string& host);
+    // `readsOnly`: by the profile, so that nobody can let it move the mount.
+    void came(const Source& client, const std::string& host, bool readsOnly = false);
     void gone(const Source& client);
 
     // May this client move the mount now? The error names the client in control, or what this client waits for.
@@ -76,6 +77,7 @@ private:
         Source client;
         std::string host;
         bool readOnly = false;
+        bool boundToRead = false;           // by the profile
         std::optional<SteadyTime> asked{};  // for a motion, last
         std::optional<SteadyTime> read{};   // the position, last
         int asks = 0;
@@ -99,6 +101,7 @@ private:
         bool left = false;   // after a single command: its host may come again
     };
 
+    [[nodiscard]] static Result<> mayMove(const Connected& one);
     [[nodiscard]] std::string hostOf(std::uint64_t clientId) const;
     [[nodiscard]] bool leads(SteadyTime now) const;  // whatever the rules are
     [[nodiscard]] bool leadHeld(const Rules& rules, SteadyTime now) const;

@@ -56,7 +56,11 @@ public:
     // Accepted, or the reason in words. Takes effect in the next tick.
     Result<> request(const Request& request, const Source& source);
     // A client has connected; `host` is its address without the port.
-    void clientCame(const Source& client, const std::string& host) { m_lead.came(client, host); }
+    // `readsOnly` by the profile.
+    void clientCame(const Source& client, const std::string& host, bool readsOnly = false)
+    {
+        m_lead.came(client, host, readsOnly);
+    }
     // The source is gone for good: a `Move` of its own ends, a stream stops at its last point.
     void sourceGone(const Source& source);
     // A client asks for a motion, also one that is refused before request() sees it.

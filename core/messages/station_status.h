@@ -99,6 +99,7 @@ enum class SourceKind
 };
 
 // Who asked. `name` is what the log and the screen show: "operator", "rotctld 127.0.0.1:51234".
+// A client that speaks another protocol is "client PROTOCOL ADDRESS".
 struct Source
 {
     SourceKind kind = SourceKind::Station;
@@ -142,7 +143,7 @@ struct ClientStatus
 {
     std::uint64_t id = 0;
     QString address;
-    QString program;                 // recognised, or empty
+    QString program;                 // recognised, else its protocol unless that is rotctld
     QString lastCommand;             // why it was refused, or what became of its target
     double commandsPerSecond = 0.0;  // over the last seconds
     bool driving = false;            // the mount follows its target now

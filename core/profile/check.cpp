@@ -4,6 +4,7 @@
 #include "core/base/control_characters.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/listeners/listener.h"
 #include "core/profile/commissioning.h"
 #include "core/profile/setting_groups.h"
 #include "core/profile/watched_board.h"
@@ -72,6 +73,25 @@ void checkWatched(std::vector<Problem>& problems, const Profile& profile)
             problems.push_back({"bus.watched", Text::tr("names the id %1 twice").arg(board->id)});
         }
         ids.push_back(board->id);
+    }
+}
+
+void checkListeners(std::vector<Problem>& problems, const Profile& profile)
+{
+    std::vector<listeners::Listener> seen;
+    for (const std::string& text : profile.listeners) {
+        const auto listener = listeners::parseListener(text);
+        if (!listener) {
+            continue;  // its setting says so
+        }
+        const bool port = listener->pty.empty() && listener->port != 0 &&
+                          listener->host == profile.rotctld.listen.host &&
+                          listener->port == profile.rotctld.listen.port;
+        if (port || std::ranges::any_of(seen, [&](const auto& one) { return listeners::collide(one, *listener); })) {
+            problems.push_back({"listeners.list", Text::tr("Two listeners have the place %1. Each needs its own.")
+                                                      .arg(toQString(listeners::placeOf(*listener)))});
+        }
+        seen.push_back(*listener);
     }
 }
 
@@ -174,6 +194,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     if (!profile.mqtt.password.empty() && profile.mqtt.user.empty()) {
         problems.push_back({"mqtt.user", Text::tr("is needed with a password")});
     }
+    checkListeners(problems, profile);
     checkRegion(problems, profile);
     checkAntennas(problems, profile);
     checkSupervision(problems, profile);

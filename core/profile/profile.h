@@ -406,6 +406,7 @@ struct Profile
     SunSettings sun;
     JogSettings jog;
     RotctldSettings rotctld;
+    std::vector<std::string> listeners;  // for programs that do not speak rotctld, see listeners::Listener
     SupervisionSettings supervision;
     RecoverySettings recovery;
     SensorSettings sensor;

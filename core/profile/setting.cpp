@@ -3,6 +3,7 @@
 
 #include "core/base/bus_name.h"
 #include "core/base/text.h"
+#include "core/listeners/listener.h"
 #include "core/profile/commissioning.h"
 #include "core/profile/setting_groups.h"
 #include "core/profile/setting_makers.h"
@@ -296,6 +297,16 @@ void addClients(std::vector<Setting>& list)
         {QT_TRANSLATE_NOOP("Text", "Most clients"),
          QT_TRANSLATE_NOOP("Text", "The largest number of connections at the same time.")},
         [](auto& p) -> auto& { return p.rotctld.maxClients; }));
+    list.push_back(textList(
+        "listeners.list", Applies::OnReconnect,
+        {QT_TRANSLATE_NOOP("Text", "Further listeners"),
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "Listeners for programs that do not speak rotctld. Each has a protocol (\"gs232a\" or \"gs232b\"), the "
+             "right to \"drive\" or only to \"read\", and a place: \"gs232b drive tcp:127.0.0.1:4534\" or \"gs232a "
+             "read pty:/tmp/rotator\". Addresses and networks that may connect by TCP can follow. Empty: none.")},
+        [](auto& p) -> auto& { return p.listeners; },
+        [](const std::string& text) { return listeners::parseListener(text).map([](const auto&) {}); }));
 }
 
 std::vector<Setting> makeSettings()

@@ -34,6 +34,20 @@ void ClientHabits::take(const Command& command, SteadyTime now)
     noteMotion(command, now);
 }
 
+void ClientHabits::take(std::string_view command, bool motion, const std::optional<SkyPointing>& point, SteadyTime now)
+{
+    m_lastCommand = command;
+    m_lastRefusal.clear();
+    m_became.clear();
+    m_rate.count(now);
+    if (motion) {
+        m_lastMotion = now;
+    }
+    if (point) {
+        m_steps.observe(*point, now);
+    }
+}
+
 void ClientHabits::answered(const Result<>& outcome, const QString& became)
 {
     m_became = became;

@@ -30,6 +30,8 @@ public:
 
     // Each command, before it is run; one that was understood, afterwards; a line without sense.
     void take(const Command& command, SteadyTime now);
+    // The same of another protocol. `point`: where the client wants the mount to point, if it says so.
+    void take(std::string_view command, bool motion, const std::optional<SkyPointing>& point, SteadyTime now);
     void understood(const Command& command) { m_program.observe(command); }
     // The last command. `became`: what an accepted target became, empty if nothing else than the client wrote.
     void answered(const Result<>& outcome, const QString& became = {});

@@ -19,7 +19,9 @@ namespace boresight::rotctld {
 struct Client
 {
     std::uint64_t id = 0;  // never reused while the program runs
-    std::string address;   // "127.0.0.1:51234"
+    std::string address;   // "127.0.0.1:51234"; of a pseudo-terminal the path of its link
+    std::string protocol = "rotctld";
+    bool readsOnly = false;  // its listener is for reading: the rotator refuses its motions
 };
 
 // As the client wrote it: an azimuth of any turn, -3600°…3600°, elevation -90°…180°.

@@ -38,19 +38,23 @@ constexpr auto kHousekeepingPeriod = 100ms;
 
 constexpr std::uint64_t kListenerId = 0;
 
+std::string programOf(const Conversation& talk)
+{
+    const std::string& protocol = talk.client().protocol;
+    return protocol == "rotctld" ? std::string(talk.habits().program()) : protocol;
+}
+
 }  // namespace
 
 struct Server::Connection
 {
-    Connection(std::uint64_t number, Accepted accepted, Rotator& rotator, const Clock& clock, DumpStateForm form)
-        : id(number),
-          socket(std::move(accepted.socket)),
-          session({.id = number, .address = std::move(accepted.address)}, rotator, clock, form)
+    Connection(std::uint64_t number, Descriptor opened, std::unique_ptr<Conversation> talk)
+        : id(number), socket(std::move(opened)), session(std::move(talk))
     {}
 
     std::uint64_t id;
     Descriptor socket;
-    Session session;
+    std::unique_ptr<Conversation> session;
     std::string unsent;
     SteadyTime lastReceived;
     SteadyTime lastSent;                  // the last time the socket took a byte
@@ -65,14 +69,16 @@ struct Server::Connection
     std::uint32_t watched = 0;
 };
 
-Server::Server(ServerSettings settings, Rotator& rotator, const Clock& clock, QObject* parent)
+Server::Server(ServerSettings settings, StartConversation start, Rotator& rotator, const Clock& clock, QObject* parent)
     : QObject(parent),
       m_settings(std::move(settings)),
+      m_start(std::move(start)),
       m_rotator(rotator),
       m_clock(clock),
       m_admission(m_settings.allow),
       m_nextTurn(this),
-      m_housekeeping(this)
+      m_housekeeping(this),
+      m_nextId(m_settings.firstId)
 {
     m_nextTurn.setSingleShot(true);
     m_nextTurn.setInterval(0ms);
@@ -88,15 +94,15 @@ Server::~Server()
 
 Result<> Server::listen()
 {
-    auto listener = listenOn(m_settings.host, m_settings.port);
-    if (!listener) {
-        return tl::unexpected(listener.error());
+    auto entrance = m_settings.pty.empty() ? openTcp(m_settings.host, m_settings.port) : openTerminal(m_settings.pty);
+    if (!entrance) {
+        return tl::unexpected(entrance.error());
     }
     m_epoll = Descriptor(::epoll_create1(EPOLL_CLOEXEC));
     if (!m_epoll.valid()) {
         return failure(ErrorCode::Io, Text::tr("cannot watch sockets: %1").arg(toQString(std::strerror(errno))));
     }
-    m_listener = std::move(*listener);
+    m_entrance = std::move(*entrance);
     watchListener(true);
     m_readiness = std::make_unique<QSocketNotifier>(m_epoll.get(), QSocketNotifier::Read);
     connect(m_readiness.get(), &QSocketNotifier::activated, this, &Server::serveTurn);
@@ -114,19 +120,18 @@ void Server::close()
     m_nextTurn.stop();
     m_housekeeping.stop();
     m_readiness.reset();
-    m_listener = Descriptor();
+    m_entrance.reset();
     m_epoll = Descriptor();
-    m_listenerWatched = false;
 }
 
 std::string Server::address() const
 {
-    return m_listener.valid() ? localAddress(m_listener) : std::string();
+    return m_entrance ? m_entrance->address() : std::string();
 }
 
 std::uint16_t Server::port() const
 {
-    return m_listener.valid() ? localPort(m_listener) : std::uint16_t{0};
+    return m_entrance ? m_entrance->port() : std::uint16_t{0};
 }
 
 std::vector<ClientInfo> Server::clients() const
@@ -134,11 +139,11 @@ std::vector<ClientInfo> Server::clients() const
     std::vector<ClientInfo> list;
     list.reserve(m_connections.size());
     for (const auto& [id, connection] : m_connections) {
-        const ClientHabits& habits = connection->session.habits();
+        const ClientHabits& habits = connection->session->habits();
         if (!connection->left) {
             list.push_back({.id = id,
-                            .address = connection->session.client().address,
-                            .program = std::string(habits.program()),
+                            .address = connection->session->client().address,
+                            .program = programOf(*connection->session),
                             .lastCommand = habits.lastInWords(),
                             .oddCommands = habits.oddCommands(),
                             .commandsPerSecond = habits.commandsPerSecond(m_clock.now()),
@@ -168,23 +173,26 @@ void Server::serveTurn()
 void Server::acceptWaiting()
 {
     for (int i = 0; i < kAcceptsPerTurn; ++i) {
-        auto accepted = acceptOne(m_listener);
+        auto accepted = m_entrance->accept();
         if (!accepted) {
             if (accepted.error() == AcceptFailure::Shortage) {
                 watchListener(false);  // housekeeping tries again; who is connected is served meanwhile
             }
             return;
         }
-        const Client client{.id = ++m_lastId, .address = accepted->address};
+        const Client client{.id = m_nextId++,
+                            .address = accepted->address,
+                            .protocol = m_settings.protocol,
+                            .readsOnly = m_settings.readsOnly};
         if (turnedAway(client)) {
+            m_entrance->left(false);
             continue;
         }
-        auto connection =
-            std::make_unique<Connection>(m_lastId, std::move(*accepted), m_rotator, m_clock, m_settings.dumpState);
+        auto connection = std::make_unique<Connection>(client.id, std::move(accepted->socket), m_start(client));
         connection->lastReceived = m_clock.now();
         control(*connection, EPOLL_CTL_ADD, EPOLLIN);
         m_admission.enter(hostOf(client.address));
-        m_connections.emplace(m_lastId, std::move(connection));
+        m_connections.emplace(client.id, std::move(connection));
         m_rotator.clientConnected(client);
     }
 }
@@ -194,7 +202,9 @@ bool Server::turnedAway(const Client& client)
     const std::string host = hostOf(client.address);
     if (!m_admission.admits(host)) {
         // Named without its port: who knocks again and again gets one line in the log, not one each time.
-        m_rotator.clientRemark({.address = host}, Text::tr("refused: its address is not permitted (rotctld.allow)"));
+        m_rotator.clientRemark(
+            {.address = host, .protocol = m_settings.protocol},
+            Text::tr("refused: its address is not permitted (%1)").arg(QLatin1String(m_settings.allowKey)));
         return true;
     }
     const QString crowd = m_admission.crowd(host, m_settings.maxClients);
@@ -209,12 +219,12 @@ void Server::setAllowed(const std::vector<std::string>& entries)
     m_admission.setAllowed(entries);
     std::vector<std::uint64_t> unwanted;
     for (const auto& [id, connection] : m_connections) {
-        if (!m_admission.admits(hostOf(connection->session.client().address))) {
+        if (!m_admission.admits(hostOf(connection->session->client().address))) {
             unwanted.push_back(id);
         }
     }
     for (const std::uint64_t id : unwanted) {
-        disconnect(id, Text::tr("its address is no longer permitted (rotctld.allow)"));
+        disconnect(id, Text::tr("its address is no longer permitted (%1)").arg(QLatin1String(m_settings.allowKey)));
     }
 }
 
@@ -231,16 +241,12 @@ bool Server::disconnect(std::uint64_t id, const QString& reason)
 
 void Server::watchListener(bool on)
 {
-    if (on == m_listenerWatched) {
+    if (!m_entrance->watch(m_epoll, kListenerId, on)) {
         return;
     }
-    epoll_event event{};
-    event.events = EPOLLIN;
-    event.data.u64 = kListenerId;
-    ::epoll_ctl(m_epoll.get(), on ? EPOLL_CTL_ADD : EPOLL_CTL_DEL, m_listener.get(), &event);
-    m_listenerWatched = on;
     if (!on && !m_shortageTold) {
-        m_rotator.clientRemark({}, Text::tr("no file descriptor is free, so new clients wait"));
+        m_rotator.clientRemark({.address = {}, .protocol = m_settings.protocol},
+                               Text::tr("no file descriptor is free, so new clients wait"));
         m_shortageTold = true;
     }
 }
@@ -292,6 +298,9 @@ void Server::receive(Connection& connection)
     std::array<char, kReadSize> buffer;
     const Received received = receiveSome(connection.socket, buffer.data(), buffer.size());
     connection.atEnd = received.atEnd;
+    if (received.atEnd && !m_settings.pty.empty()) {
+        connection.unsent.clear();  // nobody reads a terminal that is closed
+    }
     connection.broken = !received.failure.isEmpty();
     connection.inputFull = received.bytes.size() == buffer.size();
     if (connection.left) {
@@ -300,10 +309,10 @@ void Server::receive(Connection& connection)
     if (connection.broken) {
         farewell(connection, Text::tr("lost: %1").arg(received.failure));
     } else if (connection.atEnd) {
-        connection.session.endOfInput();
+        connection.session->endOfInput();
     } else {
         connection.lastReceived = m_clock.now();
-        connection.session.receive(received.bytes);
+        connection.session->receive(received.bytes);
     }
 }
 
@@ -313,13 +322,13 @@ void Server::runCommands(Connection& connection)
     bool more = !connection.left;
     for (int i = 0; more && i < kCommandsPerClient && connection.unsent.size() <= kMaxUnsent; ++i) {
         m_reply.clear();
-        more = connection.session.step(m_reply);
+        more = connection.session->step(m_reply);
         if (!m_reply.empty()) {
             send(connection, m_reply);
         }
     }
     const bool blocked = connection.unsent.size() > kMaxUnsent;
-    if (more && !blocked && connection.session.ending().isEmpty() && !connection.broken) {
+    if (more && !blocked && connection.session->ending().isEmpty() && !connection.broken) {
         if (!connection.busySince) {
             connection.busySince = m_clock.now();
         }
@@ -374,12 +383,12 @@ void Server::flush(Connection& connection)
 // Brings a connection to its next state after it was served; it may be gone afterwards.
 void Server::settle(Connection& connection)
 {
-    if (!connection.left && !connection.session.ending().isEmpty()) {
-        if (connection.session.dropped()) {
-            m_rotator.clientRemark(connection.session.client(),
-                                   Text::tr("dropped: %1").arg(connection.session.ending()));
+    if (!connection.left && !connection.session->ending().isEmpty()) {
+        if (connection.session->dropped()) {
+            m_rotator.clientRemark(connection.session->client(),
+                                   Text::tr("dropped: %1").arg(connection.session->ending()));
         }
-        farewell(connection, connection.session.ending());
+        farewell(connection, connection.session->ending());
     }
     if (!connection.left && connection.broken) {
         farewell(connection, Text::tr("lost: its answers cannot be sent"));
@@ -389,10 +398,18 @@ void Server::settle(Connection& connection)
         connection.sendingEnded = true;
     }
     if (connection.broken || (connection.sendingEnded && connection.atEnd)) {
-        m_connections.erase(connection.id);
+        forget(connection);
         return;
     }
     watch(connection);
+}
+
+void Server::forget(Connection& connection)
+{
+    const bool byItself = connection.atEnd && !connection.session->dropped();
+    ::epoll_ctl(m_epoll.get(), EPOLL_CTL_DEL, connection.socket.get(), nullptr);  // a terminal outlives its client
+    m_connections.erase(connection.id);
+    m_entrance->left(byItself);
 }
 
 void Server::farewell(Connection& connection, const QString& reason)
@@ -402,8 +419,8 @@ void Server::farewell(Connection& connection, const QString& reason)
     }
     connection.left = true;
     connection.leftAt = m_clock.now();
-    m_admission.leave(hostOf(connection.session.client().address));
-    m_rotator.clientGone(connection.session.client(), reason);
+    m_admission.leave(hostOf(connection.session->client().address));
+    m_rotator.clientGone(connection.session->client(), reason);
 }
 
 QString Server::overdue(const Connection& connection) const
@@ -415,7 +432,7 @@ QString Server::overdue(const Connection& connection) const
     if (connection.busySince && now - *connection.busySince > kFloodTime) {
         return Text::tr("dropped: floods without waiting for answers");
     }
-    if (connection.session.midCommand() && now - connection.lastReceived > kHalfCommandTime) {
+    if (connection.session->midCommand() && now - connection.lastReceived > kHalfCommandTime) {
         return Text::tr("dropped: left a command unfinished");
     }
     return {};
@@ -423,8 +440,11 @@ QString Server::overdue(const Connection& connection) const
 
 void Server::housekeep()
 {
-    m_shortageTold = m_shortageTold && !m_listenerWatched;
+    m_shortageTold = m_shortageTold && !m_entrance->isWatched();
     watchListener(true);
+    if (!m_entrance->isWatched()) {
+        acceptWaiting();
+    }
     std::vector<std::uint64_t> ids;
     ids.reserve(m_connections.size());
     for (const auto& [id, connection] : m_connections) {
@@ -436,9 +456,9 @@ void Server::housekeep()
             connection.broken = connection.broken || m_clock.now() - connection.leftAt > kLingerTime;
         } else if (const QString reason = overdue(connection); !reason.isEmpty()) {
             connection.broken = true;
-            m_rotator.clientRemark(connection.session.client(), reason);
+            m_rotator.clientRemark(connection.session->client(), reason);
             farewell(connection, reason);
-        } else if (connection.session.paused()) {
+        } else if (connection.session->paused()) {
             runCommands(connection);
         }
         settle(connection);

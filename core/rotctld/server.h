@@ -3,9 +3,9 @@
 
 #include "core/base/clock.h"
 #include "core/rotctld/admission.h"
-#include "core/rotctld/handlers.h"
+#include "core/rotctld/conversation.h"
+#include "core/rotctld/entrance.h"
 #include "core/rotctld/rotator.h"
-#include "core/rotctld/session.h"
 #include "core/rotctld/sockets.h"
 
 #include <QObject>
@@ -21,26 +21,30 @@
 
 class QSocketNotifier;
 
-// The rotctld server: listens, reads, lets each client's Session run a few commands per turn, writes each reply with
-// one call, and hangs up on those who misbehave. Lives on the station thread beside the control tick; one turn is
-// bounded, so that no client delays the tick. All sockets sit in one epoll set, which is all the event loop sees:
-// the cost of a turn does not grow with the number of idle clients.
+// A server of one protocol: listens, reads, lets each client's Conversation run a few commands per turn, writes each
+// reply with one call, and hangs up on those who misbehave. Lives on the station thread beside the control tick; one
+// turn is bounded, so that no client delays the tick. All sockets sit in one epoll set, which is all the event loop
+// sees: the cost of a turn does not grow with the number of idle clients.
 namespace boresight::rotctld {
 
 struct ServerSettings
 {
-    std::string host = "127.0.0.1";  // an address; "0.0.0.0" or "::" opens the port to the network
-    std::uint16_t port = 4533;       // 0 picks a free one
-    std::size_t maxClients = 900;    // below the usual limit of 1024 descriptors
-    DumpStateForm dumpState = DumpStateForm::OldAndNew;
-    std::vector<std::string> allow;  // addresses and networks; empty: whoever can reach the port
+    std::string host = "127.0.0.1";          // an address; "0.0.0.0" or "::" opens the port to the network
+    std::uint16_t port = 4533;               // 0 picks a free one
+    std::size_t maxClients = 900;            // below the usual limit of 1024 descriptors
+    std::vector<std::string> allow;          // addresses and networks; empty: whoever can reach the port
+    std::string pty = {};                    // the link to a pseudo-terminal, instead of host and port
+    std::string protocol = "rotctld";        // its clients speak it
+    const char* allowKey = "rotctld.allow";  // where the operator wrote `allow`
+    bool readsOnly = false;                  // its clients may not move the mount
+    std::uint64_t firstId = 1;               // of its clients; each server has numbers of its own
 };
 
 struct ClientInfo
 {
     std::uint64_t id = 0;
     std::string address;
-    std::string program;  // recognised, or empty
+    std::string program;  // recognised, else its protocol unless that is rotctld
     QString lastCommand;  // why it was refused, or what became of its target
     std::uint64_t oddCommands = 0;
     double commandsPerSecond = 0.0;        // over the last seconds
@@ -54,13 +58,14 @@ class Server : public QObject
 
 public:
     // The rotator and the clock must outlive the server. Nothing is opened before listen().
-    Server(ServerSettings settings, Rotator& rotator, const Clock& clock, QObject* parent = nullptr);
+    Server(ServerSettings settings, StartConversation start, Rotator& rotator, const Clock& clock,
+           QObject* parent = nullptr);
     ~Server() override;
 
     Result<> listen();
     void close();  // hangs up on everybody and gives the port back
 
-    [[nodiscard]] std::string address() const;  // "127.0.0.1:4533"
+    [[nodiscard]] std::string address() const;  // "127.0.0.1:4533"; of a pseudo-terminal the path of its link
     [[nodiscard]] std::uint16_t port() const;
     [[nodiscard]] std::vector<ClientInfo> clients() const;
 
@@ -91,22 +96,23 @@ private:
     void flush(Connection& connection);
     void serveBacklog();
     void settle(Connection& connection);
+    void forget(Connection& connection);
     void farewell(Connection& connection, const QString& reason);
     [[nodiscard]] QString overdue(const Connection& connection) const;
 
     ServerSettings m_settings;
+    StartConversation m_start;
     Rotator& m_rotator;
     const Clock& m_clock;
     Admission m_admission;
-    Descriptor m_listener;
+    std::unique_ptr<Entrance> m_entrance;  // none while it does not listen
     Descriptor m_epoll;
     std::unique_ptr<QSocketNotifier> m_readiness;
     QTimer m_nextTurn;  // serves clients whose budget ran out, after everything else in the event loop had its turn
     QTimer m_housekeeping;
     Connections m_connections;
     std::deque<std::uint64_t> m_backlog;
-    std::uint64_t m_lastId = 0;
-    bool m_listenerWatched = false;
+    std::uint64_t m_nextId;
     bool m_shortageTold = false;
     std::string m_reply;
 };

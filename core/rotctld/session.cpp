@@ -13,8 +13,6 @@ namespace {
 
 using Event = CommandParser::Event;
 
-constexpr int kMaxOddInARow = 8;                  // lines without sense before we hang up
-constexpr std::uint64_t kOddRemarks = 3;          // of them are logged word for word
 constexpr std::size_t kMaxWaitingInPause = 4096;  // bytes
 
 }  // namespace
@@ -22,6 +20,13 @@ constexpr std::size_t kMaxWaitingInPause = 4096;  // bytes
 Session::Session(Client client, Rotator& rotator, const Clock& clock, DumpStateForm dumpState)
     : m_client(std::move(client)), m_rotator(rotator), m_clock(clock), m_dumpState(dumpState), m_habits(clock.now())
 {}
+
+StartConversation talkRotctld(Rotator& rotator, const Clock& clock, DumpStateForm dumpState)
+{
+    return [&rotator, &clock, dumpState](Client client) -> std::unique_ptr<Conversation> {
+        return std::make_unique<Session>(std::move(client), rotator, clock, dumpState);
+    };
+}
 
 void Session::receive(std::string_view bytes)
 {

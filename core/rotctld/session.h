@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "core/rotctld/client_habits.h"
 #include "core/rotctld/command_parser.h"
+#include "core/rotctld/conversation.h"
 #include "core/rotctld/handlers.h"
 #include "core/rotctld/rotator.h"
 
@@ -12,31 +13,26 @@
 #include <string>
 #include <string_view>
 
-// One client's conversation: bytes in, replies out, without a socket. Commands run one per step(), in order, so that
-// the server decides how much of one client it serves before the next. Station thread.
+// A conversation in the protocol of Hamlib's rotctld. Station thread.
 namespace boresight::rotctld {
 
-class Session
+class Session final : public Conversation
 {
 public:
     Session(Client client, Rotator& rotator, const Clock& clock, DumpStateForm dumpState);
 
-    void receive(std::string_view bytes);
-    // The client sends no more, though it may still read. A pause it asked for ends, and with it the session.
-    void endOfInput();
+    void receive(std::string_view bytes) override;
+    // A pause it asked for ends, and with it the session.
+    void endOfInput() override;
 
-    // Takes the next command if one is complete, and appends its reply, one reply at most. True while there may be
-    // more to do.
-    [[nodiscard]] bool step(std::string& reply);
+    [[nodiscard]] bool step(std::string& reply) override;
 
-    [[nodiscard]] const Client& client() const { return m_client; }
-    // Why the conversation is over; empty while it goes on.
-    [[nodiscard]] const QString& ending() const { return m_ending; }
-    [[nodiscard]] bool dropped() const { return m_dropped; }  // by us; else it left by itself
-    [[nodiscard]] bool paused() const { return m_pausedUntil.has_value(); }
-    [[nodiscard]] bool midCommand() const { return m_parser.midCommand(); }
-
-    [[nodiscard]] const ClientHabits& habits() const { return m_habits; }
+    [[nodiscard]] const Client& client() const override { return m_client; }
+    [[nodiscard]] const QString& ending() const override { return m_ending; }
+    [[nodiscard]] bool dropped() const override { return m_dropped; }
+    [[nodiscard]] bool paused() const override { return m_pausedUntil.has_value(); }
+    [[nodiscard]] bool midCommand() const override { return m_parser.midCommand(); }
+    [[nodiscard]] const ClientHabits& habits() const override { return m_habits; }
 
 private:
     bool resume(std::string& reply);
@@ -65,5 +61,8 @@ private:
     bool m_dropped = false;
     int m_oddInARow = 0;
 };
+
+// How a server starts a conversation with each of its clients. Both outlive it.
+[[nodiscard]] StartConversation talkRotctld(Rotator& rotator, const Clock& clock, DumpStateForm dumpState);
 
 }  // namespace boresight::rotctld

@@ -161,7 +161,7 @@ tl::expected<Accepted, AcceptFailure> acceptOne(const Descriptor& listener)
 
 Received receiveSome(const Descriptor& socket, char* buffer, std::size_t size)
 {
-    const ssize_t count = ::recv(socket.get(), buffer, size, 0);
+    const ssize_t count = ::read(socket.get(), buffer, size);
     if (count > 0) {
         return {.bytes = {buffer, static_cast<std::size_t>(count)}, .atEnd = false, .failure = {}};
     }
@@ -171,12 +171,18 @@ Received receiveSome(const Descriptor& socket, char* buffer, std::size_t size)
     if (errno == EAGAIN || errno == EINTR) {
         return {};
     }
+    if (errno == EIO && ::isatty(socket.get()) != 0) {
+        return {.bytes = {}, .atEnd = true, .failure = {}};  // its program has closed the terminal
+    }
     return {.bytes = {}, .atEnd = true, .failure = reason()};
 }
 
 std::optional<std::size_t> sendSome(const Descriptor& socket, std::string_view bytes)
 {
-    const ssize_t count = ::send(socket.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    ssize_t count = ::send(socket.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (count < 0 && errno == ENOTSOCK) {
+        count = ::write(socket.get(), bytes.data(), bytes.size());
+    }
     if (count >= 0) {
         return static_cast<std::size_t>(count);
     }

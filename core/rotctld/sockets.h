@@ -10,7 +10,8 @@
 #include <string_view>
 #include <utility>
 
-// The system calls of the server, non-blocking, each with its reason when it fails. Linux.
+// The system calls of the server, non-blocking, each with its reason when it fails. Linux. What is received and sent
+// may go through a pseudo-terminal as well.
 namespace boresight::rotctld {
 
 // Owns a file descriptor.

@@ -65,7 +65,8 @@ Source clientSource(const rotctld::Client& client)
 {
     return {.kind = SourceKind::Client,
             .clientId = client.id,
-            .name = QStringLiteral("rotctld ") + QString::fromStdString(client.address)};
+            .name = (client.protocol == "rotctld" ? QString() : QStringLiteral("client ")) +
+                    toQString(client.protocol + " " + client.address)};
 }
 
 StationRotator::StationRotator(StationControl& control, const profile::InForce& profile, EventLog& log,
@@ -288,7 +289,7 @@ void StationRotator::logRefusal(const rotctld::Client& client, const QString& co
 void StationRotator::clientConnected(const rotctld::Client& client)
 {
     m_connections.add(Severity::Advisory, clientSource(client).name, Text::tr("connected"));
-    m_control.clientCame(clientSource(client), boresight::hostOf(client.address));
+    m_control.clientCame(clientSource(client), boresight::hostOf(client.address), client.readsOnly);
 }
 
 void StationRotator::clientGone(const rotctld::Client& client, const QString& reason)

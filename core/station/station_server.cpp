@@ -3,9 +3,12 @@
 
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
+#include "core/rotctld/session.h"
 
 #include <QHostAddress>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace boresight {
@@ -16,9 +19,12 @@ rotctld::ServerSettings serverSettings(const profile::RotctldSettings& settings)
     return {.host = settings.listen.host,
             .port = settings.listen.port,
             .maxClients = static_cast<std::size_t>(settings.maxClients),
-            .dumpState = settings.dumpState == profile::DumpState::AsHamlib ? rotctld::DumpStateForm::AsHamlib
-                                                                            : rotctld::DumpStateForm::OldAndNew,
             .allow = settings.allow};
+}
+
+rotctld::DumpStateForm formOf(profile::DumpState form)
+{
+    return form == profile::DumpState::AsHamlib ? rotctld::DumpStateForm::AsHamlib : rotctld::DumpStateForm::OldAndNew;
 }
 
 QString advice(const rotctld::ClientInfo& client)
@@ -38,7 +44,9 @@ StationServer::StationServer(StationControl& control, const profile::InForce& pr
       m_profile(profile),
       m_log(log),
       m_rotator(control, profile, log, clock),
-      m_server(serverSettings(profile->rotctld), m_rotator, clock, parent)
+      m_server(serverSettings(profile->rotctld),
+               rotctld::talkRotctld(m_rotator, clock, formOf(profile->rotctld.dumpState)), m_rotator, clock, parent),
+      m_further(control.alarms(), profile, log, m_rotator, clock, parent)
 {}
 
 Result<> StationServer::open()
@@ -50,7 +58,14 @@ Result<> StationServer::open()
     } else {
         m_control.alarms().raise(alarmEntry("rotctld.not-listening"), {listening.error().text});
     }
+    m_further.open();
     return listening;
+}
+
+void StationServer::close()
+{
+    m_server.close();
+    m_further.close();
 }
 
 // Whoever reaches the port moves the mount: the protocol knows no password.
@@ -77,7 +92,8 @@ void StationServer::profileChanged()
 
 Result<> StationServer::disconnect(std::uint64_t client)
 {
-    return m_server.disconnect(client, Text::tr("disconnected by the operator"))
+    const QString reason = Text::tr("disconnected by the operator");
+    return m_server.disconnect(client, reason) || m_further.disconnect(client, reason)
                ? Result<>{}
                : failure(ErrorCode::NotAvailable, Text::tr("this client has disconnected"));
 }
@@ -90,7 +106,9 @@ QString StationServer::address() const
 std::vector<ClientStatus> StationServer::clients() const
 {
     std::vector<ClientStatus> list;
-    for (const rotctld::ClientInfo& client : m_server.clients()) {
+    std::vector<rotctld::ClientInfo> all = m_server.clients();
+    std::ranges::move(m_further.clients(), std::back_inserter(all));
+    for (const rotctld::ClientInfo& client : all) {
         ClientStatus status{.id = client.id,
                             .address = QString::fromStdString(client.address),
                             .program = QString::fromStdString(client.program),

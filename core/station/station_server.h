@@ -5,12 +5,13 @@
 #include "core/control/station_control.h"
 #include "core/profile/in_force.h"
 #include "core/rotctld/server.h"
+#include "core/station/station_listeners.h"
 #include "core/station/station_rotator.h"
 
 #include <vector>
 
 // The rotctld server of a station, by the profile: where it listens, who may connect, what the log and the alarms say
-// about it, and its clients as the screen shows them. Station thread.
+// about it, and its clients as the screen shows them, with those of the further listeners. Station thread.
 namespace boresight {
 
 class StationServer
@@ -22,7 +23,7 @@ public:
 
     // Where it does not listen there is an alarm, too.
     Result<> open();
-    void close() { m_server.close(); }
+    void close();
     void profileChanged();
     // NotAvailable: it has gone by itself.
     Result<> disconnect(std::uint64_t client);
@@ -38,7 +39,8 @@ private:
     const profile::InForce& m_profile;
     EventLog& m_log;
     StationRotator m_rotator;
-    rotctld::Server m_server;  // ends before the rotator
+    rotctld::Server m_server;  // they end before the rotator
+    StationListeners m_further;
 };
 
 }  // namespace boresight

@@ -835,6 +835,10 @@ até %1</translation>
         <source>Transmit on target</source>
         <translation>Transmitir só no alvo</translation>
     </message>
+    <message>
+        <source>Further listeners</source>
+        <translation>Outras escutas</translation>
+    </message>
 </context>
 <context>
     <name>SkyBodies</name>
@@ -6883,14 +6887,6 @@ até %1</translation>
         <translation>um lugar não está no globo</translation>
     </message>
     <message>
-        <source>refused: its address is not permitted (rotctld.allow)</source>
-        <translation>recusado: o seu endereço não está entre os que podem conectar-se</translation>
-    </message>
-    <message>
-        <source>its address is no longer permitted (rotctld.allow)</source>
-        <translation>o seu endereço já não pode conectar-se</translation>
-    </message>
-    <message>
         <source>no file descriptor is free, so new clients wait</source>
         <translation>não restam descritores: novos clientes esperam</translation>
     </message>
@@ -9201,6 +9197,126 @@ até %1</translation>
     <message>
         <source>stands still while WSJT-X transmits</source>
         <translation>parada enquanto o WSJT-X transmite</translation>
+    </message>
+    <message>
+        <source>Further clients cannot connect: %1</source>
+        <translation>Outros clientes não se podem ligar: %1</translation>
+    </message>
+    <message>
+        <source>Boresight serves its other listeners</source>
+        <translation>O Boresight serve as suas outras escutas</translation>
+    </message>
+    <message>
+        <source>End the other program, or choose another place (listeners.list on the page Profile). Then press Reconnect</source>
+        <translation>Termine o outro programa, ou escolha outro lugar (listeners.list na página Perfil). Depois prima Religar</translation>
+    </message>
+    <message>
+        <source>Add the addresses that may connect to the listener (listeners.list on the page Profile), or let it listen on 127.0.0.1</source>
+        <translation>Acrescente à escuta os endereços que se podem ligar (listeners.list na página Perfil), ou faça-a escutar em 127.0.0.1</translation>
+    </message>
+    <message>
+        <source>The listener of this client has the right &quot;read&quot; (listeners.list in the profile).</source>
+        <translation>A escuta deste cliente tem o direito &quot;read&quot; (listeners.list no perfil).</translation>
+    </message>
+    <message>
+        <source>this is no GS-232 command</source>
+        <translation>isto não é um comando GS-232</translation>
+    </message>
+    <message>
+        <source>azimuth %1 is outside 0°…450°</source>
+        <translation>o azimute %1 está fora de 0°…450°</translation>
+    </message>
+    <message>
+        <source>elevation %1 is outside 0°…180°</source>
+        <translation>a elevação %1 está fora de 0°…180°</translation>
+    </message>
+    <message>
+        <source>lists of positions are not supported</source>
+        <translation>as listas de posições não são suportadas</translation>
+    </message>
+    <message>
+        <source>GS-232 has no number for the azimuth %1</source>
+        <translation>o GS-232 não tem número para o azimute %1</translation>
+    </message>
+    <message>
+        <source>this command of GS-232 is not supported</source>
+        <translation>este comando do GS-232 não é suportado</translation>
+    </message>
+    <message>
+        <source>GS-232 has no number for the elevation %1</source>
+        <translation>o GS-232 não tem número para a elevação %1</translation>
+    </message>
+    <message>
+        <source>&quot;tcp:%1&quot; names no IP address and port. An example: tcp:127.0.0.1:4534</source>
+        <translation>&quot;tcp:%1&quot; não indica um endereço IP e uma porta. Um exemplo: tcp:127.0.0.1:4534</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no place to listen. tcp:ADDRESS:PORT or pty:/PATH is expected</source>
+        <translation>&quot;%1&quot; não é um lugar de escuta. Espera-se tcp:ENDEREÇO:PORTA ou pty:/CAMINHO</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no IP address and no network</source>
+        <translation>&quot;%1&quot; não é um endereço IP nem uma rede</translation>
+    </message>
+    <message>
+        <source>protocol, rights and place are expected, like &quot;gs232b drive tcp:127.0.0.1:4534&quot;</source>
+        <translation>espera-se protocolo, direitos e lugar, como &quot;gs232b drive tcp:127.0.0.1:4534&quot;</translation>
+    </message>
+    <message>
+        <source>the protocol &quot;%1&quot; is unknown. Known are: %2</source>
+        <translation>o protocolo &quot;%1&quot; é desconhecido. Conhecem-se: %2</translation>
+    </message>
+    <message>
+        <source>the rights &quot;%1&quot; are neither &quot;drive&quot; nor &quot;read&quot;</source>
+        <translation>os direitos &quot;%1&quot; não são &quot;drive&quot; nem &quot;read&quot;</translation>
+    </message>
+    <message>
+        <source>a pseudo-terminal takes no addresses, here &quot;%1&quot;. Only programs of this computer reach it</source>
+        <translation>um pseudoterminal não aceita endereços, aqui &quot;%1&quot;. Só os programas deste computador o alcançam</translation>
+    </message>
+    <message>
+        <source>Two listeners have the place %1. Each needs its own.</source>
+        <translation>Duas escutas têm o lugar %1. Cada uma precisa do seu.</translation>
+    </message>
+    <message>
+        <source>Further listeners</source>
+        <translation>Outras escutas</translation>
+    </message>
+    <message>
+        <source>Listeners for programs that do not speak rotctld. Each has a protocol (&quot;gs232a&quot; or &quot;gs232b&quot;), the right to &quot;drive&quot; or only to &quot;read&quot;, and a place: &quot;gs232b drive tcp:127.0.0.1:4534&quot; or &quot;gs232a read pty:/tmp/rotator&quot;. Addresses and networks that may connect by TCP can follow. Empty: none.</source>
+        <translation>Escutas para programas que não falam rotctld. Cada uma tem um protocolo (&quot;gs232a&quot; ou &quot;gs232b&quot;), o direito de mover (&quot;drive&quot;) ou só de ler (&quot;read&quot;), e um lugar: &quot;gs232b drive tcp:127.0.0.1:4534&quot; ou &quot;gs232a read pty:/tmp/rotator&quot;. Podem seguir-se endereços e redes que se podem ligar por TCP. Vazio: nenhuma.</translation>
+    </message>
+    <message>
+        <source>is no program for rotators (%1)</source>
+        <translation>não é um programa para rotores (%1)</translation>
+    </message>
+    <message>
+        <source>refused: its address is not permitted (%1)</source>
+        <translation>recusado: o seu endereço não é permitido (%1)</translation>
+    </message>
+    <message>
+        <source>its address is no longer permitted (%1)</source>
+        <translation>o seu endereço deixou de ser permitido (%1)</translation>
+    </message>
+    <message>
+        <source>cannot serve the pseudo-terminal %1: %2</source>
+        <translation>não é possível servir o pseudoterminal %1: %2</translation>
+    </message>
+    <message>
+        <source>another program serves it already</source>
+        <translation>outro programa já o serve</translation>
+    </message>
+    <message>
+        <source>its folder is missing or cannot be written</source>
+        <translation>a sua pasta não existe ou não se pode escrever nela</translation>
+    </message>
+    <message>
+        <source>there is a file of this name, which is no link</source>
+        <translation>há um ficheiro com este nome, que não é uma ligação</translation>
+    </message>
+    <message>
+        <source>%1 listens on %2</source>
+        <translation>%1 escuta em %2</translation>
     </message>
 </context>
 <context>

@@ -44,6 +44,7 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"sun", QT_TRANSLATE_NOOP("SettingWords", "Sun")},
                              {"jog", QT_TRANSLATE_NOOP("SettingWords", "Jog")},
                              {"rotctld", QT_TRANSLATE_NOOP("SettingWords", "rotctld server")},
+                             {"listeners", QT_TRANSLATE_NOOP("SettingWords", "Further listeners")},
                              {"supervision", QT_TRANSLATE_NOOP("SettingWords", "Supervision")},
                              {"recovery", QT_TRANSLATE_NOOP("SettingWords", "Recovery")},
                              {"sensor", QT_TRANSLATE_NOOP("SettingWords", "Orientation sensor")},

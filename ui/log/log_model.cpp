@@ -11,7 +11,8 @@
 namespace boresight::ui {
 
 namespace {
-constexpr std::size_t kMaxEntries = 5000;  // a night of commands at one a few seconds; the file keeps the rest
+constexpr std::size_t kMaxEntries = 5000;         // a night of commands at one a few seconds; the file keeps the rest
+constexpr QLatin1String kOtherClient("client ");  // that speaks no rotctld, see Source
 }  // namespace
 
 LogModel::LogModel(QObject* parent) : TableModel({tr("UTC"), tr("Source"), tr("What")}, parent) {}
@@ -112,7 +113,7 @@ bool LogFilter::filterAcceptsRow(int row, const QModelIndex&) const
 
 LogSource sourceOf(const LogEntry& entry)
 {
-    if (entry.source.startsWith(QLatin1String("rotctld"))) {
+    if (entry.source.startsWith(QLatin1String("rotctld")) || entry.source.startsWith(kOtherClient)) {
         return LogSource::Clients;
     }
     const bool isOperator = entry.source == QLatin1String("operator") || entry.source == QLatin1String("shell");
@@ -124,8 +125,9 @@ QString shortSource(const LogEntry& entry)
     if (sourceOf(entry) != LogSource::Clients) {
         return sourceText(entry.source);
     }
-    const qsizetype port = entry.source.lastIndexOf(QLatin1Char(':'));
-    return port < 0 ? entry.source : QStringLiteral("rotctld ") + entry.source.mid(port);
+    const QString source = entry.source.startsWith(kOtherClient) ? entry.source.mid(kOtherClient.size()) : entry.source;
+    const qsizetype port = source.lastIndexOf(QLatin1Char(':'));
+    return port < 0 ? source : source.section(QLatin1Char(' '), 0, 0) + QLatin1Char(' ') + source.mid(port);
 }
 
 QString logLine(const LogEntry& entry)

@@ -12,7 +12,7 @@ namespace {
 
 std::string play(const QJsonObject& exchange)
 {
-    ServerFixture fixture({.dumpState = DumpStateForm::AsHamlib});
+    ServerFixture fixture({}, DumpStateForm::AsHamlib);
     return fakes::RotctldCaseRunner(fixture.target()).run(exchange);
 }
 

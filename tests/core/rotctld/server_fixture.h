@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/rotctld/server.h"
+#include "core/rotctld/session.h"
 #include "tests/fakes/dummy_rotator.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/rotctld_case_runner.h"
@@ -17,10 +18,10 @@ namespace boresight::rotctld {
 // Everything runs on the test's thread; a peer's pump turns the event loop once.
 struct ServerFixture
 {
-    explicit ServerFixture(ServerSettings settings = {})
+    explicit ServerFixture(ServerSettings settings = {}, DumpStateForm form = DumpStateForm::OldAndNew)
     {
         settings.port = 0;
-        server = std::make_unique<Server>(settings, rotator, clock);
+        server = std::make_unique<Server>(settings, talkRotctld(rotator, clock, form), rotator, clock);
         listening = server->listen().has_value();
     }
 

@@ -314,9 +314,12 @@ TEST(RotctldServer, TellsHowAClientBehaves)
 TEST(RotctldServer, SaysWhyItCannotListen)
 {
     ServerFixture fixture;
-    Server second({.host = "127.0.0.1", .port = fixture.server->port()}, fixture.rotator, fixture.clock);
+    Server second({.host = "127.0.0.1", .port = fixture.server->port()},
+                  talkRotctld(fixture.rotator, fixture.clock, DumpStateForm::OldAndNew), fixture.rotator,
+                  fixture.clock);
     EXPECT_EQ(second.listen().error().code, ErrorCode::Busy);
-    Server nowhere({.host = "shack.example"}, fixture.rotator, fixture.clock);
+    Server nowhere({.host = "shack.example"}, talkRotctld(fixture.rotator, fixture.clock, DumpStateForm::OldAndNew),
+                   fixture.rotator, fixture.clock);
     EXPECT_EQ(nowhere.listen().error().code, ErrorCode::InvalidInput);
     EXPECT_EQ(nowhere.address(), "");
     EXPECT_EQ(fixture.server->address(), "127.0.0.1:" + std::to_string(fixture.server->port()));
@@ -329,7 +332,8 @@ TEST(RotctldServer, GivesThePortBack)
     const std::uint16_t port = fixture.server->port();
     fixture.server->close();
     EXPECT_EQ(fixture.goneReason(), "the server was closed");
-    Server next({.host = "127.0.0.1", .port = port}, fixture.rotator, fixture.clock);
+    Server next({.host = "127.0.0.1", .port = port},
+                talkRotctld(fixture.rotator, fixture.clock, DumpStateForm::OldAndNew), fixture.rotator, fixture.clock);
     EXPECT_TRUE(next.listen().has_value());
 }
 

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/gs232_server/emulated_box.h"
+
+#include <utility>
+
+namespace boresight::gs232 {
+namespace {
+
+constexpr int kSpeedOfTheLevel = -1;
+
+}  // namespace
+
+EmulatedBox::EmulatedBox(rotctld::Client client, rotctld::Rotator& rotator, Dialect dialect)
+    : m_client(std::move(client)), m_rotator(rotator), m_dialect(dialect)
+{}
+
+rotctld::LineOutcome EmulatedBox::obey(std::string_view line)
+{
+    rotctld::LineOutcome outcome{.reply = std::string(kAccepted), .result = {}};
+    if (const auto command = parseCommand(line)) {
+        std::visit([&](const auto& wanted) { carryOut(wanted, outcome); }, *command);
+    } else {
+        outcome.result = tl::unexpected(command.error());
+    }
+    if (!outcome.result) {
+        outcome.reply = kRefusal;
+    }
+    return outcome;
+}
+
+void EmulatedBox::carryOut(Ask question, rotctld::LineOutcome& outcome)
+{
+    outcome.result = m_rotator.position(m_client)
+                         .and_then([&](const SkyPointing& place) { return answerTo(question, place, m_dialect); })
+                         .map([&](const std::string& answer) { outcome.reply = answer; });
+}
+
+// The station points both axes. Without a word about the elevation it stays where it is measured.
+void EmulatedBox::carryOut(const PointTo& place, rotctld::LineOutcome& outcome)
+{
+    outcome.motion = true;
+    const Result<Angle> elevation =
+        place.elevation ? Result<Angle>(*place.elevation)
+                        : m_rotator.position(m_client).map([](const SkyPointing& now) { return now.elevation; });
+    outcome.result = elevation
+                         .and_then([&](Angle wanted) {
+                             outcome.point = SkyPointing{.azimuth = place.azimuth, .elevation = wanted};
+                             return m_rotator.pointTo(m_client, {.azimuth = place.azimuth, .elevation = wanted});
+                         })
+                         .map([&](const QString& became) { outcome.became = became; });
+}
+
+void EmulatedBox::carryOut(const Turn& turn, rotctld::LineOutcome& outcome)
+{
+    outcome.motion = true;
+    outcome.result = m_rotator.move(m_client, turn.direction, kSpeedOfTheLevel);
+}
+
+void EmulatedBox::carryOut(const StopTurning&, rotctld::LineOutcome& outcome)
+{
+    outcome.result = m_rotator.stop(m_client);
+}
+
+void EmulatedBox::carryOut(const Speed& speed, rotctld::LineOutcome& outcome)
+{
+    outcome.result = m_rotator.setSpeedLevel(m_client, speed.level);
+}
+
+rotctld::StartConversation talkGs232(rotctld::Rotator& rotator, const Clock& clock, Dialect dialect)
+{
+    return [&rotator, &clock, dialect](rotctld::Client client) -> std::unique_ptr<rotctld::Conversation> {
+        auto box = std::make_unique<EmulatedBox>(client, rotator, dialect);
+        return std::make_unique<rotctld::LineSession>(std::move(client), std::move(box), rotator, clock);
+    };
+}
+
+}  // namespace boresight::gs232

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/rotctld/line_session.h"
+
+#include "core/base/control_characters.h"
+#include "core/base/text.h"
+#include "core/rotctld/command_parser.h"
+#include "core/rotctld/stranger.h"
+
+#include <utility>
+
+namespace boresight::rotctld {
+namespace {
+
+constexpr std::string_view kLineEnds = "\r\n";
+
+// Programs that speak no rotator protocol at all. What a rotctld client would not say may be right here.
+bool speaksOtherwise(std::string_view line)
+{
+    const auto stranger = strangerIn(line);
+    return stranger && (*stranger == "HTTP" || *stranger == "TLS");
+}
+
+}  // namespace
+
+LineSession::LineSession(Client client, std::unique_ptr<LineProtocol> protocol, Rotator& rotator, const Clock& clock)
+    : m_client(std::move(client)),
+      m_protocol(std::move(protocol)),
+      m_rotator(rotator),
+      m_clock(clock),
+      m_habits(clock.now())
+{}
+
+bool LineSession::step(std::string& reply)
+{
+    if (!m_ending.isEmpty()) {
+        return false;
+    }
+    const std::size_t begin = m_input.find_first_not_of(kLineEnds, m_taken);
+    const std::size_t end = begin == std::string::npos ? begin : m_input.find_first_of(kLineEnds, begin);
+    if (end == std::string::npos) {
+        m_input.erase(0, std::min(begin, m_input.size()));
+        m_taken = 0;
+        wait();
+        return !m_ending.isEmpty();
+    }
+    m_taken = end + 1;
+    run(std::string_view(m_input).substr(begin, end - begin), reply);
+    return true;
+}
+
+// For the rest of a line.
+void LineSession::wait()
+{
+    if (m_input.size() > kMaxLineLength) {
+        drop(Text::tr("sent %1 bytes without a line end").arg(QString::number(kMaxLineLength)));
+    } else if (m_inputEnded) {
+        m_ending = Text::tr("closed the connection");
+    }
+}
+
+void LineSession::run(std::string_view line, std::string& reply)
+{
+    if (speaksOtherwise(line)) {
+        drop(Text::tr("is no program for rotators (%1)").arg(shownText(line)));
+        return;
+    }
+    const LineOutcome outcome = m_protocol->obey(line);
+    reply += outcome.reply;
+    m_habits.take(line.substr(0, kShownBytes), outcome.motion, outcome.point, m_clock.now());
+    m_habits.answered(outcome.result, outcome.became);
+    if (!outcome.result && outcome.result.error().code == ErrorCode::InvalidInput) {
+        odd(line);
+    } else {
+        m_oddInARow = 0;
+    }
+}
+
+void LineSession::odd(std::string_view line)
+{
+    m_habits.countOdd();
+    if (m_habits.oddCommands() <= kOddRemarks) {
+        m_rotator.clientRemark(m_client, Text::tr("unknown command \"%1\"").arg(shownText(line)));
+    }
+    if (++m_oddInARow >= kMaxOddInARow) {
+        drop(Text::tr("sent %1 unknown commands in a row").arg(QString::number(kMaxOddInARow)));
+    }
+}
+
+void LineSession::drop(const QString& reason)
+{
+    m_ending = reason;
+    m_dropped = true;
+}
+
+}  // namespace boresight::rotctld

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text.h"
+#include "core/rotctld/entrance.h"
+
+#include <QLockFile>
+#include <QLoggingCategory>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace boresight::rotctld {
+namespace {
+
+Q_LOGGING_CATEGORY(lcTerminal, "boresight.terminal")
+
+tl::unexpected<Error> cannotServe(const std::string& path, ErrorCode code, const QString& reason)
+{
+    return failure(code, Text::tr("cannot serve the pseudo-terminal %1: %2").arg(toQString(path), reason));
+}
+
+QString systemReason()
+{
+    return toQString(std::strerror(errno));
+}
+
+class TerminalEntrance final : public Entrance
+{
+public:
+    explicit TerminalEntrance(const std::string& path)
+        : m_path(path), m_lock(QString::fromStdString(path) + QStringLiteral(".lock"))
+    {
+        m_lock.setStaleLockTime(0);  // a lock ends with the program that holds it
+    }
+    TerminalEntrance(const TerminalEntrance&) = delete;
+    TerminalEntrance& operator=(const TerminalEntrance&) = delete;
+    ~TerminalEntrance() override;
+
+    [[nodiscard]] Result<> open();
+
+    [[nodiscard]] std::string address() const override { return m_path; }
+    [[nodiscard]] tl::expected<Accepted, AcceptFailure> accept() override;
+    void left(bool byItself) override;
+
+private:
+    [[nodiscard]] Result<> make();
+    [[nodiscard]] Result<> link() const;
+    [[nodiscard]] bool linksHere() const;
+    [[nodiscard]] bool prepare() const;
+
+    std::string m_path;
+    QLockFile m_lock;
+    Descriptor m_master;
+    std::string m_terminal;  // "/dev/pts/7"
+    bool m_taken = false;
+};
+
+TerminalEntrance::~TerminalEntrance()
+{
+    if (linksHere()) {
+        ::unlink(m_path.c_str());
+    }
+}
+
+Result<> TerminalEntrance::open()
+{
+    if (!m_lock.tryLock(0)) {
+        const bool held = m_lock.error() == QLockFile::LockFailedError;
+        return cannotServe(m_path, held ? ErrorCode::Busy : ErrorCode::Denied,
+                           held ? Text::tr("another program serves it already")
+                                : Text::tr("its folder is missing or cannot be written"));
+    }
+    struct stat found
+    {};
+    if (::lstat(m_path.c_str(), &found) == 0 && !S_ISLNK(found.st_mode)) {
+        return cannotServe(m_path, ErrorCode::Busy, Text::tr("there is a file of this name, which is no link"));
+    }
+    return make();
+}
+
+Result<> TerminalEntrance::make()
+{
+    Descriptor master(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+    std::array<char, 128> name{};
+    if (!master.valid() || ::grantpt(master.get()) != 0 || ::unlockpt(master.get()) != 0 ||
+        ::ptsname_r(master.get(), name.data(), name.size()) != 0) {
+        return cannotServe(m_path, ErrorCode::Io, systemReason());
+    }
+    m_master = std::move(master);
+    m_terminal = name.data();
+    if (!prepare()) {
+        return cannotServe(m_path, ErrorCode::Io, systemReason());
+    }
+    return link();
+}
+
+// Other programs find the terminal by this name, also while it is made anew: the link is replaced in one step.
+Result<> TerminalEntrance::link() const
+{
+    const std::string fresh = m_path + ".new";
+    ::unlink(fresh.c_str());
+    if (::symlink(m_terminal.c_str(), fresh.c_str()) != 0 || ::rename(fresh.c_str(), m_path.c_str()) != 0) {
+        const auto failed = cannotServe(m_path, ErrorCode::Io, systemReason());
+        ::unlink(fresh.c_str());
+        return failed;
+    }
+    return {};
+}
+
+bool TerminalEntrance::linksHere() const
+{
+    std::array<char, 128> target{};
+    const ssize_t length = ::readlink(m_path.c_str(), target.data(), target.size());
+    return length > 0 && m_terminal == std::string_view(target.data(), static_cast<std::size_t>(length));
+}
+
+// Bytes pass as they are, no echo, and nothing is left of the last client. Opened and closed once, the terminal shows
+// whether a client has it open.
+bool TerminalEntrance::prepare() const
+{
+    const Descriptor line(::open(m_terminal.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+    termios settings{};
+    if (!line.valid() || ::tcgetattr(line.get(), &settings) != 0) {
+        return false;
+    }
+    ::cfmakeraw(&settings);
+    return ::tcsetattr(line.get(), TCSANOW, &settings) == 0 && ::tcflush(line.get(), TCIFLUSH) == 0;
+}
+
+tl::expected<Accepted, AcceptFailure> TerminalEntrance::accept()
+{
+    pollfd state{.fd = m_master.get(), .events = POLLIN, .revents = 0};
+    if (m_taken || ::poll(&state, 1, 0) < 0) {
+        return tl::unexpected(AcceptFailure::NoneWaiting);
+    }
+    // What a program wrote and left counts, too: "echo S" to the terminal.
+    const bool nobody = (state.revents & POLLHUP) != 0 && (state.revents & POLLIN) == 0;
+    Descriptor end(nobody ? -1 : ::fcntl(m_master.get(), F_DUPFD_CLOEXEC, 0));
+    if (!end.valid()) {
+        return tl::unexpected(AcceptFailure::NoneWaiting);
+    }
+    m_taken = true;
+    return Accepted{.socket = std::move(end), .address = m_path};
+}
+
+// Who was hung up on finds its terminal gone; the next client opens another by the same link.
+void TerminalEntrance::left(bool byItself)
+{
+    m_taken = false;
+    if (byItself && prepare()) {
+        return;
+    }
+    if (const Result<> made = make(); !made) {
+        qCWarning(lcTerminal, "%s", qUtf8Printable(made.error().text));
+    }
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Entrance>> openTerminal(const std::string& path)
+{
+    auto entrance = std::make_unique<TerminalEntrance>(path);
+    return entrance->open().map([&]() -> std::unique_ptr<Entrance> { return std::move(entrance); });
+}
+
+}  // namespace boresight::rotctld

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/station_listeners.h"
+
+#include "core/alarms/catalogue.h"
+#include "core/base/text.h"
+#include "core/gs232_server/emulated_box.h"
+#include "core/listeners/listener.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace boresight {
+namespace {
+
+using listeners::Listener;
+using listeners::Protocol;
+
+// Each server numbers its clients: rotctld's from 1 on, those of the first listener above this, and so on.
+constexpr std::uint64_t kClientsOfOne = 1ULL << 32U;
+
+rotctld::ServerSettings serverSettings(const Listener& listener, std::size_t index, std::size_t maxClients)
+{
+    return {.host = listener.host,
+            .port = listener.port,
+            .maxClients = maxClients,
+            .allow = listener.allow,
+            .pty = listener.pty,
+            .protocol = std::string(listeners::nameOf(listener.protocol)),
+            .allowKey = "listeners.list",
+            .readsOnly = listener.rights == listeners::Rights::Read,
+            .firstId = (index + 1) * kClientsOfOne};
+}
+
+// The line to add for a protocol of another kind.
+rotctld::StartConversation talkOf(Protocol protocol, rotctld::Rotator& rotator, const Clock& clock)
+{
+    switch (protocol) {
+        case Protocol::Gs232A:
+            return gs232::talkGs232(rotator, clock, gs232::Dialect::A);
+        case Protocol::Gs232B:
+            break;
+    }
+    return gs232::talkGs232(rotator, clock, gs232::Dialect::B);
+}
+
+}  // namespace
+
+StationListeners::StationListeners(AlarmBoard& alarms, const profile::InForce& profile, EventLog& log,
+                                   rotctld::Rotator& rotator, const Clock& clock, QObject* parent)
+    : m_alarms(alarms), m_profile(profile), m_log(log), m_rotator(rotator), m_clock(clock), m_parent(parent)
+{}
+
+void StationListeners::open()
+{
+    QStringList failed;
+    QStringList exposed;
+    for (std::size_t i = 0; i < m_profile->listeners.size(); ++i) {
+        const auto listener = listeners::parseListener(m_profile->listeners[i]);
+        if (!listener) {
+            continue;  // the profile with it was refused
+        }
+        auto server = std::make_unique<rotctld::Server>(
+            serverSettings(*listener, i, static_cast<std::size_t>(m_profile->rotctld.maxClients)),
+            talkOf(listener->protocol, m_rotator, m_clock), m_rotator, m_clock, m_parent);
+        if (const Result<> listening = server->listen(); !listening) {
+            failed << listening.error().text;
+            continue;
+        }
+        const QString address = toQString(server->address());
+        m_log.add(Severity::Advisory, QStringLiteral("listeners"),
+                  Text::tr("%1 listens on %2").arg(toQString(listeners::nameOf(listener->protocol)), address));
+        if (listeners::isOpenToAll(*listener)) {
+            exposed << address;
+        }
+        m_servers.push_back(std::move(server));
+    }
+    if (!failed.isEmpty()) {
+        m_alarms.raise(alarmEntry("listener.not-open"), {failed.join(QStringLiteral("; "))});
+    }
+    if (!exposed.isEmpty()) {
+        m_alarms.raise(alarmEntry("listener.open"), {exposed.join(QStringLiteral(", "))});
+    }
+}
+
+bool StationListeners::disconnect(std::uint64_t client, const QString& reason)
+{
+    return std::ranges::any_of(m_servers, [&](const auto& server) { return server->disconnect(client, reason); });
+}
+
+std::vector<rotctld::ClientInfo> StationListeners::clients() const
+{
+    std::vector<rotctld::ClientInfo> all;
+    for (const auto& server : m_servers) {
+        std::ranges::move(server->clients(), std::back_inserter(all));
+    }
+    return all;
+}
+
+std::vector<std::string> StationListeners::addresses() const
+{
+    std::vector<std::string> all;
+    for (const auto& server : m_servers) {
+        all.push_back(server->address());
+    }
+    return all;
+}
+
+}  // namespace boresight

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/station_listeners.h"
+
+#include "core/station/station_rotator.h"
+#include "tests/core/control/station_rig.h"
+#include "tests/fakes/tcp_peer.h"
+#include "tests/fakes/text_of.h"
+
+#include <QCoreApplication>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace boresight {
+namespace {
+
+profile::Profile withListeners(std::vector<std::string> lines)
+{
+    profile::Profile profile;
+    profile.listeners = std::move(lines);
+    return profile;
+}
+
+struct ListenersRig : StationRig
+{
+    explicit ListenersRig(std::vector<std::string> lines) : StationRig(withListeners(std::move(lines)))
+    {
+        run(Seconds(0.2));
+        further.open();
+    }
+    [[nodiscard]] std::unique_ptr<fakes::TcpPeer> connect(std::size_t index) const
+    {
+        const std::string address = further.addresses().at(index);
+        const std::string port = address.substr(address.rfind(':') + 1);
+        return std::make_unique<fakes::TcpPeer>("127.0.0.1", static_cast<std::uint16_t>(std::stoi(port)),
+                                                [] { QCoreApplication::processEvents(QEventLoop::AllEvents); });
+    }
+    // Of the one with this text; empty: none.
+    [[nodiscard]] QString alarm(const char* text) const
+    {
+        const auto alarms = control.status().alarms;
+        const auto found =
+            std::ranges::find_if(alarms, [&](const Alarm& one) { return one.what.contains(QLatin1String(text)); });
+        return found == alarms.end() ? QString() : found->what;
+    }
+
+    StationRotator rotator{control, inForce, log, clock};
+    StationListeners further{control.alarms(), inForce, log, rotator, clock, nullptr};
+};
+
+// REQ-LISTENERS-04 (StationListeners.*): Several listeners serve at once. Their clients have numbers of their own and
+// are in the list with their protocol. They move the mount by the rule that holds for rotctld clients.
+TEST(StationListeners, SeveralServeAtOnce)
+{
+    ListenersRig rig({"gs232a drive tcp:127.0.0.1:0", "gs232b drive tcp:127.0.0.1:0"});
+    const auto first = rig.connect(0);
+    const auto second = rig.connect(1);
+    EXPECT_TRUE(first->ask("C\r").starts_with("+0"));
+    EXPECT_TRUE(second->ask("C\r").starts_with("AZ="));
+    const auto clients = rig.further.clients();
+    ASSERT_EQ(clients.size(), 2U);
+    EXPECT_EQ(clients[0].program, "GS-232A");
+    EXPECT_EQ(clients[1].program, "GS-232B");
+    EXPECT_NE(clients[0].id, clients[1].id);
+    EXPECT_GT(clients[0].id, 1U << 31U) << "no number of a rotctld client";
+
+    static_cast<void>(first->send("W040 030\rC\r"));
+    EXPECT_TRUE(first->receiveLines(1).starts_with("\r+0"));
+    EXPECT_EQ(second->ask("W300 010\r"), "?>\r\n") << "another client has control";
+    EXPECT_EQ(rig.control.status().commander.clientId, clients[0].id);
+    EXPECT_TRUE(rig.control.status().commander.name.startsWith(QLatin1String("client GS-232A 127.0.0.1:")));
+    static_cast<void>(second->send("S\rC\r"));
+    EXPECT_TRUE(second->receiveLines(1).starts_with("\rAZ=")) << "everybody may stop";
+    EXPECT_TRUE(rig.further.disconnect(clients[1].id, QStringLiteral("by the operator")));
+    EXPECT_FALSE(rig.further.disconnect(1, QStringLiteral("by the operator")));
+}
+
+// REQ-LISTENERS-05: A listener with the right "read" answers positions and stops the mount. It refuses every motion,
+// and the operator cannot give control to its clients.
+TEST(StationListeners, OneThatReadsMovesNothing)
+{
+    ListenersRig rig({"gs232b read tcp:127.0.0.1:0"});
+    const auto peer = rig.connect(0);
+    EXPECT_TRUE(peer->ask("C2\r").starts_with("AZ="));
+    for (const char* const motion : {"W040 030\r", "M040\r", "R\r", "U\r", "X4\r"}) {
+        EXPECT_EQ(peer->ask(motion), "?>\r\n") << motion;
+    }
+    const std::uint64_t id = rig.further.clients().front().id;
+    const std::string why = "The listener of this client has the right \"read\" (listeners.list in the profile).";
+    const auto given = rig.ask(request::GiveLead{.clientId = id});
+    ASSERT_FALSE(given);
+    EXPECT_EQ(textOf(given.error()), why);
+    const auto lifted = rig.ask(request::SetReadOnly{.clientId = id, .readOnly = false});
+    ASSERT_FALSE(lifted);
+    EXPECT_EQ(textOf(lifted.error()), why);
+    EXPECT_EQ(peer->ask("R\r"), "?>\r\n");
+    ASSERT_TRUE(rig.point(40.0, 30.0));
+    static_cast<void>(peer->send("S\rC\r"));
+    EXPECT_TRUE(peer->receiveLines(1).starts_with("\rAZ="));
+    EXPECT_FALSE(rig.control.followsClient()) << "it has stopped the mount";
+}
+
+// REQ-LISTENERS-06: A listener that cannot be opened is an alarm with the place and the reason. The others serve. A
+// listener that other computers reach without a list of addresses is an advisory.
+TEST(StationListeners, APlaceThatIsTakenIsAnAlarm)
+{
+    const ListenersRig first({"gs232a drive tcp:127.0.0.1:0"});
+    const std::string place = first.further.addresses().front();
+    const ListenersRig second({"gs232a drive tcp:" + place, "gs232b drive tcp:127.0.0.1:0"});
+    EXPECT_TRUE(second.alarm("Further clients cannot connect").contains(QString::fromStdString(place)));
+    EXPECT_EQ(second.further.addresses().size(), 1U);
+    EXPECT_TRUE(first.alarm("Further clients cannot connect").isEmpty());
+    const ListenersRig open({"gs232a drive tcp:0.0.0.0:0"});
+    EXPECT_FALSE(open.alarm("can move the mount").isEmpty());
+}
+
+// REQ-LISTENERS-07: While the drives are silent a client receives no position.
+TEST(StationListeners, ASilentDriveIsNoPosition)
+{
+    ListenersRig rig({"gs232b drive tcp:127.0.0.1:0"});
+    const auto peer = rig.connect(0);
+    EXPECT_TRUE(peer->ask("C2\r").starts_with("AZ="));
+    rig.azimuth.silent = true;
+    rig.run(Seconds(3.0));
+    EXPECT_EQ(peer->ask("C2\r"), "?>\r\n");
+    EXPECT_EQ(peer->ask("M040\r"), "?>\r\n");
+}
+
+}  // namespace
+}  // namespace boresight

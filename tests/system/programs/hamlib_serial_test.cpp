@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/fakes/wait_until.h"
+#include "tests/system/programs/boresightd_process.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QRegularExpression>
+#include <QStandardPaths>
+#include <QTcpServer>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+// Hamlib's own drivers for serial rotators, as Debian ships them, drive boresightd through its further listeners: by
+// the link to a pseudo-terminal as by a serial port, and by TCP.
+namespace boresight::system_test {
+namespace {
+
+struct Outcome
+{
+    int exitCode = -1;
+    QString said;
+};
+
+struct Place
+{
+    double azimuth;
+    double elevation;
+};
+
+quint16 freePort()
+{
+    QTcpServer server;
+    return server.listen(QHostAddress::LocalHost) ? server.serverPort() : quint16{0};
+}
+
+class HamlibSerial : public ::testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        if (QStandardPaths::findExecutable(QStringLiteral("rotctl")).isEmpty()) {
+            GTEST_SKIP() << "rotctl is not installed (Debian package libhamlib-utils)";
+        }
+        QFile profile(folder.filePath(QStringLiteral("profile.toml")));
+        ASSERT_TRUE(profile.open(QIODevice::WriteOnly));
+        profile.write(QStringLiteral("version = 1\n[listeners]\nlist = [\n"
+                                     "\"gs232a drive pty:%1\", \"gs232b drive pty:%2\", \"gs232b read pty:%3\",\n"
+                                     "\"gs232b drive tcp:%4\"]\n")
+                          .arg(a, b, reading, tcp)
+                          .toUtf8());
+        profile.close();
+        boresightd = std::make_unique<BoresightdProcess>(
+            QStringList{QStringLiteral("--simulate"), QStringLiteral("--profile"), profile.fileName()});
+        ASSERT_TRUE(boresightd->listens()) << boresightd->complaints();
+        ASSERT_TRUE(fakes::waitUntil([&] { return QFileInfo(reading).isSymLink(); }));
+        client = boresightd->connect();
+        ASSERT_TRUE(fakes::waitUntil([&] { return client->ask("p\n", 2).find("RPRT") == std::string::npos; }))
+            << "the drives do not answer";
+    }
+
+    // One run of Hamlib's driver with these commands.
+    [[nodiscard]] static Outcome rotctl(const QString& model, const QString& where, const QString& commands)
+    {
+        QProcess process;
+        process.setProcessChannelMode(QProcess::MergedChannels);
+        process.start(QStringLiteral("rotctl"), QStringList{QStringLiteral("-m"), model, QStringLiteral("-r"), where} +
+                                                    commands.split(QLatin1Char(' ')));
+        const bool ended = fakes::waitUntil([&] { return process.state() == QProcess::NotRunning; });
+        return {.exitCode = ended ? process.exitCode() : -1,
+                .said = QString::fromUtf8(process.readAllStandardOutput())};
+    }
+    static void expectAccepted(const QString& model, const QString& where, const QString& commands)
+    {
+        const Outcome outcome = rotctl(model, where, commands);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.said.toStdString();
+        EXPECT_FALSE(outcome.said.contains(QStringLiteral("error"))) << outcome.said.toStdString();
+    }
+    // Where the mount is, by our own protocol.
+    [[nodiscard]] Place position() const
+    {
+        const QStringList lines = QString::fromStdString(client->ask("p\n", 2)).split(QLatin1Char('\n'));
+        return {.azimuth = lines.value(0).toDouble(), .elevation = lines.value(1).toDouble()};
+    }
+    [[nodiscard]] bool comesTo(Place place) const
+    {
+        return fakes::waitUntil([&] {
+            const Place now = position();
+            return std::abs(std::remainder(now.azimuth - place.azimuth, 360.0)) < 0.1 &&
+                   std::abs(now.elevation - place.elevation) < 0.1;
+        });
+    }
+    // Where it is, as Hamlib's driver reads it.
+    static void expectRead(const QString& model, const QString& where, Place place)
+    {
+        const Outcome outcome = rotctl(model, where, QStringLiteral("p"));
+        const QStringList lines = outcome.said.split(QLatin1Char('\n'));
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.said.toStdString();
+        EXPECT_NEAR(std::remainder(lines.value(0).toDouble() - place.azimuth, 360.0), 0.0, 1e-6)
+            << outcome.said.toStdString();
+        EXPECT_NEAR(lines.value(1).toDouble(), place.elevation, 1e-6);
+    }
+    // Points twice, reads, and stops on the way to a third place.
+    void drive(const QString& model, const QString& where) const
+    {
+        SCOPED_TRACE(model.toStdString() + " " + where.toStdString());
+        for (const Place place : {Place{20.0, 15.0}, Place{35.0, 22.0}}) {
+            expectAccepted(model, where, QStringLiteral("P %1 %2").arg(place.azimuth).arg(place.elevation));
+            EXPECT_TRUE(comesTo(place));
+            expectRead(model, where, place);
+        }
+        expectAccepted(model, where, QStringLiteral("P 180 60"));
+        expectAccepted(model, where, QStringLiteral("S"));
+        const Place stopped = position();
+        EXPECT_GT(std::abs(std::remainder(stopped.azimuth - 180.0, 360.0)), 20.0) << "S ended the way";
+    }
+
+    QTemporaryDir folder;
+    QString a = folder.filePath(QStringLiteral("a"));
+    QString b = folder.filePath(QStringLiteral("b"));
+    QString reading = folder.filePath(QStringLiteral("reading"));
+    QString tcp = QStringLiteral("127.0.0.1:%1").arg(freePort());
+    std::unique_ptr<BoresightdProcess> boresightd;
+    std::unique_ptr<fakes::TcpPeer> client;
+};
+
+// REQ-GS232SERVER-06 (HamlibSerial.Gs232*): Hamlib's own drivers 601, 602, 603 and 606 point, read and stop the mount
+// through the emulation, unmodified, by a pseudo-terminal and by TCP. 604 points it.
+TEST_F(HamlibSerial, Gs232AIsDriven)
+{
+    drive(QStringLiteral("601"), a);
+    drive(QStringLiteral("602"), a);
+    drive(QStringLiteral("606"), a);
+    expectAccepted(QStringLiteral("604"), a, QStringLiteral("P 10 12"));
+    EXPECT_TRUE(comesTo({10.0, 12.0}));
+}
+
+TEST_F(HamlibSerial, Gs232BIsDriven)
+{
+    drive(QStringLiteral("603"), b);
+    drive(QStringLiteral("603"), tcp);
+}
+
+TEST_F(HamlibSerial, Gs232TurnsUntilItsClientLeaves)
+{
+    const Place before = position();
+    expectAccepted(QStringLiteral("603"), b, QStringLiteral("M 16 100 p"));
+    EXPECT_TRUE(fakes::waitUntil([&] {
+        const double first = position().azimuth;
+        return first != before.azimuth && first == position().azimuth;
+    }));
+}
+
+TEST_F(HamlibSerial, Gs232ThatOnlyReadsIsRefused)
+{
+    const Place before = position();
+    expectRead(QStringLiteral("603"), reading, {std::round(before.azimuth), std::round(before.elevation)});
+    // The driver does not read the answer to a motion.
+    static_cast<void>(rotctl(QStringLiteral("603"), reading, QStringLiteral("P 90 45")));
+    static_cast<void>(rotctl(QStringLiteral("603"), reading, QStringLiteral("M 2 100")));
+    expectRead(QStringLiteral("603"), reading, {std::round(before.azimuth), std::round(before.elevation)});
+    EXPECT_TRUE(comesTo(before));
+}
+
+}  // namespace
+}  // namespace boresight::system_test
