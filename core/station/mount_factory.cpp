@@ -3,7 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/can/unusable_link.h"
-#include "core/gs232_mount/gs232_connection.h"
+#include "core/gs232_mount/gs232_rotators.h"
 #include "core/moteus_mount/link_factory.h"
 #include "core/moteus_mount/moteus_connection.h"
 #include "core/mount/paired_connection.h"

@@ -9008,10 +9008,6 @@ até %1</translation>
         <translation>Velocidade da porta série de um rotor GS-232, como estão os seus interruptores. Um barramento CAN não a usa.</translation>
     </message>
     <message>
-        <source>The device on %1 is not a GS-232 rotator. It sent &quot;%2&quot;</source>
-        <translation>O dispositivo em %1 não é um rotador GS-232. Enviou &quot;%2&quot;</translation>
-    </message>
-    <message>
         <source>Boresight closed the line, and sends nothing more</source>
         <translation>O Boresight fechou a linha e não envia mais nada</translation>
     </message>
@@ -9154,6 +9150,14 @@ até %1</translation>
     <message>
         <source>The object is &quot;%1&quot;, and above it is &quot;%2&quot;. Write a file for each object.</source>
         <translation>O objeto é &quot;%1&quot; e acima está &quot;%2&quot;. Escreva um ficheiro para cada objeto.</translation>
+    </message>
+    <message>
+        <source>The device on %1 is not %2. It sent &quot;%3&quot;</source>
+        <translation>O dispositivo em %1 não é %2. Enviou &quot;%3&quot;</translation>
+    </message>
+    <message>
+        <source>a GS-232 rotator</source>
+        <translation>um rotador GS-232</translation>
     </message>
 </context>
 <context>
