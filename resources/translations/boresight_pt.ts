@@ -9159,6 +9159,50 @@ até %1</translation>
         <source>a GS-232 rotator</source>
         <translation>um rotador GS-232</translation>
     </message>
+    <message>
+        <source>the value is outside the limits of rotctld</source>
+        <translation>o valor está fora dos limites do rotctld</translation>
+    </message>
+    <message>
+        <source>rotctld is configured wrongly</source>
+        <translation>o rotctld está mal configurado</translation>
+    </message>
+    <message>
+        <source>this rotator does not have the function</source>
+        <translation>este rotador não tem esta função</translation>
+    </message>
+    <message>
+        <source>the rotator did not answer rotctld in time</source>
+        <translation>o rotador não respondeu ao rotctld a tempo</translation>
+    </message>
+    <message>
+        <source>rotctld cannot use the port of the rotator</source>
+        <translation>o rotctld não consegue usar a porta do rotador</translation>
+    </message>
+    <message>
+        <source>rotctld did not understand the answer of the rotator</source>
+        <translation>o rotctld não compreendeu a resposta do rotador</translation>
+    </message>
+    <message>
+        <source>the rotator rejected the command</source>
+        <translation>o rotador rejeitou o comando</translation>
+    </message>
+    <message>
+        <source>the rotator is switched off</source>
+        <translation>o rotador está desligado</translation>
+    </message>
+    <message>
+        <source>the position is outside the limits of rotctld</source>
+        <translation>a posição está fora dos limites do rotctld</translation>
+    </message>
+    <message>
+        <source>rotctld denied the access</source>
+        <translation>o rotctld negou o acesso</translation>
+    </message>
+    <message>
+        <source>rotctld reported an error</source>
+        <translation>o rotctld comunicou um erro</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
