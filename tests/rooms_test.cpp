@@ -180,8 +180,9 @@ TEST(Rooms, TheControlKnowsNoKindOfRotator)
 {
     Rooms permitted = roomsOf("core");
     for (const char* const room :
-         {"core/moteus", "core/moteus_mount", "core/gs232", "core/gs232_mount", "core/rotator_box", "core/simple_mount",
-          "core/survey", "core/memory", "core/can", "core/sim", "core/sim_bus", "core/station", "core/perfect_mount"}) {
+         {"core/moteus", "core/moteus_mount", "core/gs232", "core/gs232_mount", "core/rotctl", "core/rotctld_mount",
+          "core/rotator_box", "core/simple_mount", "core/survey", "core/memory", "core/can", "core/sim", "core/sim_bus",
+          "core/station", "core/perfect_mount"}) {
         permitted.erase(room);
     }
     EXPECT_THAT(wrong(kAboveTheDriver, permitted), IsEmpty());

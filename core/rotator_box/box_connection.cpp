@@ -71,6 +71,9 @@ void BoxConnection::send()
         m_line->write(QByteArray::fromStdString(bytes));
     }
     watchProof();
+    if (m_mount->wantsAnotherLine() && m_line->state() == BoxLine::State::Up) {
+        m_line->close();  // and open() comes again within a second
+    }
 }
 
 void BoxConnection::watchProof()

@@ -331,6 +331,7 @@ void BoxMount::seize()
 void BoxMount::rearmed()
 {
     m_alarms.clear(alarmEntry("rotator.silent"));
+    m_alarms.clear(alarmEntry("rotator.refused"));
     for (const Axis axis : kAxes) {
         m_alarms.clear(alarmEntry("rotator.stuck").of(axis));
     }

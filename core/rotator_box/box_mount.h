@@ -39,7 +39,7 @@ public:
     [[nodiscard]] virtual QString kind() const = 0;
     // What a device that is none of these is not, in a sentence.
     [[nodiscard]] virtual QString kindInWords() const = 0;
-    // The same line has to be opened anew, as its answers do not fit the questions any more.
+    // The line has to be opened anew: its answers do not fit the questions any more.
     [[nodiscard]] virtual bool wantsAnotherLine() const { return false; }
 
     [[nodiscard]] Capabilities capabilities() const override { return m_capabilities; }

@@ -34,6 +34,14 @@ QString TcpBoxLine::name() const
     return toQString(toString(m_bus));
 }
 
+QString TcpBoxLine::lost(const QString& reason) const
+{
+    const QString text = m_bus.kind == BusKind::Rotctld
+                             ? Text::tr("%1: %2. Check that rotctld runs there, its address, its port and the network")
+                             : Text::tr("%1: %2. Check its power, its address and its network");
+    return text.arg(name(), reason);
+}
+
 void TcpBoxLine::open()
 {
     if (state() != State::Up && !m_patience.isActive()) {
@@ -86,13 +94,13 @@ void TcpBoxLine::lose()
     m_patience.stop();
     const bool closed = m_socket.error() == QAbstractSocket::RemoteHostClosedError;
     const QString reason = closed ? Text::tr("the other end closed the connection") : m_socket.errorString();
-    show(State::Lost, Text::tr("%1: %2. Check its power, its address and its network").arg(name(), reason));
+    show(State::Lost, lost(reason));
 }
 
 void TcpBoxLine::giveUp()
 {
     m_socket.abort();
-    show(State::Lost, Text::tr("%1: no answer. Check its power, its address and its network").arg(name()));
+    show(State::Lost, lost(Text::tr("no answer")));
 }
 
 }  // namespace boresight

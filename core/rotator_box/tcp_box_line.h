@@ -31,6 +31,7 @@ private:
     void begin();
     void lose();
     void giveUp();
+    [[nodiscard]] QString lost(const QString& reason) const;
 
     BusName m_bus;
     QTcpSocket m_socket{this};

@@ -206,10 +206,10 @@ ReplyReader::Progress ReplyReader::end(int code)
     if (!all.minAzimuth || !all.maxAzimuth || !all.minElevation || !all.maxElevation) {
         return Progress::Strange;
     }
-    m_reply.state = State{.model = all.model,
-                          .azimuth = {.min = *all.minAzimuth, .max = *all.maxAzimuth},
-                          .elevation = {.min = *all.minElevation, .max = *all.maxElevation},
-                          .type = all.type};
+    m_reply.state = RotatorState{.model = all.model,
+                                 .azimuth = {.min = *all.minAzimuth, .max = *all.maxAzimuth},
+                                 .elevation = {.min = *all.minElevation, .max = *all.maxElevation},
+                                 .type = all.type};
     return Progress::Whole;
 }
 

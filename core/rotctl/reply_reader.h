@@ -28,20 +28,20 @@ enum class RotatorType
     El
 };
 
-struct State
+struct RotatorState
 {
     int model = 0;  // of Hamlib's list
     TravelRange azimuth;
     TravelRange elevation;
     RotatorType type = RotatorType::Unknown;
 
-    bool operator==(const State&) const = default;
+    bool operator==(const RotatorState&) const = default;
 };
 
 struct Reply
 {
     int code = 0;  // negative: an error of Hamlib, and nothing else is in the answer
-    std::optional<State> state;
+    std::optional<RotatorState> state;
     std::optional<AxisPosition> position;
 
     bool operator==(const Reply&) const = default;

@@ -38,16 +38,16 @@ std::optional<AxisPosition> position(Form form, const std::string& text)
     return outcome.progress == Progress::Whole ? outcome.reply.position : std::nullopt;
 }
 
-std::optional<State> state(Form form, const std::string& text)
+std::optional<RotatorState> state(Form form, const std::string& text)
 {
     const Outcome outcome = readAll(Question::State, form, text);
     return outcome.progress == Progress::Whole ? outcome.reply.state : std::nullopt;
 }
 
-const State kDummy{.model = 1,
-                   .azimuth = {.min = -180_deg, .max = 450_deg},
-                   .elevation = {.min = 0_deg, .max = 90_deg},
-                   .type = RotatorType::AzEl};
+const RotatorState kDummy{.model = 1,
+                          .azimuth = {.min = -180_deg, .max = 450_deg},
+                          .elevation = {.min = 0_deg, .max = 90_deg},
+                          .type = RotatorType::AzEl};
 
 // As rotctld of Hamlib 4.5.4 sends them.
 const std::string kExtendedState =
@@ -72,7 +72,7 @@ TEST(ReplyReader, ReadsTheLimitsOfAllAges)
 {
     EXPECT_EQ(state(Form::Extended, kExtendedState), kDummy);
     EXPECT_EQ(state(Form::Plain, kPlainState), kDummy);
-    State old = kDummy;
+    RotatorState old = kDummy;
     old.type = RotatorType::Unknown;
     EXPECT_EQ(state(Form::Plain, "0\n1\n-180.000000\n450.000000\n0.000000\n90.000000\n"), old);
     const std::string both = "1\n1\n-180.000000\n450.000000\n0.000000\n90.000000\n" + kPlainState.substr(4);

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/rotctld_mount/rotctld_mount.h"
+
+#include "core/alarms/catalogue.h"
+#include "core/base/text.h"
+#include "core/rotctl/rotctl_error.h"
+#include "core/units/degrees_text.h"
+
+namespace boresight::rotctl {
+namespace {
+
+// Finer steps would move a rotator with gears to and fro for nothing. How exact it is nobody tells.
+constexpr AxisCapabilities kAxis{
+    .step = Angle::fromDegrees(0.1), .miss = ObedienceWatch::kMet, .fastest = {}, .silence = RotctldMount::kSilence};
+
+bool lacks(const RotatorState& state, Axis axis)
+{
+    return state.type == (axis == Axis::Azimuth ? RotatorType::El : RotatorType::Az);
+}
+
+Result<> axisFits(const profile::Profile& profile, const RotatorState& state, Axis axis)
+{
+    if (lacks(state, axis)) {
+        return failure(
+            ErrorCode::Refused,
+            axis == Axis::Azimuth
+                ? Text::tr("This rotator has no azimuth. Set azimuth.driver to \"none\" in the profile.")
+                : Text::tr("This rotator has no elevation. Set elevation.driver to \"none\" in the profile."));
+    }
+    const TravelRange& reach = axis == Axis::Azimuth ? state.azimuth : state.elevation;
+    const TravelRange& travel = profile.axis(axis).geometry.travel;
+    constexpr Angle kRounding = Angle::fromDegrees(1e-4);  // of its text
+    const TravelRange steps = stepsIn(travel, kAxis.step);
+    if (travel.min >= reach.min - kRounding && travel.max <= reach.max + kRounding && steps.min <= steps.max) {
+        return {};
+    }
+    return failure(ErrorCode::Refused,
+                   Text::tr("The travel %1…%2 does not fit this rotator. Its rotctld permits %3…%4. Change "
+                            "%5.travel_min_deg and %5.travel_max_deg in the profile.")
+                       .arg(degreesText(travel.min, 1), degreesText(travel.max, 1), degreesText(reach.min, 1),
+                            degreesText(reach.max, 1), tableOf(axis)));
+}
+
+}  // namespace
+
+RotctldMount::RotctldMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes)
+    : BoxMount(profile, alarms, axes, kAxis), m_fitness(fits())
+{}
+
+QString RotctldMount::kindInWords() const
+{
+    return Text::tr("a rotctld");
+}
+
+// Without the limits, which some servers do not tell, those of the profile have to do.
+Result<> RotctldMount::fits() const
+{
+    for (const Axis axis : kAxes) {
+        if (!capabilities().has(axis)) {
+            continue;
+        }
+        const Result<> counts = countsAsTheRotator(*profile(), axis);
+        const Result<> fits = counts && m_checked ? axisFits(*profile(), *m_checked, axis) : counts;
+        if (!fits) {
+            return fits;
+        }
+    }
+    return {};
+}
+
+void RotctldMount::observe(SteadyTime now)
+{
+    BoxMount::observe(now);
+    if (const auto& state = m_talk.state(); state && state != m_checked) {
+        m_checked = state;
+        m_fitness = fits();
+    }
+}
+
+MountFindings RotctldMount::supervise(const MountSituation& known)
+{
+    MountFindings found = BoxMount::supervise(known);
+    if (m_talk.refusals() >= kMostRefusals) {
+        loseAll(found, {alarmEntry("rotator.refused"), {errorInWords(m_talk.refusal())}});
+    }
+    return found;
+}
+
+// rotctld names both axes. One that is not ours is sent to where it stands, or to its nearest limit.
+bool RotctldMount::goTo(const RotatorTalk::Places& target)
+{
+    if (!target.azimuth || !target.elevation) {
+        return false;
+    }
+    AxisPosition place{.azimuth = *target.azimuth, .elevation = *target.elevation};
+    if (m_checked && !capabilities().has(Axis::Azimuth)) {
+        place.azimuth = m_checked->azimuth.clamped(place.azimuth);
+    }
+    if (m_checked && !capabilities().has(Axis::Elevation)) {
+        place.elevation = m_checked->elevation.clamped(place.elevation);
+    }
+    return m_talk.go(place);
+}
+
+QString RotctldMount::remedyOfNoAnswer() const
+{
+    if (m_talk.positionError() != 0) {
+        return Text::tr(
+                   "The answer of rotctld is: %1. Check the rotator, its power, its cable and the options of rotctld")
+            .arg(errorInWords(m_talk.positionError()));
+    }
+    return Text::tr("Check that rotctld still runs there (%1). If it hangs, end it and start it again")
+        .arg(toQString(profile()->bus));
+}
+
+}  // namespace boresight::rotctl
