@@ -8,10 +8,10 @@
 
 // The files of the simulation: FOLDER/MOUNT.toml holds what the operator set and found while this mount was simulated.
 // The file begins as a copy of the mount's own profile, and the next simulation of the same profile goes on with it.
-// MOUNT.toml.origin is the profile that was copied. Once the mount's own profile is another one, the copy is made anew.
-// An old copy in which anything was set or found stays as MOUNT.toml.old, else .old2 and so on. The copy names no bus,
-// so no real mount takes it for its own. The files of a real mount are elsewhere, and nothing here writes them.
-// Blocking file access. Two programs may share a file: each reads it anew before it writes, and replaces it whole.
+// MOUNT.toml.origin is the profile that was copied. Once the mount's own profile is another one, the copy is made
+// again. An old copy in which anything was set or found stays as MOUNT.toml.old, else .old2 and so on. The copy names
+// no bus, so no real mount takes it for its own. The files of a real mount are elsewhere, and nothing here writes them.
+// Blocking file access. Two programs may share a file: each reads it again before it writes, and replaces it whole.
 namespace boresight::app {
 
 class SimulatedProfiles

@@ -40,7 +40,7 @@ struct InjectionOption
 // The error names the option and what it expects.
 [[nodiscard]] Result<sim::Injection> parseInjection(const InjectionOption& option, std::string_view text);
 
-// It spoils what only an adapter does: a CAN interface has none.
+// The fault is one of the adapter. A CAN interface has no adapter.
 [[nodiscard]] bool isOfAdapter(sim::FaultKind kind);
 
 // "elevation: wind of 30 Nm".

@@ -41,9 +41,9 @@ inline constexpr AngularRate kFastestSwing = AngularRate::fromDegrees(6.0);
 struct SwingLimits
 {
     int calibration = 2;        // a sample below is not used; below 3 it counts a quarter
-    double motorCurrent = 5.0;  // A; a sample above is not used; as sensor.swing_current_a says
-    // A sample above is not used. Above the fastest that is asked for, by what a rate scatters that is measured within
-    // a part of a second: a limit at that very rate threw away every other reading.
+    double motorCurrent = 5.0;  // A. A sample above is not used. sensor.swing_current_a sets it
+    // A sample above is not used. The limit is above the fastest swing by the scatter of a rate that is measured in
+    // part of a second. A limit at the rate of the swing threw away every second reading.
     AngularRate rate = kFastestSwing * 1.25;
     Seconds latencySigma{0.1};                           // of what axisAzimuth was reckoned with
     Angle alignment = Angle::fromDegrees(0.5);           // sigma: of the box on the boom, and of the declination

@@ -254,7 +254,7 @@ void SocketCanLink::checkInterface()
         return;
     }
     if (state == socketcan::InterfaceState::Down) {
-        m_trouble = {};  // of the controller, which starts anew with the interface
+        m_trouble = {};  // of the controller, which starts again with the interface
     }
     m_trouble.interfaceDown = state == socketcan::InterfaceState::Down;
     const std::optional<socketcan::InterfaceReport> report = m_access->report();

@@ -8,7 +8,7 @@ namespace {
 
 // A look costs as much as many ticks.
 constexpr std::chrono::milliseconds kBetweenLooks{500};
-// The set-points are elsewhere than they were expected, or the end of the way is.
+// The way is planned again when the set-points are this far off the plan, or the end has moved this far.
 constexpr Angle kOffCourse = Angle::fromDegrees(0.8);
 constexpr Angle kAnotherEnd = Angle::fromDegrees(0.1);
 // A target that moves will be met elsewhere.

@@ -384,7 +384,7 @@ void StationControl::tick()
     watchFirstMoves();
     // After the sources, too: fitness is asked of a motion, not of the source that wants it.
     watchFitness();
-    // After the losses of this tick: one of them begins the re-arm anew.
+    // After the losses of this tick: one of them begins the re-arm again.
     finishRearm();
     // After whatever ends a motion, because the proof is one. It makes the wish that moveOn() carries out.
     stepProof();

@@ -15,8 +15,6 @@ namespace {
 
 // Slower than this counts as standing: below the noise of the drive's velocity, far below any jog rate.
 constexpr AngularRate kReportStanding = AngularRate::fromDegrees(0.02);
-// A target within this of the measured direction counts as tracked, not as slewed to.
-constexpr Angle kOnTarget = Angle::fromDegrees(1.0);
 // A place is reached when the set-points rest there and the antenna is this near.
 constexpr Angle kArrived = Angle::fromDegrees(0.3);
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-// What the control knows, as the world sees it: the state of the mount and of its axes, in values and words. Made anew
+// What the control knows, as the world sees it: the state of the mount and of its axes, in values and words. Made again
 // from the parts each time that it is asked for; decides nothing. Station thread only.
 namespace boresight {
 
@@ -15,6 +15,9 @@ class StatusReport
 {
 public:
     explicit StatusReport(const ControlParts& parts) : m_of(parts) {}
+
+    // A target within this of the measured direction counts as tracked, not as slewed to.
+    static constexpr Angle kOnTarget = Angle::fromDegrees(1.0);
 
     [[nodiscard]] StationState state() const;
     [[nodiscard]] StationStatus status() const;

@@ -42,8 +42,8 @@ QString fileNameOf(const QString& start, const QUrl& url)
     return name + QChar(u'-') + QString::fromLatin1(hash.left(kHashDigits));
 }
 
-// What the queries of CelesTrak are: celestrak.org/NORAD/documentation/gp-data-formats.php. A cut answer is seen in
-// JSON.
+// The queries of CelesTrak: celestrak.org/NORAD/documentation/gp-data-formats.php. Boresight asks for JSON, because a
+// truncated answer is recognised there.
 Result<ElementAddress> celestrakGroup(std::string_view group)
 {
     const bool isName = !group.empty() && group.size() <= kLongestGroup &&

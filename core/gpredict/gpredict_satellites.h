@@ -9,7 +9,7 @@
 #include <string_view>
 
 // The satellite data of a Gpredict on the same computer: satdata/NUMBER.sat in its folder, one key file per satellite
-// ([Satellite] with NAME, TLE1, TLE2), which Gpredict writes anew at each update. Blocking file access: not on the gui
+// ([Satellite] with NAME, TLE1, TLE2), which Gpredict writes again at each update. Blocking file access: not on the gui
 // thread, nor the station's.
 namespace boresight::profile {
 

@@ -6,7 +6,7 @@
 // The GS-232 rotators, as the wiring lists them.
 namespace boresight::gs232 {
 
-// A simulated one stays the same one when the mount is connected anew.
+// A simulated one stays the same one when the mount is connected again.
 [[nodiscard]] MountKind gs232Rotators();
 
 }  // namespace boresight::gs232

@@ -91,7 +91,7 @@ struct KnownAntenna
 
 // $XDG_RUNTIME_DIR; empty where the system has none for this user.
 [[nodiscard]] QString runtimeFolder();
-// Of the service of the system (packaging/systemd), whose socket root may ask.
+// The socket of the system service (packaging/systemd). Root may use it.
 inline const QString kServiceRuntimeFolder = QStringLiteral("/run");
 // "/run/user/1000/boresight/4533.sock" of "/run/user/1000" and the port of the station's rotctld server.
 [[nodiscard]] QString socketPath(const QString& runtimeFolder, std::uint16_t port);

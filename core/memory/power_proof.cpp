@@ -26,7 +26,7 @@ Seconds margin(Seconds elapsed)
     return elapsed * kDriveClockError + kAllowance;
 }
 
-// The time since the record by a clock that cannot have been put back in between, if there is one.
+// The time since the record, by a clock that nobody can have set meanwhile. Empty: there is no such clock.
 std::optional<Seconds> vouchedElapsed(const Evidence& evidence, const TurnRecord& record)
 {
     if (!record.host.boot.isEmpty() && record.host.boot == evidence.host.boot) {

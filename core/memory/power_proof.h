@@ -15,7 +15,7 @@ namespace boresight::memory {
 struct Obstacle
 {
     QString why;               // a sentence for the operator
-    bool restarted = false;    // it surely was without power: then its count began anew, and tells nothing else
+    bool restarted = false;    // it surely was without power: then its count began again, and tells nothing else
     bool positionSet = false;  // while the drive was on: the axis may have been moved and set back
     bool phaseLost = false;    // what the drive reports is not even true but for whole places
 };

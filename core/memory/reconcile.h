@@ -23,9 +23,9 @@ struct DriveFrame
     MotorTurns reported;
     moteus::HomeState homeState = moteus::HomeState::Relative;
     Seconds uptime{0.0};                          // since its boot; starts again at 0 after 49.7 days
-    std::optional<moteus::CountOrigin> origin{};  // nothing: it does not tell
-    bool outputEncoder = false;                   // an absolute encoder on the output tells the direction
-    Angle period;                                 // between two places that the drive cannot tell apart: ambiguity()
+    std::optional<moteus::CountOrigin> origin{};  // empty: the drive does not report it
+    bool outputEncoder = false;                   // an absolute encoder on the output reports the direction
+    Angle period;                                 // between two places that look alike to the drive: ambiguity()
 };
 
 // What else speaks for one place or another.

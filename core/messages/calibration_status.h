@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-// What the calibration desk tells the screen: one immutable snapshot, made anew when something changed. Unknown is
+// What the calibration desk tells the screen: one immutable snapshot, made again when something changed. Unknown is
 // empty; sentences are translated. Angles of the axes are mechanical, directions are true. Nothing in here is in force
 // but `present`: the rest is found, and waits for the operator's Apply.
 namespace boresight {

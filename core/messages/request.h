@@ -136,11 +136,11 @@ struct ApplyProfile  // what applies now is in force with the next tick; the res
 {
     profile::Profile profile;
 };
-struct Reconnect  // decelerate, leave the drives as on_exit says, begin anew with this profile
+struct Reconnect  // decelerate, leave the drives as on_exit says, begin again with this profile
 {
     profile::Profile profile;
 };
-struct ReadDrives  // scan, identify, read the drives' protections anew
+struct ReadDrives  // scan, identify, read the drives' protections again
 {};
 struct FixDrives  // write the protections that differ; the drives must be switched off
 {};

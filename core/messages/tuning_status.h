@@ -17,7 +17,7 @@
 #include <vector>
 
 // What the tuning desk tells the screen: what runs, where a run would move, and what the runs have measured. One
-// immutable snapshot, made anew when something changed. Sentences are translated; angles of the axes are mechanical.
+// immutable snapshot, made again when something changed. Sentences are translated; angles of the axes are mechanical.
 namespace boresight {
 
 enum class TuningRun

@@ -17,7 +17,7 @@ inline constexpr const char* kMotorPositionChannel = "motor_position";
 
 struct CountOrigin
 {
-    // Another number: the drive was given other encoder settings and began to count anew. Starts again at power-up.
+    // Another number: the drive was given other encoder settings and began to count again. Starts again at power-up.
     std::uint32_t beginning = 0;
     MotorTurns offset;  // of the position from what was counted since the beginning
 

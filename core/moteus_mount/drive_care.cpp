@@ -159,7 +159,7 @@ std::vector<CanFrame> DriveCare::changeBoard(SteadyTime now)
     return frames;
 }
 
-// A drive that was silent may be another one, or have lost its power, when it answers again.
+// A drive that answers again after a silence may have lost its power, or be another drive.
 void DriveCare::watchConnection(SteadyTime now)
 {
     bool came = false;

@@ -15,7 +15,7 @@ namespace {
 using pointing::AxisBox;
 using tracking::AxisProfile;
 
-// How far beyond an edge to look for what it is the edge of.
+// How far beyond an edge to look for the region that it belongs to.
 constexpr Angle kBeyondEdge = Angle::fromDegrees(0.1);
 
 AxisProfile profileOf(const profile::AxisSettings& axis, const TravelRange& travel)

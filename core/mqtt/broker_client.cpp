@@ -89,7 +89,7 @@ void BrokerClient::attempt()
     }
 }
 
-// What was read is kept while it does well; a file that was mended is read again.
+// What was read is kept while it does well; a corrected file is read again.
 Result<> BrokerClient::prepareTls()
 {
     if (m_broker.encryption != Encryption::Tls || m_tls) {

@@ -16,7 +16,7 @@
 #include <optional>
 
 // An MQTT broker, as long as somebody wants it: connects, comes back by itself with growing delays, renews the
-// subscriptions, and tells in one line what is wrong. Messages go to the receivers of a signal. Lives in its owner's
+// subscriptions, and reports in one line what is wrong. Messages go to the receivers of a signal. Lives in its owner's
 // event loop; nothing blocks: names are looked up by Qt's helpers, the rest is BrokerSession's.
 //
 // What is published while there is no connection is lost: nobody wants to know later where the mount was.
@@ -29,18 +29,18 @@ class BrokerClient : public Connection
     Q_OBJECT
 
 public:
-    // A connection that lasted so long was a good one, and the delays begin anew after it.
+    // A connection that lasted so long was a good one, and the delays begin again after it.
     static constexpr std::chrono::seconds kStable{10};
     static constexpr std::chrono::milliseconds kServicePeriod{250};
-    // A subscription that is refused is asked for again: somebody may mend the broker's access list.
+    // A subscription that is refused is asked for again: somebody may correct the access list of the broker.
     static constexpr std::chrono::seconds kAskAgain{30};
 
     // `clock` outlives the client.
     explicit BrokerClient(const Clock& clock, QObject* parent = nullptr);
-    // Without close(): as if the program had died, so that the broker tells the will.
+    // Without close(): as if the program had died, so that the broker publishes the will.
     ~BrokerClient() override;
 
-    // From now on. With another broker or will than before the connection is made anew.
+    // From now on. With another broker or will than before the connection is made again.
     void open(const Broker& broker, const std::optional<Message>& will = std::nullopt);
     void close();
 

@@ -38,19 +38,20 @@ public:
     // A broker that is silent for so long is asked, and given up if it does not answer for as long again.
     static constexpr std::chrono::seconds kKeepAlive{15};
 
-    // `tls` is empty without encryption; `will` is what the broker tells the others when we are gone without a word.
+    // `tls` is empty without encryption; `will` is what the broker publishes when the connection ends without
+    // goodbye().
     BrokerSession(const Broker& broker, std::shared_ptr<TlsContext> tls, const std::optional<Message>& will,
                   const Clock& clock, QObject* parent = nullptr);
-    // Without goodbye(): the broker then tells the will.
+    // Without goodbye(): the broker then publishes the will.
     ~BrokerSession() override;
 
-    // ended() tells, later, if it does not work.
+    // ended() reports later that it did not work.
     void open(const QHostAddress& address);
     void goodbye();
     // Without ended() and any other signal from here on.
     void drop();
 
-    // While accepted; false if the broker is gone, which ended() will tell too.
+    // While accepted; false if the broker is gone, which ended() reports too.
     bool publish(const Message& message);
     bool subscribe(const QString& filter);
     bool unsubscribe(const QString& filter);
@@ -74,7 +75,7 @@ private:
         Accepted,
         Ended
     };
-    // What libmosquitto told while it ran: acted upon when it has returned, for it must not be destroyed before.
+    // What libmosquitto reported while it ran: acted upon when it has returned, for it must not be destroyed before.
     struct Told
     {
         std::optional<int> answer;

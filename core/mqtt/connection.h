@@ -5,8 +5,8 @@
 
 #include <QObject>
 
-// The connection to a broker as its users see it: they subscribe, publish and read, and somebody else opens it.
-// BrokerClient is one in the caller's event loop, ThreadedClient one on a thread of its own.
+// The connection to a broker for those who subscribe, publish and read. Somebody else opens it. BrokerClient runs in
+// the event loop of its owner, ThreadedClient on its own thread.
 namespace boresight::mqtt {
 
 class Connection : public QObject

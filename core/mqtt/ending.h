@@ -23,7 +23,7 @@ enum class EndKind
     LoginRefused,
     Lost,      // it worked before
     Ousted,    // the same, soon after it had begun
-    NoPulse,   // it worked before, and nothing was heard since
+    NoPulse,   // it worked before, and nothing arrived since
     Nonsense,  // what comes is not MQTT
     Local      // nothing to do with the broker: memory, a CA file that cannot be read
 };

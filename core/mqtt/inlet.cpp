@@ -25,7 +25,7 @@ void wakeAt(int socket, std::size_t bytes)
     setsockopt(socket, SOL_SOCKET, SO_RCVLOWAT, &wanted, sizeof wanted);
 }
 
-// Bytes of the connection that were read from the socket: what has arrived, less what waits. Asked anew if something
+// Bytes of the connection that were read from the socket: what has arrived, less what waits. Asked again if something
 // came between the two questions.
 std::uint64_t consumed(int socket)
 {

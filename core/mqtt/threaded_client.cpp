@@ -44,7 +44,7 @@ void ThreadedClient::close()
     m_thread->post([worker = m_worker, opening = m_last.opening] { worker->close(opening); });
 }
 
-// Reports that are still on their way speak of the connection of before.
+// Reports that are still on their way are about the connection before.
 void ThreadedClient::forget()
 {
     const bool hadProblem = !m_last.problem.isEmpty();

@@ -45,7 +45,7 @@ struct TlsContext::Callbacks
         return accepted;
     }
 
-    // libmosquitto has named the address in the greeting; a broker with several names needs to hear which is meant.
+    // libmosquitto has named the address in the greeting; a broker with several names needs to know which is meant.
     static void watch(const SSL* ssl, int where, int /*value*/)
     {
         TlsContext& owner = ownerOf(ssl);

@@ -13,7 +13,7 @@ struct ssl_ctx_st;  // OpenSSL's SSL_CTX
 //
 // libmosquitto could do that by itself, but then it must be given the broker's name, and resolves it, blocking, in the
 // thread that also feeds the drives. So it is given an address, and the name is checked here. Besides, OpenSSL knows
-// why a certificate is refused and libmosquitto does not tell.
+// why a certificate is refused and libmosquitto does not report it.
 namespace boresight::mqtt {
 
 class TlsContext

@@ -73,11 +73,21 @@ NightDesk::~NightDesk()
 
 void NightDesk::goOnWithReport()
 {
+    const auto isTonight = [this](const schedule::PassRecord& pass) {
+        return std::chrono::abs(m_clock.utc() - pass.los) < kSameNight;
+    };
     const std::vector<schedule::PassRecord>& stored = m_file.report().passes;
-    if (!stored.empty() && std::chrono::abs(m_clock.utc() - stored.back().los) < kSameNight) {
+    if (!stored.empty() && isTonight(stored.back())) {
         m_report = m_file.report();
-        show();
     }
+    if (const std::optional<schedule::PassRecord> lost = m_file.lostPass(); lost && isTonight(*lost)) {
+        store(*lost);
+        m_log.add(Severity::Warning, scheduleSource().name,
+                  Text::tr("The night report now has the pass of %1 from before the start. It was tracked for %2 s.")
+                      .arg(lost->name)
+                      .arg(lost->tracked.count(), 0, 'f', 0));
+    }
+    show();
 }
 
 Result<> NightDesk::carryOut(const ScheduleRequest& request, const Source& by)
@@ -345,10 +355,13 @@ void NightDesk::move()
     const Seconds before = m_profile->schedule.hooks.before;
     if (m_tracked) {
         m_moments.follow(m_tracked->pass(), before);
-        m_tracked->look(m_control.direction(), utc, m_clock.now(),
+        m_tracked->look({.direction = m_control.direction(), .isOnTarget = m_control.onTarget(StatusReport::kOnTarget)},
+                        utc, m_clock.now(),
                         {.beamWidth = m_control.antenna().beamWidth, .refraction = m_profile->orbit.refraction});
         if (utc >= m_tracked->ends() || !m_control.obeys(scheduleSource())) {
             finish(schedule::PassEnd::Set, {});
+        } else if (utc >= m_tracked->pass().begins()) {
+            keepRunning();
         }
         return;
     }
@@ -371,6 +384,7 @@ void NightDesk::begin(const schedule::WatchedPass& pass)
         m_log.add(Severity::Advisory, scheduleSource().name,
                   Text::tr("goes to the pass of %1 at %2").arg(pass.name, timeOfDayText(pass.begins())));
         m_tracked.emplace(std::move(tracked));
+        m_kept.reset();
     } else {
         m_log.add(Severity::Warning, scheduleSource().name,
                   Text::tr("the pass of %1 is left out: %2").arg(pass.name, begun.error().text));
@@ -420,8 +434,18 @@ Result<> NightDesk::ask(const Request& request)
     return answer;
 }
 
+void NightDesk::keepRunning()
+{
+    const SteadyTime now = m_clock.now();
+    if (!m_kept || now - *m_kept >= kKept) {
+        m_kept = now;
+        m_file.keepPass(m_tracked->tally().record());
+    }
+}
+
 void NightDesk::store(const schedule::PassRecord& record)
 {
+    m_file.keepPass(record);
     std::vector<schedule::PassRecord>& passes = m_report.passes;
     passes.push_back(record);
     if (passes.size() > kMostPasses) {
@@ -441,18 +465,26 @@ void NightDesk::noteFile()
     }
 }
 
+// Empty where nothing was measured.
+QString NightDesk::errorOf(const schedule::PassRecord& record)
+{
+    if (record.rmsError && record.peakError) {
+        return QLatin1Char(' ') + Text::tr("Error: %1° rms. Largest error: %2°.")
+                                      .arg(record.rmsError->degrees(), 0, 'f', 3)
+                                      .arg(record.peakError->degrees(), 0, 'f', 3);
+    }
+    return record.tracked > Seconds(0.0) ? QLatin1Char(' ') + Text::tr("The beam was never on target.") : QString();
+}
+
 void NightDesk::keep(const schedule::PassRecord& record)
 {
     store(record);
-    m_log.add(
-        Severity::Advisory, scheduleSource().name,
-        Text::tr("%1 was tracked for %2 s. Within 1 dB: %3 s. Within 3 dB: %4 s. Error: %5° rms. Largest error: %6°.")
-            .arg(record.name)
-            .arg(record.tracked.count(), 0, 'f', 0)
-            .arg(record.within1dB.count(), 0, 'f', 0)
-            .arg(record.within3dB.count(), 0, 'f', 0)
-            .arg(record.rmsError.degrees(), 0, 'f', 3)
-            .arg(record.peakError.degrees(), 0, 'f', 3));
+    const QString seconds = Text::tr("%1 was tracked for %2 s. Within 1 dB: %3 s. Within 3 dB: %4 s.")
+                                .arg(record.name)
+                                .arg(record.tracked.count(), 0, 'f', 0)
+                                .arg(record.within1dB.count(), 0, 'f', 0)
+                                .arg(record.within3dB.count(), 0, 'f', 0);
+    m_log.add(Severity::Advisory, scheduleSource().name, seconds + errorOf(record));
 }
 
 void NightDesk::show()

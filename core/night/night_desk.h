@@ -23,7 +23,8 @@
 // so limits, STOP, faults and authority hold for it like for everybody. It is off after each start; only a person arms
 // it, or the written policy of the profile, once. Whatever else is done with the mount disarms it. Station thread.
 //
-// More than 15 members: what it stands beside, the plan with what it was made of, and what goes on.
+// More than 15 members and 600 lines: what it stands beside, the plan with what it was made of, and what goes on. Each
+// act ends the pass, the moments of it and the report together.
 namespace boresight {
 
 // Who asks for the motions of the schedule.
@@ -37,7 +38,7 @@ class NightDesk
 public:
     using Satellites = std::shared_ptr<const std::vector<orbit::ElementSet>>;  // in the order of the numbers
     using Found = std::function<void(const std::vector<passes::PassList>&)>;
-    // Searches beside the station thread, and tells what it found on the station thread.
+    // Searches beside the station thread, and reports what it found on the station thread.
     using Search = std::function<void(std::vector<passes::SatelliteSearch>, Found)>;
 
     static constexpr std::chrono::hours kPlanned{24};
@@ -47,6 +48,8 @@ public:
     // A stored report goes on if its last pass ended within this time.
     static constexpr std::chrono::hours kSameNight{24};
     static constexpr std::size_t kMostPasses = 500;  // of the report
+    // What a crash costs at most of a pass. A write takes some 300 bytes, which is little for a flash card.
+    static constexpr std::chrono::seconds kKept{30};
 
     // All of them outlive the desk.
     NightDesk(StationControl& control, const profile::InForce& profile, ReportFile& file, const Clock& clock,
@@ -92,7 +95,9 @@ private:
     void restBetween();
     Result<> ask(const Request& request);
     void goOnWithReport();
+    void keepRunning();
     void store(const schedule::PassRecord& record);
+    [[nodiscard]] static QString errorOf(const schedule::PassRecord& record);
     void keep(const schedule::PassRecord& record);
     void noteFile();
     void show();
@@ -115,6 +120,7 @@ private:
     UtcTime m_handledUntil{};  // passes that end before are over
     sources::SteeredUtc m_utc;
     std::optional<TrackedPass> m_tracked;
+    std::optional<SteadyTime> m_kept = {};  // the tracked pass was, for a crash
     PassMoments m_moments;
     schedule::NightReport m_report;
     QString m_fileProblem;  // that the log has

@@ -25,7 +25,8 @@ QString reportPath(const QString& stateDir, const QString& mountName, bool simul
         .arg(stateDir, safeFileName(mountName), simulated ? QStringLiteral(".simulated") : QString());
 }
 
-ReportFile::ReportFile(const QString& path, QObject* parent) : QObject(parent), m_path(path)
+ReportFile::ReportFile(const QString& path, QObject* parent)
+    : QObject(parent), m_path(path), m_pass(path.isEmpty() ? QString() : path + QStringLiteral(".pass"), this)
 {
     connect(&m_writer, &NewestWriter::written, this, [this] { m_problem.clear(); });
     connect(&m_writer, &NewestWriter::failed, this, [this](const QString& reason) {
@@ -57,6 +58,25 @@ void ReportFile::keep(const schedule::NightReport& report)
     if (!m_path.isEmpty() && !m_unreadable) {
         m_writer.write([path = m_path, report] { return writeReport(path, report); });
     }
+}
+
+void ReportFile::keepPass(const schedule::PassRecord& pass)
+{
+    m_pass.keep({.pass = pass, .earlier = schedule::partsOf(m_report, pass)});
+}
+
+std::optional<schedule::PassRecord> ReportFile::lostPass() const
+{
+    const std::optional<schedule::NewestPass>& found = m_pass.found();
+    if (!found || schedule::partsOf(m_report, found->pass) > found->earlier) {
+        return std::nullopt;
+    }
+    schedule::PassRecord lost = found->pass;
+    if (lost.end == schedule::PassEnd::Running) {
+        lost.end = schedule::PassEnd::Interrupted;
+        lost.why = Text::tr("Boresight or its computer stopped during this pass");
+    }
+    return lost;
 }
 
 }  // namespace boresight

@@ -2,14 +2,17 @@
 #pragma once
 
 #include "core/base/newest_writer.h"
+#include "core/night/pass_file.h"
 #include "core/schedule/night_report.h"
 
 #include <QObject>
 #include <QString>
 
+#include <optional>
+
 // The file of the night report, STATE_DIR/NAME.night.toml: read once when the program starts, written after each pass.
 // Saving never blocks the station thread, on which this lives. The newest report is on the disk before its end. A file
-// that cannot be read is never written over.
+// that cannot be read is never written over. Beside it stands the pass that goes on (PassFile), NAME.night.toml.pass.
 namespace boresight {
 
 class ReportFile final : public QObject
@@ -22,8 +25,13 @@ public:
 
     [[nodiscard]] const schedule::NightReport& report() const { return m_report; }
     // Why the file could not be read, or not be written the last time. Empty while all is well.
-    [[nodiscard]] const QString& problem() const { return m_problem; }
+    [[nodiscard]] const QString& problem() const { return m_problem.isEmpty() ? m_pass.problem() : m_problem; }
     void keep(const schedule::NightReport& report);
+
+    // A pass that goes on, and its end before the report that has it.
+    void keepPass(const schedule::PassRecord& pass);
+    // That the report does not have: the program before was killed, or the power failed.
+    [[nodiscard]] std::optional<schedule::PassRecord> lostPass() const;
 
 private:
     void load();
@@ -32,6 +40,7 @@ private:
     schedule::NightReport m_report;
     QString m_problem;
     bool m_unreadable = false;
+    PassFile m_pass;
     NewestWriter m_writer{this};
 };
 

@@ -36,7 +36,7 @@ QString reasonWord(schedule::Reason reason)
 
 QString endWord(schedule::PassEnd end)
 {
-    constexpr std::array kWords{"done", "manual", "fault", "refused", "running"};
+    constexpr std::array kWords{"done", "manual", "fault", "refused", "interrupted", "running"};
     return QLatin1String(kWords.at(static_cast<std::size_t>(end)));
 }
 
@@ -64,6 +64,11 @@ QJsonObject conflictObject(const schedule::Conflict& one)
             {QStringLiteral("overlap"), one.overlaps}};
 }
 
+QJsonValue errorValue(const std::optional<Angle>& error)
+{
+    return error ? QJsonValue(roundedTo(error->degrees(), kThousandths)) : QJsonValue();
+}
+
 QJsonObject recordObject(const schedule::PassRecord& pass)
 {
     return {{QStringLiteral("norad"), qint64{pass.number}},
@@ -73,8 +78,8 @@ QJsonObject recordObject(const schedule::PassRecord& pass)
             {QStringLiteral("tracked_s"), roundedTo(pass.tracked.count(), kTenths)},
             {QStringLiteral("within_1db_s"), roundedTo(pass.within1dB.count(), kTenths)},
             {QStringLiteral("within_3db_s"), roundedTo(pass.within3dB.count(), kTenths)},
-            {QStringLiteral("rms_deg"), roundedTo(pass.rmsError.degrees(), kThousandths)},
-            {QStringLiteral("peak_deg"), roundedTo(pass.peakError.degrees(), kThousandths)},
+            {QStringLiteral("rms_deg"), errorValue(pass.rmsError)},
+            {QStringLiteral("peak_deg"), errorValue(pass.peakError)},
             {QStringLiteral("end"), endWord(pass.end)},
             {QStringLiteral("why"), pass.why}};
 }

@@ -14,7 +14,7 @@ namespace boresight {
 
 // The next 100 passes, conflicts and hidden passes are in it.
 [[nodiscard]] QByteArray planJson(const ScheduleStatus& status);
-// The last 100 passes are in it.
+// The last 100 passes are in it. The errors of one that was never on target are null.
 [[nodiscard]] QByteArray reportJson(const schedule::NightReport& report);
 // "progress" is null when none runs, "night" is null without a result.
 [[nodiscard]] QByteArray rehearsalJson(const RehearsalStatus& status);

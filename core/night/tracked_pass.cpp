@@ -17,18 +17,20 @@ TrackedPass::TrackedPass(const schedule::WatchedPass& pass, const orbit::Element
       m_last(now)
 {}
 
-void TrackedPass::look(const std::optional<SkyPointing>& beam, UtcTime utc, SteadyTime now, const Scale& scale)
+void TrackedPass::look(const Beam& beam, UtcTime utc, SteadyTime now, const Scale& scale)
 {
     const Seconds during = now - m_last;
     m_last = now;
-    if (!beam || !m_pass.pass.isClearAt(utc)) {
+    if (!beam.direction || !m_pass.pass.isClearAt(utc)) {
         return;
     }
     const orbit::JulianDate date = orbit::julianDate(utc);
     if (const orbit::OrbitResult state = m_orbit.propagate(date)) {
         const SkyPointing satellite =
             targets::satelliteSeen(m_observer.look(orbit::groundState(*state, date)).direction, scale.refraction);
-        m_tally.add(angleBetween(*beam, satellite), during, scale.beamWidth);
+        m_tally.add(
+            {.error = angleBetween(*beam.direction, satellite), .isOnTarget = beam.isOnTarget, .during = during},
+            scale.beamWidth);
     }
 }
 

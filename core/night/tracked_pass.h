@@ -27,8 +27,13 @@ public:
         Angle beamWidth;
         ephemeris::RefractionRule refraction = ephemeris::RefractionRule::ByKind;
     };
-    // Where the beam is in this tick, if that is known. What the antenna does not see of the pass does not count.
-    void look(const std::optional<SkyPointing>& beam, UtcTime utc, SteadyTime now, const Scale& scale);
+    struct Beam
+    {
+        std::optional<SkyPointing> direction;  // in this tick, if that is known
+        bool isOnTarget = true;
+    };
+    // What the antenna does not see of the pass does not count.
+    void look(const Beam& beam, UtcTime utc, SteadyTime now, const Scale& scale);
     [[nodiscard]] const schedule::PassTally& tally() const { return m_tally; }
 
 private:

@@ -35,7 +35,7 @@ public:
     [[nodiscard]] bool follows(ephemeris::Body body) const { return m_following && m_body == body; }
     [[nodiscard]] bool overTheTop() const { return m_following && m_overTheTop; }
     [[nodiscard]] bool looksBeside() const { return m_offset != calibration::SkyOffset{}; }
-    // Why it ended last by itself; empty: it was told to, or the mount was.
+    // Why it ended last by itself. Empty: somebody ended it, or commanded the mount.
     [[nodiscard]] const QString& ending() const { return m_ending; }
     // Followed last, and the mount was moved by hand only since: none once it was sent elsewhere or left beside it.
     [[nodiscard]] std::optional<ephemeris::Body> body() const
@@ -48,7 +48,7 @@ public:
     // Where it appears now. Refused while the site is not known.
     [[nodiscard]] Result<SkyPointing> direction(ephemeris::Body body);
     [[nodiscard]] BodyNow now(ephemeris::Body body);
-    // One of the times of rising and setting that are told with it.
+    // One of the times of rising and setting that are reported with it.
     void lookAhead() { m_bodies.lookAhead(m_clock.utc()); }
     // Why it can not be followed; what stands in the way of any motion is not looked at.
     [[nodiscard]] Result<> permits(ephemeris::Body body, bool overTheTop = false);

@@ -48,7 +48,7 @@ void CalibrationAlarms::warnOfFile()
     m_control.alarms().raise(alarmEntry("calibration.not-stored"), {m_file.problem()});
 }
 
-// Led there, or standing there whoever has led it; what only passes by is not told.
+// Moved there by a calibration, or standing there for any reason. A beam that only passes by is not reported.
 bool CalibrationAlarms::beamAtSun()
 {
     if (m_follower.follows(ephemeris::Body::Sun)) {

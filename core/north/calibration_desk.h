@@ -35,7 +35,7 @@ public:
     // To be put into force at once, as a profile that the operator applies is.
     [[nodiscard]] std::optional<CalibrationChange> takeChange() { return m_changes.take(); }
 
-    // What the sensor has told and waits for Apply, with its mounting and curve as they are or would be.
+    // The proposal of the sensor that waits for Apply, with its mounting and curve as they are or would be.
     [[nodiscard]] std::optional<CalibrationChange> proposedOfSensor() const { return m_proposals.ofSensor(); }
 
     [[nodiscard]] const std::shared_ptr<const CalibrationStatus>& status() const { return m_report.status(); }

@@ -54,7 +54,7 @@ Angle nearestOffset(Angle north, const profile::Profile& profile)
 enum class Standing
 {
     Replaced,
-    Stays,        // points have told it better
+    Stays,        // points know it better
     Contradicted  // they have, but it can not be true any more
 };
 
@@ -221,7 +221,7 @@ Proposal proposalOf(const SwingOutcome& swing, const profile::Profile& profile, 
                 told[indexOf(Term::ElevationOffset)]);
     }
     mounting.sense = swing.fit.curve.sense;
-    mounting.azimuthOffset = {};  // the box is along the boom, as far as a swing can tell
+    mounting.azimuthOffset = {};  // the box is along the boom, as far as a swing can measure
     mounting.curve = swing.fit.curve;
     mounting.curve->constant = {};
     proposal.sensor = mounting;

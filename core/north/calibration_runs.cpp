@@ -134,7 +134,7 @@ Result<> CalibrationRuns::endedBy(const Result<>& scan)
     return scan;
 }
 
-// The sensor's value is old and a mean when it arrives: it is laid beside where the axes were then.
+// A value of the sensor is a mean and some time old. It is compared with where the axes were at that time.
 void CalibrationRuns::take(const orientation::Orientation& value)
 {
     const profile::SensorSettings& settings = m_profile->sensor;

@@ -10,7 +10,7 @@
 
 // The points of this mount: takes them into the book, keeps the book in its file, and decides which of them count.
 // Points of an earlier run of the program wait until both drives have reported which ones they are. Points of another
-// drive or site are left out. Every change fits the points anew. Station thread only.
+// drive or site are left out. Every change fits the points again. Station thread only.
 namespace boresight {
 
 class KeptPoints

@@ -23,7 +23,7 @@ public:
 
     // A value came within the time that the profile allows.
     [[nodiscard]] Result<> isHeard() const;
-    // There is a sensor, it is heard, and its compass is calibrated as far as it reports that.
+    // There is a sensor, its data arrive, and its compass is calibrated as far as it reports that.
     [[nodiscard]] Result<> isUsable() const;
     // Usable, and its heading is tied to magnetic north as far as it reports that: an average would be taken.
     [[nodiscard]] Result<> isTiedToNorth() const;

@@ -48,7 +48,7 @@ Result<> PointTaker::mayTakeBody() const
     });
 }
 
-// Where the axes are now, not where they were told to be, and where the body is now.
+// Where the axes are now, not where they were commanded, and where the body is now.
 Result<> PointTaker::takeBody()
 {
     return mayTakeBody().map([&] {

@@ -12,7 +12,7 @@
 #include <optional>
 
 // What waits for the operator's Apply: what was found or entered last, against the model in force. A proposal that is
-// made anew gets another number. Changes nothing of the mount. Station thread only.
+// made again gets another number. Changes nothing of the mount. Station thread only.
 namespace boresight {
 
 class Proposals
@@ -30,7 +30,7 @@ public:
     void pointsChanged();
     // Points of an earlier run of the program count from now on.
     void pointsRestored();
-    // The proposal of the points gets its warnings anew.
+    // The proposal of the points gets its warnings again.
     void renewPoints();
     void profileChanged(bool otherSensor);
     // What the sensor found is dropped when its settings or the declination have changed since.

@@ -23,12 +23,12 @@ class SkyBodies
 public:
     explicit SkyBodies(const profile::SiteSettings& site);
 
-    // Else nothing is told.
+    // Else nothing is reported.
     [[nodiscard]] bool known() const { return m_almanac.has_value(); }
     // As the beam sees it: bent by the air.
     [[nodiscard]] std::optional<SkyPointing> direction(ephemeris::Body body, ephemeris::Refraction kind, UtcTime utc);
 
-    // Of the times of rising and setting that are not known, or are to be looked for anew, finds one.
+    // Of the times of rising and setting that are not known, or are to be looked for again, finds one.
     void lookAhead(UtcTime utc);
     struct Times
     {
@@ -43,7 +43,7 @@ private:
     {
         std::optional<UtcTime> found;
         UtcTime from;
-        UtcTime until;  // then it is made anew
+        UtcTime until;  // then it is made again
     };
     struct Searches
     {

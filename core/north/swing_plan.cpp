@@ -21,7 +21,7 @@ constexpr Angle kLeastArc = Angle::fromDegrees(210.0);
 constexpr Angle kCircle = Angle::fromDegrees(360.0);
 // From the edge of what is free: the swing turns back before it leans on a limit.
 constexpr Angle kMargin = Angle::fromDegrees(1.0);
-// Lower the box tells the tilt badly, and the curve holds far from where satellites are followed.
+// Lower down the box measures the tilt badly, and satellites are tracked far from where the curve holds.
 constexpr Angle kWellForTilt = Angle::fromDegrees(20.0);
 
 // One circle of what is free, as far around the present place as it goes.

@@ -13,9 +13,9 @@
 #include <vector>
 
 // One swing of the compass: says which motion comes next, keeps the readings that are fit for use, and fits them in the
-// end. It moves nothing itself, and knows nothing of STOP: who carries out its motions tells it when they ended. Pure;
-// station thread.
-// More than 15 members: the plan, the place in it and the readings, which all begin and end with one swing.
+// end. It moves nothing itself, and knows nothing of STOP: the caller carries out its motions and reports their end.
+// Pure; station thread. More than 15 members: the plan, the place in it and the readings, which all begin and end with
+// one swing.
 namespace boresight {
 
 // One value of the sensor with the axes as they were when it was measured.
@@ -61,7 +61,7 @@ public:
     // The readings so far. `sense`: as long as they do not show which way the sensor counts.
     [[nodiscard]] std::vector<calibration::SwingDot> dots(calibration::AzimuthSense sense) const;
 
-    // It was never silent, or tells of its calibration: a restart would be seen there.
+    // It was never silent, or it reports its calibration, where a restart would be seen.
     [[nodiscard]] bool heardAllAlong() const;
     // What was found: refused with the reason where it says nothing. `declination`: from magnetic to true north.
     [[nodiscard]] Result<SwingOutcome> outcome(UtcTime utc, Angle declination) const;

@@ -86,8 +86,8 @@ bool Judge::isBelieved(const Orientation& value)
     return m_agreeing >= kBelievedAgain;
 }
 
-// Its count then begins at 0, or at -1 if its first heading is beyond 180°; and its calibration begins anew. A count
-// that only tells what the antenna may have turned meanwhile, unheard, is none that began anew.
+// Its count then begins at 0, or at -1 if its first heading is beyond 180°; and its calibration begins again. A count
+// that only tells what the antenna may have turned meanwhile, unheard, is none that began again.
 bool Judge::isRestart(const Orientation& value) const
 {
     const Angle turned = value.extendedAzimuth - m_last->extendedAzimuth;

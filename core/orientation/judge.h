@@ -9,7 +9,7 @@
 
 // What of the sensor's values may be believed: are they young enough, is the sensor alive, can an antenna have moved
 // like that, has the sensor been restarted? It also counts the turns itself, from the headings: the sensor's own count
-// begins anew after each of its resets. Pure; times are those of arrival.
+// begins again after each of its resets. Pure; times are those of arrival.
 namespace boresight::orientation {
 
 struct JudgeSettings
@@ -47,7 +47,7 @@ public:
     [[nodiscard]] const JudgeSettings& settings() const { return m_settings; }
 
     ValueFate take(const Orientation& value);
-    // Another source, or the same one opened anew: what was known is of another time.
+    // Another source, or the same one opened again: what was known is of another time.
     void forget();
 
     [[nodiscard]] Presence presence(SteadyTime now) const;

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-// The main lobe of an antenna, as far as its half-power width tells it. Pure.
+// The main lobe of an antenna, as far as its half-power width describes it. Pure.
 namespace boresight::pointing {
 
 // Half-power beam width of a round dish: 70° λ/D, for a feed that lights the rim 10 dB less than the middle (Stutzman

@@ -54,7 +54,7 @@ const Angle kHoleTolerance = Angle::fromDegrees(0.5);
 // In the middle of a gap both ends are equally near: the other one must be better by this much to be worth the way.
 const Angle kEndPreference = Angle::fromDegrees(1.0);
 
-// What is just past the limit is not told as the limit itself.
+// An angle just past the limit is not printed as the limit itself.
 QString past(const QString& sentence, Angle angle, Angle limit)
 {
     const int decimals = abs(angle - limit) < Angle::fromDegrees(0.1) ? 2 : 1;

@@ -68,7 +68,7 @@ public:
     void leaveOut(Axis axis);
     [[nodiscard]] std::optional<Axis> missing() const { return m_missing; }
 
-    // Directions are resolved into these ranges, which are the travel of the axes until told otherwise: a place on a
+    // Directions are resolved into these ranges, which are the travel of the axes unless set otherwise: a place on a
     // turn outside of the limits of operation is no answer. Ranges with nothing in them change nothing.
     void limitTo(const TravelRange& azimuths, const TravelRange& elevations);
 

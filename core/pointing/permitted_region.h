@@ -13,8 +13,8 @@
 
 // Where the axes may be: a Region and the travel of both axes, laid out in mechanical angles for quick answers, for
 // every turn of the azimuth and for elevations above 90°, where the beam looks to azimuth + 180°, 180° - elevation.
-// Horizon and keep-outs are true directions: a pointing model tells where the axes meet them (axis_image.h). Edges are
-// permitted where one can move along them (slits.h); rounding of 1e-9° is forgiven. Pure values, any thread.
+// Horizon and keep-outs are true directions: a pointing model computes where the axes meet them (axis_image.h). Edges
+// are permitted where one can move along them (slits.h); rounding of 1e-9° is forgiven. Pure values, any thread.
 namespace boresight::pointing {
 
 class PermittedRegion

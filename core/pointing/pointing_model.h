@@ -86,7 +86,7 @@ private:
     Turn m_crossing;  // of the axes: the non-perpendicularity
 };
 
-// The direction as an observer tells it: azimuth in [0°, 360°), over the top turned to its place in the sky.
+// The direction as an observer reports it: azimuth in [0°, 360°), over the top turned to its place in the sky.
 [[nodiscard]] SkyPointing upright(const SkyPointing& direction);
 
 }  // namespace boresight::pointing

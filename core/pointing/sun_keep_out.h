@@ -18,7 +18,7 @@ namespace boresight::pointing {
 [[nodiscard]] std::optional<KeepOut> sunKeepOut(const SkyPointing& sun, Angle radius);
 
 // Every place that the Sun can have at this latitude, on any day and at any hour, with the circle of this radius around
-// it: where no clock tells the time. In parts that overlap.
+// it: where no clock is set. In parts that overlap.
 [[nodiscard]] std::vector<KeepOut> sunBand(Angle latitude, Angle radius);
 
 // What was drawn, and what is forbidden for the Sun besides.

@@ -9,7 +9,7 @@
 #include <vector>
 
 // What a profile asks of its mount that is permitted and still hardly meant: brakes that are none, an acceleration that
-// no torque gives. It is told with its numbers and refused by nobody, because the mount alone knows. Pure.
+// no torque gives. It is reported with its numbers and never refused, because the mount alone knows. Pure.
 namespace boresight::profile {
 
 struct Advice

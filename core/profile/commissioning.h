@@ -34,11 +34,11 @@ void useBus(Profile& profile, const std::string& bus, std::span<const int> ids);
 // stays.
 [[nodiscard]] Profile forRealMount(Profile profile);
 
-// The motor that was taken for the azimuth's is the elevation's. Directions are to be confirmed anew.
+// The motor that was taken for the azimuth's is the elevation's. Directions are to be confirmed again.
 void swapMotors(Profile& profile);
 
 // The motor turns the axis the other way than the profile says. The axis goes on reading what it reads now, if that is
-// known. Directions are to be confirmed anew.
+// known. Directions are to be confirmed again.
 void reverse(Profile& profile, Axis axis, const std::optional<Angle>& reading);
 
 // The axis may go from here to there. What lay outside (limits of operation, park) is brought inside.

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-// Maidenhead locators, as radio amateurs tell their place: pairs of letters and digits, first of longitude, then of
+// Maidenhead locators, as radio amateurs name their place: pairs of letters and digits, first of longitude, then of
 // latitude, each pair a finer grid: 20° × 10° (A–R), 2° × 1° (0–9), 5′ × 2.5′ (a–x), 30″ × 15″ (0–9), 1.25″ × 0.625″
 // (a–x). Pure.
 namespace boresight::profile {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-// The line by which a receiver tells the power of what the beam looks at. Plain values.
+// The line by which a receiver reports the power that it receives. Plain values.
 namespace boresight::profile {
 
 enum class PowerSource

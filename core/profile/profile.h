@@ -306,7 +306,7 @@ struct RotctldSettings
     bool operator==(const RotctldSettings&) const = default;
 };
 
-// When Boresight itself says that an axis does not do what it should (core/supervision). `Hint` tells, `Stop` stops.
+// When Boresight reports that an axis does not obey (core/supervision). `Hint` reports, `Stop` stops.
 struct SupervisionSettings
 {
     Angle followingHint = Angle::fromDegrees(1.5);  // between set-point and axis, for followingTime
@@ -324,7 +324,7 @@ struct SupervisionSettings
     double boardHot = 60.0;     // °C
     double boardLimit = 75.0;   // °C, where the drive gives up (fault 38)
     double motorHot = 80.0;     // °C
-    Seconds trendAhead{300.0};  // tell when a trend reaches its limit within this time
+    Seconds trendAhead{300.0};  // warn when a trend reaches its limit within this time
     double torqueHint = 0.7;    // of the axis's maximum torque, for 2 s
     double torqueAtRest = 0.4;  // of the same, while the axis stands: more than weight and friction explain
     double torqueUnwind = 0.4;  // of the same, while the turn of the axis is unknown: a cable may be pulling
@@ -356,7 +356,7 @@ enum class Tls
     On
 };
 
-// Whether Boresight tells its own state to the broker.
+// Whether Boresight publishes its own state at the broker.
 enum class Publish
 {
     Off,

@@ -88,7 +88,7 @@ std::string writtenRow(std::span<const SettingOf<Row>> fields, const Row& row)
     return text;
 }
 
-// `rows` finds the list in a profile, constant or not; `text` tells the rows, and how they differ from the others.
+// `rows` finds the list in a profile, constant or not; `text` names the rows, and how they differ from the others.
 template <class Row, class Rows>
 Item listItem(std::string_view key, std::span<const SettingOf<Row>> fields, Rows rows,
               QString (*text)(const std::vector<Row>& shown, const std::vector<Row>& others))

@@ -256,7 +256,7 @@ private:
     void checkWhole()
     {
         for (const Problem& problem : crossCheck(m_profile)) {
-            // Rows with holes would only be told of again.
+            // Rows with holes would only be reported twice.
             const bool isUnread = std::any_of(m_unreadLists.begin(), m_unreadLists.end(),
                                               [&](const std::string& list) { return problem.key.starts_with(list); });
             if (!isUnread) {

@@ -11,7 +11,7 @@
 
 // The profiles of several mounts: FOLDER/profiles/MOUNT.toml, one of them current (its file's name is in
 // FOLDER/profiles/current). Each mount's name is there once, because what a mount remembers is kept under its name. A
-// profile is known here by its file's path. Keeps nothing in memory: each call looks at the folder anew, so that two
+// profile is known here by its file's path. Keeps nothing in memory: each call looks at the folder again, so that two
 // programs can share it. Blocking file access: not on the gui thread, nor the station's.
 namespace boresight::profile {
 

@@ -20,7 +20,7 @@ enum class SensorSource
     Simulated  // of the built-in simulated mount
 };
 
-// True headings, clockwise from one to the other, at which steel steers the needle and no harmonic tells how.
+// True headings, clockwise from one to the other, at which steel turns the needle in a way that no harmonic describes.
 struct UnreliableArc
 {
     Angle from;

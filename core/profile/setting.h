@@ -77,7 +77,7 @@ inline constexpr std::string_view kWatchKey = "watch";
 inline constexpr std::string_view kSatelliteKey = "satellite";
 inline constexpr std::string_view kAntennaKey = "antenna";
 
-// One per tenth of a degree: the region is laid out anew whenever it changes.
+// One per tenth of a degree: the region is laid out again whenever it changes.
 inline constexpr std::size_t kMaxHorizonPoints = 3600;
 // More would make the control tick wait for the search for a way (core/pointing/METHOD.md).
 inline constexpr std::size_t kMaxKeepOuts = 32;
@@ -100,7 +100,7 @@ struct Problem
     bool operator==(const Problem&) const = default;
 };
 [[nodiscard]] QString toText(const Problem& problem);  // "KEY: TEXT"
-// What one setting alone cannot tell: min below max, park where the mount may be, different ids, names used once.
+// What one setting alone does not show: min below max, park where the mount may be, different ids, names used once.
 [[nodiscard]] std::vector<Problem> crossCheck(const Profile& profile);
 // Everything that reading the profile's own file would complain of: ranges, then the above.
 [[nodiscard]] std::vector<Problem> problemsOf(const Profile& profile);

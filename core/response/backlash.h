@@ -20,7 +20,7 @@ struct BacklashFigures
     bool operator==(const BacklashFigures&) const = default;
 };
 
-// Of legs to and fro at one rate, torque included. The error says why the gap cannot be told.
+// Of legs to and fro at one rate, torque included. The error says why the gap cannot be measured.
 [[nodiscard]] Result<BacklashFigures> backlashFigures(Samples samples);
 
 }  // namespace boresight::response

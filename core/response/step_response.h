@@ -21,7 +21,7 @@ struct StepFigures
     bool operator==(const StepFigures&) const = default;
 };
 
-// The first sample is before the step. An error says why nothing can be told.
+// The first sample is before the step. An error says why there is no result.
 [[nodiscard]] Result<StepFigures> stepFigures(Samples samples, Angle band);
 
 }  // namespace boresight::response

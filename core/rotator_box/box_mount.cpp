@@ -12,11 +12,11 @@
 namespace boresight {
 namespace {
 
-// Ahead of a set-point: it runs on from one target to the next, which comes half a second later.
+// The target is this far ahead of the set-point. The rotator then runs on until the next target, half a second later.
 constexpr Seconds kAhead{0.6};
 // Of a rotator that is slower than its profile says: it must not run far when the line fails.
 constexpr Angle kFarthest = 12_deg;
-// Until the operator is told that nothing answers.
+// Until an alarm reports that nothing answers.
 constexpr std::chrono::seconds kPatience{3};
 
 Angle inSteps(Angle angle, Angle step)
@@ -85,7 +85,7 @@ QString BoxMount::label(Axis axis) const
     return Text::of(name(axis).toStdString());
 }
 
-// Such a rotator tells nobody who it is.
+// Such a rotator does not report who it is.
 std::optional<QString> BoxMount::identity(Axis /*axis*/) const
 {
     return m_heard ? std::optional(QString()) : std::nullopt;
@@ -315,7 +315,7 @@ void BoxMount::brakeHard(bool hard)
         stop();
     }
     if (was && !hard) {
-        m_state.follows = false;  // the set-points braked farther than the box: it is taken over anew where it stands
+        m_state.follows = false;  // the set-points braked farther than the box: it is taken over again where it stands
     }
 }
 

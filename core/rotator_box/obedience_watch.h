@@ -6,7 +6,7 @@
 
 #include <optional>
 
-// Whether one axis of a rotator does what it was told. Nothing tells the end of a motion, so its places are compared.
+// Whether one axis of a rotator obeys. The box does not report the end of a motion, so its positions are compared.
 // An axis that stands away from where it was sent is sent there once more, then it is stuck. An axis that goes on after
 // a stop is stopped again each second, then it runs on. Pure.
 namespace boresight {
@@ -33,7 +33,7 @@ public:
 
     void sent(Angle target, SteadyTime now);
     void stopped(SteadyTime now);
-    // It is not told anything any more, and not looked after.
+    // Boresight sends it nothing more and does not watch it.
     void release();
     void place(Angle place, SteadyTime now);
     [[nodiscard]] Verdict judge(SteadyTime now);

@@ -20,7 +20,7 @@ std::optional<PlaceFilter::Jump> PlaceFilter::take(Angle angle, SteadyTime now)
     const SteadyTime before = m_taken;
     m_taken = now;
     const bool agrees = m_doubted && canBe(*m_doubted, angle, now - before);
-    // What was doubted is more likely now than a motion that is as fast as can be.
+    // The doubted place is confirmed. It is believed if it is nearer than the last place.
     const bool nearer = agrees && m_place && abs(angle - *m_doubted) < abs(angle - *m_place);
     if (m_place && !nearer && canBe(*m_place, angle, now - m_placed)) {
         believe(angle, now);

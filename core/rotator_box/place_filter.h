@@ -27,7 +27,7 @@ public:
 
     // Empty: all is well, or it waits for the next one.
     [[nodiscard]] std::optional<Jump> take(Angle angle, SteadyTime now);
-    // The next two begin anew.
+    // The next two begin again.
     void forget() { *this = {}; }
 
     [[nodiscard]] const std::optional<Angle>& place() const { return m_place; }

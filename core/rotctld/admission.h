@@ -23,7 +23,7 @@ public:
     [[nodiscard]] bool admits(const std::string& host) const { return m_allowed.admits(host); }
     // Why there is no room for one more client of this host; empty: there is.
     [[nodiscard]] QString crowd(const std::string& host, std::size_t most) const;
-    // That there is no room is told once, until somebody leaves.
+    // The log says once that there is no room, until a client leaves.
     [[nodiscard]] bool isCrowdNews();
 
     // A client is served; it is no more.

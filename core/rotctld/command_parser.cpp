@@ -10,9 +10,9 @@ namespace {
 
 using Event = CommandParser::Event;
 
-constexpr std::size_t kLineHead = 32;       // the longest opening of a stranger is shorter
+constexpr std::size_t kLineHead = 32;       // the longest opening of a foreign protocol is shorter
 constexpr std::size_t kMaxNameLength = 32;  // the longest name has 10 letters
-constexpr std::size_t kMaxBinaryBytes = 4;  // a stray NUL or umlaut is no stranger
+constexpr std::size_t kMaxBinaryBytes = 4;  // a stray NUL or umlaut is no foreign protocol
 
 bool isBlank(char byte)
 {
@@ -127,10 +127,12 @@ Event CommandParser::idle(std::string_view& input)
     return letter(byte, input);
 }
 
-// What is seen only at the start of a line: a stranger, or a long name whose backslash was forgotten (Look4Sat).
+// What is seen only at the start of a line: a foreign protocol, or a long name whose backslash was forgotten
+// (Look4Sat).
 std::optional<Event> CommandParser::openLine(std::string_view& input)
 {
-    constexpr std::string_view kOrdinary = "p\\+|;\r\n";  // opens most lines, but no stranger's and no bare name
+    constexpr std::string_view kOrdinary =
+        "p\\+|;\r\n";  // opens most lines, but none of a foreign protocol and no bare name
     if (kOrdinary.find(input.front()) != std::string_view::npos) {
         return std::nullopt;
     }

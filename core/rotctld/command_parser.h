@@ -97,7 +97,7 @@ private:
     State m_state = State::Idle;
     Command m_command;
     std::string m_name;
-    std::string m_lineHead;  // the first bytes of the line, to recognise strangers
+    std::string m_lineHead;  // the first bytes of the line, to recognise foreign protocols
     std::string_view m_stranger;
     std::size_t m_lineLength = 0;
     std::size_t m_binaryBytes = 0;  // unprintable ones outside arguments since the last command

@@ -6,8 +6,8 @@
 
 #include <optional>
 
-// How coarsely a client follows its target, told by the points that it sends. Gpredict sends the next one only when the
-// satellite is its "Threshold" away from the antenna, 5° unless the user changed it, and points as far ahead: it is
+// How coarsely a client tracks its target, measured by the points that it sends. Gpredict sends the next one only when
+// the satellite is its "Threshold" away from the antenna, 5° unless the user changed it, and points as far ahead: it is
 // silent for a while, leaps by up to twice that, corrects the leap while the antenna is under way, and is silent again.
 // Pure.
 namespace boresight::rotctld {

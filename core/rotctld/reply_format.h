@@ -12,7 +12,7 @@
 // labelled values, RPRT, with the client's separator). Pure.
 namespace boresight::rotctld {
 
-// The number a client is told: 0 done, else negative (README.md has the table).
+// The number that a client receives: 0 done, else negative (README.md has the table).
 [[nodiscard]] int rprtCode(const Error& error);
 
 class ReplyWriter

@@ -88,7 +88,7 @@ public:
     // Its `move` must end: hold. Its last pointTo stands, as with Hamlib: radiosonde_auto_rx connects for each request,
     // and closing Gpredict's window sends no stop.
     virtual void clientGone(const Client& client, const QString& reason) = 0;
-    // For the log: a client did something worth a line (stranger, flood, dropped, refused).
+    // For the log: a client did something worth a line (foreign protocol, flood, dropped, refused).
     virtual void clientRemark(const Client& client, const QString& text) = 0;
 };
 

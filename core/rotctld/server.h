@@ -68,7 +68,7 @@ public:
     void setAllowed(const std::vector<std::string>& entries);
     // From now on; who is connected stays.
     void setMaxClients(std::size_t count) { m_settings.maxClients = count; }
-    // Hangs up on one client; its program may connect anew. False when there is none of this number.
+    // Hangs up on one client; its program may connect again. False when there is none of this number.
     bool disconnect(std::uint64_t id, const QString& reason);
 
     // Ends pauses and drops clients that outlived a time limit. Its own timer calls it; tests turn the clock first.

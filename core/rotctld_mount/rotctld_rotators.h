@@ -6,7 +6,7 @@
 // What Hamlib drives, as the wiring lists it.
 namespace boresight::rotctl {
 
-// A simulated one stays the same one when the mount is connected anew.
+// A simulated one stays the same one when the mount is connected again.
 [[nodiscard]] MountKind rotctldRotators();
 
 }  // namespace boresight::rotctl

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/schedule/night_report.h"
 
+#include "core/schedule/night_plan.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,21 +20,42 @@ int NightReport::done() const
         std::ranges::count_if(passes, [](const PassRecord& pass) { return pass.end == PassEnd::Set; }));
 }
 
-void PassTally::add(Angle error, Seconds during, Angle beamWidth)
+int partsOf(const NightReport& report, const PassRecord& pass)
 {
-    const double loss = beamLoss(error, beamWidth);
-    m_record.tracked += during;
-    m_record.within1dB += loss <= 1.0 ? during : Seconds(0.0);
-    m_record.within3dB += loss <= 3.0 ? during : Seconds(0.0);
-    m_record.peakError = std::max(m_record.peakError, error);
-    m_squares += error.degrees() * error.degrees() * during.count();
+    return static_cast<int>(std::ranges::count_if(report.passes, [&](const PassRecord& one) {
+        return one.number == pass.number && std::chrono::abs(one.aos - pass.aos) < kSamePass;
+    }));
+}
+
+// Once it was on its target, all that follows counts until the end of the pass.
+bool PassTally::settles(const Look& look)
+{
+    if (m_onTarget < kSettled) {
+        m_onTarget = look.isOnTarget ? m_onTarget + look.during : Seconds(0.0);
+        return false;
+    }
+    return true;
+}
+
+void PassTally::add(const Look& look, Angle beamWidth)
+{
+    const double loss = beamLoss(look.error, beamWidth);
+    m_record.tracked += look.during;
+    m_record.within1dB += loss <= 1.0 ? look.during : Seconds(0.0);
+    m_record.within3dB += loss <= 3.0 ? look.during : Seconds(0.0);
+    if (look.during > Seconds(0.0) && settles(look)) {
+        m_record.peakError = std::max(m_record.peakError.value_or(Angle{}), look.error);
+        m_judged += look.during;
+        m_squares += look.error.degrees() * look.error.degrees() * look.during.count();
+    }
 }
 
 PassRecord PassTally::record() const
 {
     PassRecord record = m_record;
-    const double seconds = record.tracked.count();
-    record.rmsError = Angle::fromDegrees(seconds > 0.0 ? std::sqrt(m_squares / seconds) : 0.0);
+    if (m_judged > Seconds(0.0)) {
+        record.rmsError = Angle::fromDegrees(std::sqrt(m_squares / m_judged.count()));
+    }
     return record;
 }
 

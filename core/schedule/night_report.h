@@ -19,10 +19,11 @@ namespace boresight::schedule {
 
 enum class PassEnd
 {
-    Set,      // it was tracked until its end
-    Manual,   // somebody has taken the mount, or pressed STOP
-    Fault,    // or the connection was lost
-    Refused,  // the station did not begin to track it, or gave it up
+    Set,          // it was tracked until its end
+    Manual,       // somebody has taken the mount, or pressed STOP
+    Fault,        // or the connection was lost
+    Refused,      // the station did not begin to track it, or gave it up
+    Interrupted,  // Boresight ended without a shutdown
     Running
 };
 
@@ -35,8 +36,10 @@ struct PassRecord
     Seconds tracked{0.0};  // with a measured beam, while the satellite is up
     Seconds within1dB{0.0};
     Seconds within3dB{0.0};
-    Angle rmsError;   // of the beam, on the sky
-    Angle peakError;  // of the same
+    // Of the beam, on the sky, since it was first on its target. Empty: it never was. The way there counts as seconds
+    // only.
+    std::optional<Angle> rmsError = {};
+    std::optional<Angle> peakError = {};
     PassEnd end = PassEnd::Running;
     QString why;  // in words; empty: it has set
 
@@ -54,6 +57,18 @@ struct NightReport
     bool operator==(const NightReport&) const = default;
 };
 
+// The pass that is tracked, or was tracked last, as it is kept beside the report.
+struct NewestPass
+{
+    PassRecord pass;
+    int earlier = 0;  // the parts of the same pass that the report had before it
+
+    bool operator==(const NewestPass&) const = default;
+};
+
+// Of a pass that was begun again the report has several parts.
+[[nodiscard]] int partsOf(const NightReport& report, const PassRecord& pass);
+
 // One pass while it is tracked: what is added in each tick.
 class PassTally
 {
@@ -61,14 +76,26 @@ public:
     PassTally() = default;
     explicit PassTally(PassRecord begun) : m_record(std::move(begun)) {}
 
-    // The error was this for so long.
-    void add(Angle error, Seconds during, Angle beamWidth);
+    // The beam is on its target when it was there for so long without a break: while it slews it may cross it.
+    static constexpr Seconds kSettled{1.0};
+
+    struct Look
+    {
+        Angle error;
+        bool isOnTarget = true;
+        Seconds during{0.0};  // it was so
+    };
+    void add(const Look& look, Angle beamWidth);
     [[nodiscard]] PassRecord record() const;
     [[nodiscard]] PassRecord ended(PassEnd end, const QString& why) const;
 
 private:
+    [[nodiscard]] bool settles(const Look& look);
+
     PassRecord m_record;
-    double m_squares = 0.0;  // deg² s
+    Seconds m_onTarget{0.0};  // without a break
+    Seconds m_judged{0.0};    // since it was first on its target
+    double m_squares = 0.0;   // deg² s, in this time
 };
 
 }  // namespace boresight::schedule

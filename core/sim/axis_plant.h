@@ -38,7 +38,7 @@ public:
 
     void step(double dt, const PlantLoads& loads);
 
-    // Turned by somebody's hand, at rest afterwards.
+    // Turned by hand, and standing still afterwards.
     void place(double position);
     // Something in the way: at a place of the travel, or wherever the axis stands now.
     void setJam(std::optional<double> position) { m_jam = position; }

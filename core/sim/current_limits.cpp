@@ -11,7 +11,7 @@ namespace {
 constexpr double kTorqueTimesKv = 8.27;       // Nm/A · rpm/V, of a three-phase motor counted in peak phase current
 constexpr double kUncalibratedTorque = 0.1;   // Nm/A at the rotor
 constexpr double kUncalibratedCurrent = 5.0;  // A
-constexpr double kBridgeCurrent = 100.0;      // A the board can carry, whatever it is told
+constexpr double kBridgeCurrent = 100.0;      // A the board can carry, whatever is commanded
 constexpr double kModulation = 0.5;           // phase voltage over bus voltage that the bridge can make
 constexpr double kPowerFactor = 1.5;          // three phases counted in peak values
 

@@ -164,8 +164,8 @@ DriveConfig commissionedDrive(Axis axis)
     config.servo.maxCurrent = 30.0;
     config.servo.maxVelocity = 0.06;
     config.servo.maxVelocityDerate = 0.01;
-    // The default limits are what a dead host leaves behind: 14.4°/s, and from full speed to rest in 80 ms, so that
-    // with a watchdog of 0.1 s the axis stands 0.2 s after the last command.
+    // The drive brakes by the default limits after its host died: 14.4°/s, full stop in 80 ms. With a watchdog of 0.1 s
+    // the axis stands still 0.2 s after the last command.
     config.servo.defaultVelocityLimit = 0.04;
     config.servo.defaultAccelLimit = axis == Axis::Azimuth ? 0.35 : 0.28;
     return config;

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-// The telemetry channels that the console of a simulated drive offers, and what they tell. Pure.
+// The telemetry channels that the console of a simulated drive offers, and what they report. Pure.
 namespace boresight::sim {
 
 [[nodiscard]] std::vector<std::string> telemetryChannels();

@@ -18,7 +18,7 @@ enum class FaultKind
     Silence,         // the drive receives and acts, and never answers
     LateReply,       // value: seconds
     LostReply,       // value: probability that a reply is lost, 0…1
-    LostCommand,     // value: probability that the drive does not hear a frame, 0…1 (1 is a cut cable)
+    LostCommand,     // value: probability that the drive does not receive a frame, 0…1 (1 is a cut cable)
     CorruptLine,     // value: probability that the adapter damages the line of a reply, 0…1
     MissingOk,       // the adapter does not acknowledge
     AdapterError,    // the adapter answers ERR and sends nothing

@@ -5,7 +5,7 @@
 #include "core/sim/drive_config.h"
 #include "core/units/sky.h"
 
-// The mount that the simulated pair drives unless told otherwise: a dish of about 2 m on an azimuth-elevation
+// The mount that the simulated pair drives unless set otherwise: a dish of about 2 m on an azimuth-elevation
 // positioner, each axis through a 100:1 gearbox. Azimuth 0…360° is 0…1 turn; the elevation drive is mounted inverted:
 // 0° is -0.25 turn, 90° is -0.5 turn.
 namespace boresight::sim {

@@ -26,7 +26,7 @@ struct MoteusSettings
     PlantSettings plant{};
     double position = 0.0;     // of the axis, turns of the gearbox output
     double gearRatio = 100.0;  // turns of the rotor per turn of the output
-    bool referenced = false;   // somebody has told the drive its output position since power-up
+    bool referenced = false;   // somebody has set its output position since power-up
     double uptime = 60.0;      // seconds it has been on at the beginning
     EncoderNoise noise{};
 };

@@ -51,7 +51,7 @@ struct PairReply
 {
     CanFrame frame;
     Seconds due{0.0};      // when it is to arrive
-    bool damaged = false;  // an adapter shall garble it
+    bool damaged = false;  // an adapter is to garble it
 };
 
 // Replies since the pair was made, by the drives' own count.
@@ -73,7 +73,7 @@ public:
     // One frame on the bus at `now`, to which the time goes on. Replies in the order of arbitration.
     [[nodiscard]] std::vector<PairReply> exchange(const CanFrame& frame, Seconds now);
 
-    // A drive that is not fitted hears and says nothing. At first both are.
+    // A drive that is not fitted receives and sends nothing. At first both are.
     void setFitted(Axis axis, bool fitted) { m_sides[side(axis)].fitted = fitted; }
 
     [[nodiscard]] AxisTruth truth(Axis axis) const;

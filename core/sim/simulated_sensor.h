@@ -15,7 +15,7 @@
 
 // The orientation sensor on the antenna of the simulated mount, with the habits and faults of the real one: its
 // firmware's own declination, the average of five readings, the count of turns that a restart forgets, what iron does
-// to a compass. Pure: it is told where the axes truly are, each 0.2 s, and says something about once a second.
+// to a compass. Pure: each 0.2 s it is given where the axes truly are, and about once a second it sends a message.
 namespace boresight::sim {
 
 struct SensorTruth
@@ -76,7 +76,7 @@ public:
     // May be changed at any time; also while it runs.
     [[nodiscard]] SensorTruth& truth() { return m_truth; }
     void setFault(SensorFault fault) { m_fault = fault; }
-    // Its power went off and on: the count of turns begins anew, and so does its calibration, unless that is kept.
+    // Its power went off and on: the count of turns begins again, and so does its calibration, unless that is kept.
     void restart();
 
     // One reading; a message when one is due. `amperes` of both motors together, without sign.

@@ -9,7 +9,7 @@
 #include <memory>
 
 // The serial port of a simulated orientation sensor as a device file: its sentences on a pseudo-terminal. Says nothing
-// to nobody: who opens it hears from the next sentence on. Lives on the thread of its event loop; never blocks.
+// to nobody: who opens it receives from the next sentence on. Lives on the thread of its event loop; never blocks.
 namespace boresight::sim {
 
 class SensorPort final : public QObject

@@ -32,7 +32,7 @@ public:
     SensorPublisher(SensorBox& box, const Clock& clock, const QString& prefix,
                     PublishedTopics topics = PublishedTopics::All);
 
-    // Whom to open, and whose problem to tell.
+    // Whom to open, and whose problem to report.
     [[nodiscard]] mqtt::BrokerClient& client() { return m_client; }
 
 private:

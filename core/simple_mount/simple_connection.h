@@ -36,7 +36,7 @@ private:
     Result<> m_mine;
 };
 
-// Its box stays the same one when the mount is connected anew.
+// Its box stays the same one when the mount is connected again.
 [[nodiscard]] MountKind simpleRotators();
 
 }  // namespace boresight

@@ -3,7 +3,7 @@
 
 #include "core/control/motion_source.h"
 
-// A tuning run moves an axis at rates that it gives anew in every tick. The motion ends when it gives none any more.
+// A tuning run moves an axis at rates that it gives again in every tick. The motion ends when it gives none any more.
 // Station thread only.
 namespace boresight::sources {
 

@@ -7,8 +7,8 @@
 #include "core/messages/station_status.h"
 #include "core/sources/steered_utc.h"
 
-// Watches the clock of this computer: how far it is off, that somebody set it, that the computer slept. Reports only.
-// Station thread only.
+// Watches the clock of this computer. Reports how far it is off, when somebody set it, and when the computer slept. It
+// changes nothing. Station thread only.
 namespace boresight {
 
 class ClockGuard

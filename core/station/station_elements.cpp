@@ -152,7 +152,7 @@ void StationElements::tellKept(std::size_t count)
     }
 }
 
-// A file that was replaced is watched anew: the watcher loses it.
+// A file that was replaced is watched again: the watcher loses it.
 void StationElements::watch()
 {
     if (const QStringList watched = m_watcher.files() + m_watcher.directories(); !watched.isEmpty()) {

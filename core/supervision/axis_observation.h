@@ -31,7 +31,7 @@ struct AxisObservation
     std::optional<AngleLeap> falsePlace{};
     // Several replies that agree have shown that the angle has jumped to `actual`.
     std::optional<AngleLeap> jumped{};
-    bool engaging = false;  // the drive is told to hold where it is, and has not yet said that it does
+    bool engaging = false;  // the drive was commanded to hold, and has not yet reported that it does
     bool engaged = false;   // set-points are sent
     Angle commanded;        // the set-point last sent; these two count only while engaged
     AngularRate commandedRate;

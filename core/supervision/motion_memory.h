@@ -13,7 +13,7 @@
 // angles, because a rate near rest is mostly noise of the encoder. Given fresh replies only.
 namespace boresight::supervision {
 
-// Command and motion since the axis last did what it was told: for "does not move" and "moves the wrong way". Each
+// Command and motion since the axis last obeyed: for "does not move" and "moves the wrong way". Each
 // place is judged with the two before it, so that one that is false by too little to be doubted counts for nothing.
 class Progress
 {

@@ -49,7 +49,7 @@ bool PlaceBelief::reaches(const Course& course, const Reply& reply) const
     return moved >= least - slack && moved <= most + slack;
 }
 
-// Questions are sent by our own clock: they tell the rate better than replies, which may come late.
+// Questions are sent by our own clock: they show the rate better than replies, which may come late.
 PlaceBelief::Course PlaceBelief::continued(const Course& course, const Reply& reply) const
 {
     const Seconds passed = reply.asked - course.asked;

@@ -35,7 +35,7 @@ public:
     void lost(LossClass loss, SteadyTime now);
     // An automatic re-arm was begun.
     void tried(SteadyTime now);
-    // A person re-armed: the episode is over, and "once" counts anew.
+    // A person re-armed: the episode is over, and "once" counts again.
     void rearmed();
     // Every tick while nothing is lost. After an hour of health the episode is over.
     void healthy(SteadyTime now);

@@ -28,7 +28,7 @@ inline constexpr int kSymptomCount = 13;
 
 enum class Weight
 {
-    Hint,  // tell the operator
+    Hint,  // notify the operator
     Stop   // come to rest, targets to actual, explicit re-arm
 };
 

@@ -47,7 +47,7 @@ public:
     [[nodiscard]] bool isOnTrial() const;
     [[nodiscard]] bool isOf(const QString& board) const { return m_board == board; }
     [[nodiscard]] DriveGains status() const;
-    // True once after the count of the encoder was begun anew.
+    // True once after the count of the encoder was begun again.
     [[nodiscard]] bool takeCountsAnew() { return std::exchange(m_countsAnew, false); }
     // What was done to the drive, for the log.
     [[nodiscard]] std::vector<QString> takeNotes() { return std::exchange(m_notes, {}); }

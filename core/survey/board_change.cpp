@@ -110,7 +110,7 @@ void BoardChange::finishLook()
     read(Step::ReadingBack, m_order.newId, m_settings);
 }
 
-// The first command of each run is one whose answer is sure to come: what follows reaches the console.
+// Each run begins with a command that every board answers. Its answer proves that the console listens.
 void BoardChange::read(Step step, int id, const std::vector<BoardSetting>& settings)
 {
     std::vector<std::string> commands{"tel stop"};

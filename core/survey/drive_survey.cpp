@@ -319,7 +319,7 @@ Result<> DriveSurvey::fitToMove() const
 
 QString DriveSurvey::progress() const
 {
-    if (m_retrying) {  // one text for all that begins anew every 2 seconds
+    if (m_retrying) {  // one text for all that begins again every 2 seconds
         return Text::tr("Boresight cannot read all drives. It tries again every 2 s.");
     }
     if (m_state == SurveyState::Running && m_scan.isRunning()) {

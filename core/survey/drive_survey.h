@@ -37,7 +37,7 @@ public:
     // The profile outlives this. `axes`: those that have a drive, and the only ones that may be asked about.
     DriveSurvey(const profile::InForce& profile, const KnownBoards& known, AxisSet axes = kAxes);
 
-    // What was found is judged anew.
+    // What was found is judged again.
     void profileChanged(const profile::Profile& before, const profile::Profile& after);
     // From the beginning; also after other tools had the bus.
     void begin(SteadyTime now);
@@ -47,7 +47,7 @@ public:
     [[nodiscard]] Result<> mayFix() const;
     // Writes what differs and can be written. All drives must be in mode 0: the caller sees to that.
     [[nodiscard]] Result<> fix(SteadyTime now);
-    // Reads anew what the drive's position counts from, unless the drives are being read anyway.
+    // Reads again what the drive's position counts from, unless the drives are being read anyway.
     void readOrigin(Axis axis);
     // The boards are right as they are: what the memory knows from now on.
     void setKnownBoards(const KnownBoards& known);

@@ -10,7 +10,7 @@ enum class FindingWeight
 {
     Advice,
     Warning,
-    Blocking,  // nothing moves before it is mended
+    Blocking,  // nothing moves before it is fixed
 };
 
 enum class FindingKind
@@ -21,7 +21,7 @@ enum class FindingKind
     Stranger,     // a board that the profile does not know
     Swapped,      // the ids of the axes
     OtherBoard,   // than before, for an axis
-    RegisterMap,  // that is not known here
+    RegisterMap,  // unknown to Boresight
     Unread,       // the settings of an axis
     NotStored,    // a setting of an axis
     Dangerous,    // settings of an axis, as the verdict

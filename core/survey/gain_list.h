@@ -12,7 +12,7 @@
 // The gains of a drive that may be tuned: how the drive calls them, in which range, and whether it must be off. Pure.
 //
 // The firmware (bldc_servo.cc, motor_position.h) takes what is below "servo" while it controls. Whatever is below
-// "motor_position" begins the count of the encoder anew: in a drive that is on this is fault 41, and in each the wrap
+// "motor_position" begins the count of the encoder again: in a drive that is on this is fault 41, and in each the wrap
 // is lost.
 namespace boresight::survey {
 

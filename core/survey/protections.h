@@ -46,7 +46,7 @@ struct Protection
     std::function<QString(double)> consequence;
     // The value as the operator thinks of it, behind the drive's own; may be absent.
     std::function<QString(double)> explain;
-    bool isAngle = false;   // what explains it is enough where there is little room
+    bool isAngle = false;   // a narrow line shows only explain()
     bool reversed = false;  // see ProtectionLine
 };
 

@@ -8,7 +8,7 @@
 
 #include <string>
 
-// By what a transmitter is permitted to transmit, as the profile names it. Pure, any thread.
+// The output that permits a transmitter to transmit, by its name in the profile. Pure, any thread.
 namespace boresight::transmit {
 
 enum class OutputKind

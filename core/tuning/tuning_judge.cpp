@@ -9,7 +9,7 @@
 namespace boresight {
 namespace {
 
-// What is worth tuning for an antenna: a beam is some degrees wide, and a pass is followed at a degree a second.
+// Better than this is not worth tuning: a beam is some degrees wide, and a pass moves at 1°/s.
 constexpr double kSmallOvershoot = 0.05;
 constexpr Seconds kQuick{0.5};
 constexpr Angle kSettled = Angle::fromDegrees(0.04);  // 2 % of the step

@@ -8,7 +8,7 @@
 // What a tuning run that went to its end has measured, and what that means in plain words. Pure.
 namespace boresight {
 
-// An error says why the run tells nothing. The gains and the time are left to the caller.
+// An error says why the run has no result. The gains and the time are left to the caller.
 [[nodiscard]] Result<TuningResult> resultOf(const TuningRunState& run);
 
 }  // namespace boresight

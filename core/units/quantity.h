@@ -9,7 +9,7 @@
 #include <numbers>
 
 // Strong types for angles and motor turns and their time derivatives. Inside is one double: radians for what the sky
-// and the axes measure, turns for what the drive hears. Nothing converts from or to a bare double by itself, and the
+// and the axes measure, turns for what the drive receives. Nothing converts from or to a bare double by itself, and the
 // two kinds never mix: only MountModel turns one into the other.
 namespace boresight {
 

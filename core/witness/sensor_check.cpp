@@ -47,7 +47,7 @@ void SensorCheck::take(const SensorDirection& reading)
                                                       : 90_deg;
     if (azimuths && abs(height) < kHighestForCompass && reading.azimuthCounts && m_missing != Axis::Azimuth) {
         const Angle difference = (reading.direction.azimuth - azimuths->mean).wrapped180();
-        // Across the sky: near the zenith an angle of azimuth is a small one.
+        // As an angle on the sky: near the zenith a degree of azimuth is less than a degree.
         const double shrink = std::cos(height.radians());
         judge(azimuth, difference, (abs(difference) - azimuths->spread) * shrink, reading.arrival);
     } else {

@@ -83,7 +83,7 @@ void SensorWatch::setSiteDeclination(const std::optional<Result<Angle>>& declina
     correct();
 }
 
-// What was compared before is compared anew: the difference was perhaps that of a wrong setting.
+// What was compared before is compared again: the difference was perhaps that of a wrong setting.
 void SensorWatch::correct()
 {
     m_inForce.convertBy(SensorToSky(settings(), m_site.of(settings())));

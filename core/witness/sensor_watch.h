@@ -65,7 +65,7 @@ private:
         QString name;  // empty: none is open
         orientation::SourceStatus status{};
         SteadyTime begun{};
-        bool heard = false;   // as the log was told
+        bool heard = false;   // as the log reported
         bool agreed = false;  // in azimuth, at least once
         bool unknownTold = false;
         std::uint64_t restartsTold = 0;

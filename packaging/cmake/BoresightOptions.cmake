@@ -23,9 +23,10 @@ endif()
 target_include_directories(boresight_options INTERFACE "${CMAKE_SOURCE_DIR}")
 if(BORESIGHT_SANITIZE)
   # Every use of a pointer is AddressSanitizer's to judge; these checks beside it take a third of the compiler's time.
+  # The check of alignment takes 10 to 20 % more, and pointers are cast to sockaddr and to bytes only.
   target_compile_options(boresight_options INTERFACE
     -fsanitize=${BORESIGHT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
-    -fno-sanitize=null,object-size,vptr,pointer-overflow)
+    -fno-sanitize=null,object-size,vptr,pointer-overflow,alignment)
   if(BORESIGHT_SANITIZE MATCHES "address" AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     # To find a use of a local after its function has returned costs a third of the time of all tests. The compiler warns
     # of most.

@@ -4,6 +4,13 @@ option(BORESIGHT_UNIT_TESTS "Build the tests that the presets with sanitizers ru
 
 set(BORESIGHT_TEST_RESULTS "${CMAKE_BINARY_DIR}/test-results")  # one XML file of GoogleTest for each test of ctest
 
+# The line numbers of tests cost a tenth of their compilation, and a failure names its line without them. Only the preset
+# dev has them, for a debugger.
+set(test_options -O0)
+if(BORESIGHT_UNITY)
+  list(APPEND test_options -g0)
+endif()
+
 # boresight_add_test(NAME LABEL unit|ui|system|long SOURCES … [LIBRARIES …])
 # A GoogleTest program, which is one test of ctest: it runs from its first to its last case. LIBRARIES is what is tested,
 # boresight_core if it is not said. The label says where it runs, so that nothing runs twice without need:
@@ -48,7 +55,7 @@ function(boresight_add_test name)
     target_compile_options(${name} PRIVATE -O1)
     boresight_precompile(${name} ${test_headers})
   else()
-    target_compile_options(${name} PRIVATE -O0)
+    target_compile_options(${name} PRIVATE ${test_options})
     string(JOIN _ headers boresight ${T_HEADERS_OF} test_headers)
     target_precompile_headers(${name} REUSE_FROM ${headers})
   endif()
@@ -67,7 +74,7 @@ function(boresight_test_headers name)
   add_executable(${name} EXCLUDE_FROM_ALL "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
   set_target_properties(${name} PROPERTIES AUTOMOC OFF)
   target_link_libraries(${name} PRIVATE ${H_LIBRARIES} GTest::gmock)
-  target_compile_options(${name} PRIVATE -O0)
+  target_compile_options(${name} PRIVATE ${test_options})
   boresight_precompile(${name} ${test_headers} ${H_HEADERS})
 endfunction()
 

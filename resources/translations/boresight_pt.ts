@@ -602,6 +602,13 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     </message>
 </context>
 <context>
+    <name>RangeWords</name>
+    <message>
+        <source>%1 km, %2 km/s, Doppler %3 Hz/MHz</source>
+        <translation>%1 km, %2 km/s, Doppler %3 Hz/MHz</translation>
+    </message>
+</context>
+<context>
     <name>RegionEdit</name>
     <message>
         <source>keep-out %1</source>
@@ -7524,10 +7531,6 @@ até %1</translation>
         <translation>armada pelo perfil (schedule.unattended)</translation>
     </message>
     <message>
-        <source>%1 was tracked for %2 s. Within 1 dB: %3 s. Within 3 dB: %4 s. Error: %5° rms. Largest error: %6°.</source>
-        <translation>%1 foi seguido durante %2 s. A menos de 1 dB: %3 s. A menos de 3 dB: %4 s. Erro: %5° rms. Erro máximo: %6°.</translation>
-    </message>
-    <message>
         <source>The stored night report cannot be read: %1. The new report is kept in memory only.</source>
         <translation>O relatório da noite guardado não se lê: %1. O novo relatório fica só na memória.</translation>
     </message>
@@ -9024,10 +9027,6 @@ até %1</translation>
         <translation>O Boresight não move nada. Os dados da placa podem ter outro significado</translation>
     </message>
     <message>
-        <source>%1: This is not a file.</source>
-        <translation>%1: Isto não é um ficheiro.</translation>
-    </message>
-    <message>
         <source>More than %1 elements stand inside one another.</source>
         <translation>Mais de %1 elementos estão uns dentro dos outros.</translation>
     </message>
@@ -9238,6 +9237,38 @@ até %1</translation>
     <message>
         <source>The answer of rotctld is: %1. Check the rotator, its power, its cable and the options of rotctld</source>
         <translation>A resposta do rotctld é: %1. Verifique o rotador, a sua alimentação, o seu cabo e as opções do rotctld</translation>
+    </message>
+    <message>
+        <source>The night report now has the pass of %1 from before the start. It was tracked for %2 s.</source>
+        <translation>O relatório da noite tem agora a passagem de %1 anterior ao arranque. Foi seguida durante %2 s.</translation>
+    </message>
+    <message>
+        <source>The pass that goes on could not be stored: %1</source>
+        <translation>Não foi possível guardar a passagem em curso: %1</translation>
+    </message>
+    <message>
+        <source>The last pass before the start cannot be read: %1. The next pass replaces this file.</source>
+        <translation>Não é possível ler a última passagem antes do arranque: %1. A próxima passagem substitui este ficheiro.</translation>
+    </message>
+    <message>
+        <source>Boresight or its computer stopped during this pass</source>
+        <translation>O Boresight ou o seu computador parou durante esta passagem</translation>
+    </message>
+    <message>
+        <source>%1 was tracked for %2 s. Within 1 dB: %3 s. Within 3 dB: %4 s.</source>
+        <translation>%1 foi seguido durante %2 s. A menos de 1 dB: %3 s. A menos de 3 dB: %4 s.</translation>
+    </message>
+    <message>
+        <source>Error: %1° rms. Largest error: %2°.</source>
+        <translation>Erro: %1° rms. Erro máximo: %2°.</translation>
+    </message>
+    <message>
+        <source>The beam was never on target.</source>
+        <translation>O feixe nunca esteve no alvo.</translation>
+    </message>
+    <message>
+        <source>%1: Pipes and devices are not read. Give a file or a folder.</source>
+        <translation>%1: Os pipes e os dispositivos não são lidos. Indique um ficheiro ou uma pasta.</translation>
     </message>
     <message>
         <source>Check that rotctld still runs there (%1). If it hangs, end it and start it again</source>
@@ -9492,6 +9523,18 @@ SDL 2, toml++</translation>
     <message>
         <source>Unwrapping loses the target for %1. Holding at the end loses it for %2.</source>
         <translation>Desenrolar perde o alvo durante %1. Ficar no fim perde-o durante %2.</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mais</translation>
+    </message>
+    <message>
+        <source>Whole alarm</source>
+        <translation>Alarme completo</translation>
+    </message>
+    <message>
+        <source>Open the whole alarm in the log</source>
+        <translation>Abrir o alarme completo no registo</translation>
     </message>
 </context>
 <context>
@@ -12834,6 +12877,22 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
         <source>%1: hold LB or RB and move the left stick to jog. Button B is STOP.</source>
         <translation>%1: segure LB ou RB e mova a alavanca esquerda. O botão B é STOP.</translation>
     </message>
+    <message>
+        <source>Elevation up by %1</source>
+        <translation>Elevação sobe %1</translation>
+    </message>
+    <message>
+        <source>Elevation down by %1</source>
+        <translation>Elevação desce %1</translation>
+    </message>
+    <message>
+        <source>Azimuth counter-clockwise by %1</source>
+        <translation>Azimute roda %1 no sentido anti-horário</translation>
+    </message>
+    <message>
+        <source>Azimuth clockwise by %1</source>
+        <translation>Azimute roda %1 no sentido horário</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::JogPanel</name>
@@ -15561,20 +15620,6 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
         <translation>visível</translation>
     </message>
     <message>
-        <source>%1
-Measured: %2 s
-Within 1 dB: %3 s
-Within 3 dB: %4 s
-Error: %5 rms
-Largest error: %6</source>
-        <translation>%1
-Medida: %2 s
-A menos de 1 dB: %3 s
-A menos de 3 dB: %4 s
-Erro: %5 rms
-Erro máximo: %6</translation>
-    </message>
-    <message>
         <source>left out, the limits hide it</source>
         <translation>fica de fora, os limites escondem-na</translation>
     </message>
@@ -15598,6 +15643,44 @@ Erro máximo: %6</translation>
         <source>left out, %1 has the lower catalogue number</source>
         <translation>fica de fora, %1 tem o número de catálogo menor</translation>
     </message>
+    <message>
+        <source>interrupted: %1</source>
+        <translation>interrompida: %1</translation>
+    </message>
+    <message>
+        <source>Error: %1 rms
+Largest error: %2</source>
+        <translation>Erro: %1 rms
+Erro máximo: %2</translation>
+    </message>
+    <message>
+        <source>The beam was never on target.</source>
+        <translation>O feixe nunca esteve no alvo.</translation>
+    </message>
+    <message>
+        <source>lost: the beam was never on target</source>
+        <translation>perdida: o feixe nunca esteve no alvo</translation>
+    </message>
+    <message>
+        <source>%1
+Measured: %2 s
+Within 1 dB: %3 s
+Within 3 dB: %4 s
+%5</source>
+        <translation>%1
+Medida: %2 s
+A menos de 1 dB: %3 s
+A menos de 3 dB: %4 s
+%5</translation>
+    </message>
+    <message>
+        <source>Nothing was measured.</source>
+        <translation>Nada foi medido.</translation>
+    </message>
+    <message>
+        <source>nothing was measured</source>
+        <translation>nada foi medido</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::SelectedPass</name>
@@ -15620,6 +15703,10 @@ Erro máximo: %6</translation>
     <message>
         <source>Go to where the satellite rises and track it until it sets. Then the mount holds</source>
         <translation>Ir para onde o satélite nasce e segui-lo até se pôr. Depois a montagem fica parada</translation>
+    </message>
+    <message>
+        <source>now %1</source>
+        <translation>agora %1</translation>
     </message>
 </context>
 <context>

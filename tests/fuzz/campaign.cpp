@@ -5,12 +5,14 @@
 #include "tests/fuzz/mutator.h"
 
 #include <sys/mman.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -18,9 +20,6 @@
 
 namespace boresight::fuzz {
 namespace {
-
-// A thousand times what the slowest input takes under ThreadSanitizer on a busy machine.
-constexpr unsigned kPatienceSeconds = 30;
 
 // Seen by both processes.
 struct Progress
@@ -47,6 +46,14 @@ SharedProgress shareProgress()
     return SharedProgress(new (memory) Progress);  // placed in the mapping; Unmap gives it back
 }
 
+// SIGPROF, or SIGALRM, ends a process that does not begin the next input in time.
+void beginWatch(const Campaign& campaign)
+{
+    const itimerval most{.it_interval = {}, .it_value = {.tv_sec = campaign.mostProcessorTime.count(), .tv_usec = 0}};
+    setitimer(ITIMER_PROF, &most, nullptr);
+    alarm(static_cast<unsigned>(campaign.longest.count()));
+}
+
 void feedAll(const Campaign& campaign, Progress& progress)
 {
     Mutator mutator(grammar(), campaign.seed);
@@ -54,7 +61,7 @@ void feedAll(const Campaign& campaign, Progress& progress)
         const std::string input = mutator.next();
         progress.size = std::min(input.size(), progress.input.size());
         std::copy_n(input.begin(), progress.size, progress.input.begin());
-        alarm(kPatienceSeconds);
+        beginWatch(campaign);
         feed(asBytes(input));
         if (takeAccepted()) {
             ++progress.accepted;
@@ -64,11 +71,17 @@ void feedAll(const Campaign& campaign, Progress& progress)
     progress.size = 0;
 }
 
-std::string words(int status)
+std::string words(int status, const Campaign& campaign)
 {
     if (WIFSIGNALED(status)) {
-        return WTERMSIG(status) == SIGALRM ? "not done after " + std::to_string(kPatienceSeconds) + " s"
-                                           : "ended by signal " + std::to_string(WTERMSIG(status));
+        switch (WTERMSIG(status)) {
+            case SIGPROF:
+                return "not done after " + std::to_string(campaign.mostProcessorTime.count()) + " s of processor time";
+            case SIGALRM:
+                return "not done after " + std::to_string(campaign.longest.count()) + " s";
+            default:
+                return "ended by signal " + std::to_string(WTERMSIG(status));
+        }
     }
     return "ended with status " + std::to_string(WEXITSTATUS(status));
 }
@@ -94,7 +107,7 @@ Outcome run(const Campaign& campaign)
     if (status != 0) {
         outcome.failure = Failure{.number = progress->fed,
                                   .input = std::string(progress->input.data(), progress->size),
-                                  .how = words(status)};
+                                  .how = words(status, campaign)};
     }
     return outcome;
 }

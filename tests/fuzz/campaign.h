@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -14,6 +15,10 @@ struct Campaign
 {
     std::size_t inputs = 20'000;
     std::uint64_t seed = 1;
+    // For one input. Processor time does not depend on what else the machine does: a thousand times what the slowest
+    // input takes under ThreadSanitizer. The other one is for an input that waits for ever.
+    std::chrono::seconds mostProcessorTime{30};
+    std::chrono::seconds longest{600};
 };
 
 struct Failure

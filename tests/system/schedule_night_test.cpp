@@ -203,8 +203,8 @@ private:
         const TravelRange& travel = profile.azimuth.geometry.travel;
         m_nearestEnd = std::min({m_nearestEnd, truth.azimuth - travel.min, travel.max - truth.azimuth});
         if (seen) {
-            seen->look(SkyPointing{.azimuth = truth.azimuth.wrapped360(), .elevation = truth.elevation}, now(),
-                       rig->clock.now(), {.beamWidth = profile.mount.beamWidth});
+            seen->look({.direction = SkyPointing{.azimuth = truth.azimuth.wrapped360(), .elevation = truth.elevation}},
+                       now(), rig->clock.now(), {.beamWidth = profile.mount.beamWidth});
         }
     }
 
@@ -221,8 +221,9 @@ void expectLikeTruth(const PassRecord& reported, const PassRecord& truth)
     EXPECT_NEAR(reported.tracked.count(), truth.tracked.count(), kReported.count());
     EXPECT_NEAR(reported.within1dB.count(), truth.within1dB.count(), kReported.count());
     EXPECT_NEAR(reported.within3dB.count(), truth.within3dB.count(), kReported.count());
-    EXPECT_NEAR(reported.rmsError.degrees(), truth.rmsError.degrees(), 0.05);
-    EXPECT_NEAR(reported.peakError.degrees(), truth.peakError.degrees(), 0.1);
+    ASSERT_TRUE(reported.rmsError && truth.rmsError && reported.peakError && truth.peakError);
+    EXPECT_NEAR(reported.rmsError->degrees(), truth.rmsError->degrees(), 0.05);
+    EXPECT_NEAR(reported.peakError->degrees(), truth.peakError->degrees(), 0.1);
 }
 
 // REQ-SCHEDULE-930: In a night of 20 passes each is tracked from its rise to its set, within 1 dB of the beam. The

@@ -5,7 +5,7 @@
 #include "ui/kit/prompt_bar.h"
 
 // Over the plot, after an act of the operator that took the control from clients which still want it: one press gives
-// it back. Dismiss is remembered until the control is taken anew.
+// it back. Dismiss is remembered until the control is taken again.
 namespace boresight::ui {
 
 class CommandButton;

@@ -164,7 +164,7 @@ void GuideNorth::type()
     showEffect();
 }
 
-// Once is not for ever: the next one is typed, and meant, anew.
+// Once is not for ever: the next one is typed, and meant, again.
 void GuideNorth::forget()
 {
     m_typed = false;

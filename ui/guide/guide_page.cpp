@@ -314,7 +314,7 @@ void GuidePage::showButtons(const StepReport& report)
 void GuidePage::showHint()
 {
     const GuideStep step = m_progress.current;
-    // This page is as high as the smallest window allows, and says itself what is wrong.
+    // The page is as high as the smallest window allows. It shows its own errors.
     const bool full = step == GuideStep::Protection;
     QString hint;
     if (const auto axis = askingAxis(m_status); axis && !full) {

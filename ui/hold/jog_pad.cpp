@@ -4,6 +4,7 @@
 #include "ui/hold/jog_button.h"
 #include "ui/kit/axes.h"
 #include "ui/kit/command_button.h"
+#include "ui/kit/format.h"
 #include "ui/kit/request_desk.h"
 #include "ui/kit/value_label.h"
 #include "ui/link/motion_state.h"
@@ -37,6 +38,39 @@ std::optional<JogDirection> directionOf(int key)
     }
 }
 
+QString heldHelp(JogDirection direction)
+{
+    switch (direction) {
+        case JogDirection::Up:
+            return JogPad::tr("Elevation up while held");
+        case JogDirection::Down:
+            return JogPad::tr("Elevation down while held");
+        case JogDirection::Left:
+            return JogPad::tr("Azimuth counter-clockwise while held");
+        case JogDirection::Right:
+            break;
+    }
+    return JogPad::tr("Azimuth clockwise while held");
+}
+
+QString stepHelp(JogDirection direction, Angle step)
+{
+    const auto text = [direction] {
+        switch (direction) {
+            case JogDirection::Up:
+                return JogPad::tr("Elevation up by %1");
+            case JogDirection::Down:
+                return JogPad::tr("Elevation down by %1");
+            case JogDirection::Left:
+                return JogPad::tr("Azimuth counter-clockwise by %1");
+            case JogDirection::Right:
+                break;
+        }
+        return JogPad::tr("Azimuth clockwise by %1");
+    };
+    return text().arg(angleText(step, 2));
+}
+
 }  // namespace
 
 JogPad::JogPad(const Clock& clock, RequestDesk& desk, ValueLabel& notice, QWidget* parent)
@@ -44,11 +78,10 @@ JogPad::JogPad(const Clock& clock, RequestDesk& desk, ValueLabel& notice, QWidge
       m_clock(clock),
       m_desk(desk),
       m_notice(notice),
-      m_buttons{
-          {JogDirection::Up, new JogButton(QStringLiteral("▲"), tr("Elevation up while held"), this)},
-          {JogDirection::Down, new JogButton(QStringLiteral("▼"), tr("Elevation down while held"), this)},
-          {JogDirection::Left, new JogButton(QStringLiteral("◀"), tr("Azimuth counter-clockwise while held"), this)},
-          {JogDirection::Right, new JogButton(QStringLiteral("▶"), tr("Azimuth clockwise while held"), this)}},
+      m_buttons{{JogDirection::Up, new JogButton(QStringLiteral("▲"), heldHelp(JogDirection::Up), this)},
+                {JogDirection::Down, new JogButton(QStringLiteral("▼"), heldHelp(JogDirection::Down), this)},
+                {JogDirection::Left, new JogButton(QStringLiteral("◀"), heldHelp(JogDirection::Left), this)},
+                {JogDirection::Right, new JogButton(QStringLiteral("▶"), heldHelp(JogDirection::Right), this)}},
       m_hold(new CommandButton(tr("Hold"), tr("Stop the motion and hold the position (Ctrl+H)"), desk, notice, this)),
       m_caption(new ValueLabel(tr("Arrow keys"), fonts::label(), {}, this))
 {
@@ -218,13 +251,22 @@ void JogPad::setRate(AngularRate rate)
 void JogPad::setStep(Angle step)
 {
     m_step = step;
+    showHelp();
 }
 
 void JogPad::setStepMode(bool on)
 {
     m_stepMode = on;
+    showHelp();
     letGoAll();
     showStatus(m_status);
+}
+
+void JogPad::showHelp()
+{
+    for (const auto& [direction, button] : m_buttons) {
+        button->setHelp(m_stepMode ? stepHelp(direction, m_step) : heldHelp(direction));
+    }
 }
 
 void JogPad::setNarrow()

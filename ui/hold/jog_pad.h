@@ -68,6 +68,7 @@ private:
     void refused(const std::optional<Error>& error);
     void applyRate();
     void showCaption();
+    void showHelp();
 
     const Clock& m_clock;
     RequestDesk& m_desk;

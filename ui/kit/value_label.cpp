@@ -151,7 +151,12 @@ QSize ValueLabel::minimumSizeHint() const
 
 int ValueLabel::heightForWidth(int width) const
 {
-    return m_wrapping ? heightOf(shownText(), width - aroundText()) : -1;
+    return m_wrapping ? heightWith(m_text, width) : -1;
+}
+
+int ValueLabel::heightWith(const QString& text, int width) const
+{
+    return heightOf(withBreaks(text), width - aroundText());
 }
 
 QString ValueLabel::shownText() const

@@ -7,7 +7,7 @@
 #include <QWidget>
 
 // A text that changes twenty times a second: it has the size of its template once and for all, so that a new text
-// repaints this widget and nothing else (a QLabel would lay out the whole window anew), and the layout never moves.
+// repaints this widget and nothing else (a QLabel would lay out the whole window again), and the layout never moves.
 // An optional symbol stands before the text. A text that does not fit is elided and shown whole in the tooltip.
 namespace boresight::ui {
 
@@ -38,6 +38,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override;
     [[nodiscard]] bool hasHeightForWidth() const override { return m_wrapping; }
     [[nodiscard]] int heightForWidth(int width) const override;
+    [[nodiscard]] int heightWith(const QString& text, int width) const;  // of a wrapping label, had it this text
 
 protected:
     void paintEvent(QPaintEvent* event) override;

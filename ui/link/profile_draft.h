@@ -75,7 +75,7 @@ public:
     void applyAlone(const std::function<void(profile::Profile&)>& change, QObject* asker,
                     const RequestDesk::Reply& reply);
     void undo(QObject* asker, const RequestDesk::Reply& reply);       // applies what was applied before the last change
-    void reconnect(QObject* asker, const RequestDesk::Reply& reply);  // begins anew with what is applied
+    void reconnect(QObject* asker, const RequestDesk::Reply& reply);  // begins again with what is applied
 
 Q_SIGNALS:
     void changed();

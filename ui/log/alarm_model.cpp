@@ -44,7 +44,7 @@ SeenAlarm followed(const SeenAlarm& seen, const StationStatus& status, std::size
     SeenAlarm next = seen;
     next.alarm = status.alarms[place];
     next.place = place;
-    next.alarm.since = seen.alarm.since;  // one of the window's begins anew with every look
+    next.alarm.since = seen.alarm.since;  // one of the window's begins again with every look
     if (!next.alarm.active) {
         next.ended = seen.ended.value_or(status.utc);
     }

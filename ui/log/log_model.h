@@ -10,7 +10,7 @@
 #include <optional>
 
 // The station's log as a table (time, source, text) in the order in which the lines came, bounded; and the filter over
-// it. The lines' own numbers are not looked at: they begin anew with every station. Gui thread.
+// it. The lines' own numbers are not looked at: they begin again with every station. Gui thread.
 namespace boresight::ui {
 
 class LogModel : public TableModel

@@ -5,13 +5,14 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QSlider>
+#include <QTabBar>
 
 namespace boresight::ui {
 
 void WheelGuard::watch(QWidget& widget)
 {
     if (qobject_cast<QAbstractSpinBox*>(&widget) == nullptr && qobject_cast<QComboBox*>(&widget) == nullptr &&
-        qobject_cast<QSlider*>(&widget) == nullptr) {
+        qobject_cast<QSlider*>(&widget) == nullptr && qobject_cast<QTabBar*>(&widget) == nullptr) {
         return;
     }
     if (widget.focusPolicy() == Qt::WheelFocus) {
@@ -20,10 +21,12 @@ void WheelGuard::watch(QWidget& widget)
     widget.installEventFilter(this);  // once more does nothing more
 }
 
-// An event that is not accepted goes on to the page, which scrolls.
+// An event that is not accepted goes on to the page, which scrolls. The tabs scroll with it and get under the pointer,
+// also with the keyboard.
 bool WheelGuard::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() != QEvent::Wheel || qobject_cast<QWidget*>(watched)->hasFocus()) {
+    const bool takesWheel = qobject_cast<QWidget*>(watched)->hasFocus() && qobject_cast<QTabBar*>(watched) == nullptr;
+    if (event->type() != QEvent::Wheel || takesWheel) {
         return QObject::eventFilter(watched, event);
     }
     event->ignore();

@@ -118,7 +118,7 @@ void BodyPage::choose(Aim aim)
     m_aim = aim;
     for (QWidget* const box :
          {static_cast<QWidget*>(m_body), static_cast<QWidget*>(m_landmark), static_cast<QWidget*>(m_scan)}) {
-        box->hide();  // before anything is shown: together they would not fit
+        box->hide();  // first of all: two boxes at once would not fit
     }
     m_notice->setValue({});
     m_choices[static_cast<std::size_t>(aim)]->setChecked(true);

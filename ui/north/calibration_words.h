@@ -30,7 +30,7 @@ namespace boresight::ui {
 [[nodiscard]] QString swingText(const SwingOutcome& swing);  // several lines: north, curve, tilt, verdict
 // "143.2° ± 1.6°"; without the sigma before a swing, no value while it is not known.
 [[nodiscard]] QString trueAzimuthText(const SensorStatus& sensor);
-// What is proposed is what the points were fitted to, not typed, read or found otherwise.
+// The proposal is the fit of the points. It was not typed, read from a file or found by the sensor.
 [[nodiscard]] bool proposesFit(const CalibrationStatus& calibration);
 [[nodiscard]] QString fitText(const CalibrationStatus& calibration);
 [[nodiscard]] double onSky(const PointResidual& residual);  // degrees

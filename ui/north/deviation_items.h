@@ -37,7 +37,7 @@ private:
     std::vector<calibration::SwingDot> m_dots;
 };
 
-// A used sample points the way the mount turned; one that is left out is a cross. Also for the legend.
+// The mark of a sample shows which way the mount turned. A sample that was left out is a cross. Also for the legend.
 enum class SampleShape
 {
     Clockwise,

@@ -32,7 +32,7 @@ public:
     void showStatus(const StationStatus& status);
 
 Q_SIGNALS:
-    void settingsWanted(const QString& words);  // of the profile, that have these in their name or meaning
+    void settingsWanted(const QString& words);  // settings of the profile with these words in their name or meaning
 
 private:
     void build();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/passes/pass_details.h"
 
-#include "core/passes/pass_light.h"
 #include "core/targets/pass_way.h"
+
+#include <algorithm>
 
 namespace boresight::ui {
 
@@ -11,31 +12,52 @@ targets::CableTurns cableOf(const BookedPass& one, const PassBook& book)
     return targets::cableTurns(*targets::wayOf(one.pass, book.elementsOf(one), book.site), book.antennaOf(one).reach);
 }
 
+PassDetails::PassDetails(QObject* parent) : QObject(parent)
+{
+    m_idle.setInterval(0);
+    connect(&m_idle, &QTimer::timeout, this, &PassDetails::workOne);
+}
+
 void PassDetails::begin(const std::shared_ptr<const PassBook>& book)
 {
     m_book = book;
-    m_sunlit.clear();
-    m_cable.clear();
+    m_facts.clear();
+    m_order.clear();
+    m_wanted.clear();
+    m_idle.stop();
 }
 
-Seconds PassDetails::sunlit(std::size_t pass)
+const PassDetails::Facts* PassDetails::find(std::size_t pass)
 {
-    auto found = m_sunlit.find(pass);
-    if (found == m_sunlit.end()) {
-        const BookedPass& one = m_book->passes.at(pass);
-        const passes::PassLight light = passes::lightOf(one.pass, m_book->elementsOf(one), m_book->site);
-        found = m_sunlit.emplace(pass, passes::sunlitTime(one.pass, light)).first;
+    if (const auto found = m_facts.find(pass); found != m_facts.end()) {
+        return &found->second;
     }
-    return found->second;
+    if (std::ranges::find(m_wanted, pass) == m_wanted.end()) {
+        m_wanted.push_front(pass);
+        m_wanted.resize(std::min(m_wanted.size(), kMostWanted));
+        m_idle.start();
+    }
+    return nullptr;
 }
 
-const targets::CableTurns& PassDetails::cable(std::size_t pass)
+void PassDetails::workOne()
 {
-    auto found = m_cable.find(pass);
-    if (found == m_cable.end()) {
-        found = m_cable.emplace(pass, cableOf(m_book->passes.at(pass), *m_book)).first;
+    const std::size_t pass = m_wanted.front();
+    m_wanted.pop_front();
+    if (m_wanted.empty()) {
+        m_idle.stop();
     }
-    return found->second;
+    if (m_order.size() == kMostKept) {
+        m_facts.erase(m_order.front());
+        m_order.pop_front();
+    }
+    const BookedPass& one = m_book->passes.at(pass);
+    const passes::PassLight light = passes::lightOf(one.pass, m_book->elementsOf(one), m_book->site);
+    m_facts[pass] = {.light = light, .sunlit = passes::sunlitTime(one.pass, light), .cable = cableOf(one, *m_book)};
+    m_order.push_back(pass);
+    Q_EMIT workedOut(pass);
 }
 
 }  // namespace boresight::ui
+
+#include "moc_pass_details.cpp"

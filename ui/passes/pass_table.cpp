@@ -23,8 +23,11 @@ bool matches(const orbit::ElementSet& elements, const QStringList& words)
 PassTable::PassTable(QObject* parent)
     : TableModel({QString(), tr("Satellite"), tr("Rises (UTC)"), tr("In"), tr("Highest at"), tr("Sets"), tr("Highest"),
                   tr("Lasts"), tr("Hidden"), tr("Unwraps"), tr("Sunlit"), tr("Elements")},
-                 parent)
-{}
+                 parent),
+      m_details(new PassDetails(this))
+{
+    connect(m_details, &PassDetails::workedOut, this, &PassTable::showDetails);
+}
 
 QString PassTable::widest(Column column)
 {
@@ -54,7 +57,7 @@ void PassTable::show(const std::shared_ptr<const PassBook>& book, UtcTime now)
 {
     m_book = book;
     m_now = now;
-    m_details.begin(book);
+    m_details->begin(book);
     select();
 }
 
@@ -109,6 +112,15 @@ void PassTable::tick(UtcTime now)
     }
     countAgain();
     changeCells();
+}
+
+void PassTable::showDetails(std::size_t pass)
+{
+    const auto found = std::ranges::find(m_rows, pass);
+    if (found != m_rows.end()) {
+        const int row = static_cast<int>(found - m_rows.begin());
+        Q_EMIT dataChanged(index(row, Unwraps), index(row, Sunlit));
+    }
 }
 
 void PassTable::countAgain()
@@ -194,25 +206,34 @@ QString PassTable::text(std::size_t pass, int column) const
         case Hidden:
             return partText(hiddenTime(one.pass), one.pass.duration());
         case Unwraps:
-            return briefCableText(m_details.cable(pass));
         case Sunlit:
-            return partText(m_details.sunlit(pass), one.pass.duration());
+            return detail(pass, column);
         default:
             return daysText(ageOf(one, *m_book, m_now));
     }
 }
 
+// Empty until it is worked out.
+QString PassTable::detail(std::size_t pass, int column) const
+{
+    const PassDetails::Facts* const facts = m_details->find(pass);
+    if (facts == nullptr) {
+        return {};
+    }
+    return column == Unwraps ? briefCableText(facts->cable)
+                             : partText(facts->sunlit, m_book->passes[pass].pass.duration());
+}
+
 QString PassTable::help(std::size_t pass, int column) const
 {
-    const BookedPass& one = m_book->passes[pass];
-    switch (column) {
-        case Unwraps:
-            return cableText(m_details.cable(pass));
-        case Sunlit:
-            return lightText(passes::lightOf(one.pass, m_book->elementsOf(one), m_book->site));
-        default:
-            return factsOf(one, *m_book, m_now);
+    if (column != Unwraps && column != Sunlit) {
+        return factsOf(m_book->passes[pass], *m_book, m_now);
     }
+    const PassDetails::Facts* const facts = m_details->find(pass);
+    if (facts == nullptr) {
+        return {};
+    }
+    return column == Unwraps ? cableText(facts->cable) : lightText(facts->light);
 }
 
 QVariant PassTable::headerData(int section, Qt::Orientation orientation, int role) const

@@ -70,15 +70,17 @@ protected:
 
 private:
     void select();
+    void showDetails(std::size_t pass);
     void countAgain();
     [[nodiscard]] bool isFavourite(const BookedPass& one) const;
     [[nodiscard]] QVariant star(const BookedPass& one, int role) const;
     [[nodiscard]] QString text(std::size_t pass, int column) const;
+    [[nodiscard]] QString detail(std::size_t pass, int column) const;
     [[nodiscard]] QString help(std::size_t pass, int column) const;
 
     std::shared_ptr<const PassBook> m_book = std::make_shared<const PassBook>();
     std::vector<std::size_t> m_rows;  // into the passes of the book
-    mutable PassDetails m_details;    // worked out when they are seen
+    PassDetails* m_details;           // worked out when they are seen
     PassCount m_count;
     PassChoice m_choice;
     orbit::SatelliteMarks m_marks;

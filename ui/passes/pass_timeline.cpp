@@ -159,7 +159,7 @@ void PassTimeline::paintEvent(QPaintEvent*)
     paintHours(painter);
 }
 
-// Over all rows: what overlaps is seen.
+// Over all rows, so that overlaps are seen.
 void PassTimeline::paintSelectedSpan(QPainter& painter) const
 {
     for (const TimelineRow& row : m_timeline.rows) {

@@ -64,13 +64,25 @@ QString reasonText(const schedule::Conflict& conflict)
     return ScheduleTable::tr("left out, %1 has the lower catalogue number").arg(name);
 }
 
+QString errorText(const schedule::PassRecord& record)
+{
+    return record.rmsError && record.peakError ? ScheduleTable::tr("Error: %1 rms\nLargest error: %2")
+                                                     .arg(angleText(*record.rmsError), angleText(*record.peakError))
+           : record.tracked > Seconds(0.0) ? ScheduleTable::tr("The beam was never on target.")
+                                           : ScheduleTable::tr("Nothing was measured.");
+}
+
 QString endText(const schedule::PassRecord& record)
 {
     switch (record.end) {
         case schedule::PassEnd::Running:
             return ScheduleTable::tr("tracked now");
         case schedule::PassEnd::Set:
-            return ScheduleTable::tr("tracked, error %1 rms").arg(angleText(record.rmsError));
+            return record.rmsError ? ScheduleTable::tr("tracked, error %1 rms").arg(angleText(*record.rmsError))
+                   : record.tracked > Seconds(0.0) ? ScheduleTable::tr("lost: the beam was never on target")
+                                                   : ScheduleTable::tr("nothing was measured");
+        case schedule::PassEnd::Interrupted:
+            return ScheduleTable::tr("interrupted: %1").arg(record.why);
         case schedule::PassEnd::Manual:
         case schedule::PassEnd::Fault:
         case schedule::PassEnd::Refused:
@@ -93,9 +105,9 @@ ScheduleTable::Row ScheduleTable::rowOf(const schedule::PassRecord& record)
             .satellite = record.name,
             .highest = {},
             .what = endText(record),
-            .details = tr("%1\nMeasured: %2 s\nWithin 1 dB: %3 s\nWithin 3 dB: %4 s\nError: %5 rms\nLargest error: %6")
+            .details = tr("%1\nMeasured: %2 s\nWithin 1 dB: %3 s\nWithin 3 dB: %4 s\n%5")
                            .arg(endText(record), seconds(record.tracked), seconds(record.within1dB),
-                                seconds(record.within3dB), angleText(record.rmsError), angleText(record.peakError))};
+                                seconds(record.within3dB), errorText(record))};
 }
 
 ScheduleTable::Row ScheduleTable::rowOf(const schedule::WatchedPass& pass, const QString& what)

@@ -12,6 +12,7 @@
 #include "ui/passes/pass_words.h"
 #include "ui/passes/satellite_antenna.h"
 #include "ui/passes/watch_button.h"
+#include "ui/sky/range_words.h"
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>
@@ -163,11 +164,16 @@ void SelectedPass::showFacts()
         m_facts->setToolTip({});
         return;
     }
+    const QString range = rangeText(m_book->elementsOf(*m_pass), m_book->site, m_now);
+    const QString now = range.isEmpty() ? QString() : QLatin1Char('\n') + tr("now %1").arg(range);
     const QString light = QLatin1Char('\n') + m_light;
     const QString note = m_noteText.isEmpty() ? QString() : m_noteText + QLatin1Char('\n');
-    const QString all = factsOf(*m_pass, *m_book, m_now) + light + m_cable;
-    const QString brief =
-        (m_note->isHidden() ? note : QString()) + briefFactsOf(*m_pass, *m_book, m_now, m_isNamed) + light;
+    QString all = factsOf(*m_pass, *m_book, m_now) + light + m_cable;
+    all.insert(all.indexOf(QLatin1Char('\n')), now);  // what is last is cut first
+    QString brief = (m_note->isHidden() ? note : QString()) + briefFactsOf(*m_pass, *m_book, m_now, m_isNamed);
+    const auto lines = brief.count(QLatin1Char('\n')) + 1;
+    brief.insert(brief.lastIndexOf(QLatin1Char('\n')), now);  // before the age of the elements
+    brief += now.isEmpty() || lines + 1 < kBriefLines ? light : QString();
     m_facts->setValue(m_isBrief ? brief : all);
     m_facts->setToolTip(m_isBrief ? note + all : QString());
 }

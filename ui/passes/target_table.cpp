@@ -9,7 +9,7 @@ namespace boresight::ui {
 
 namespace {
 
-// A rise that was not found comes into reach; the clock may be set, also back.
+// The next rise of a satellite may be found later. The clock may also have been set.
 constexpr std::chrono::minutes kLookAgain{10};
 
 }  // namespace

@@ -43,7 +43,7 @@ public:
     void exportTo(const QString& file, const profile::StoredProfile& mount);
 
 Q_SIGNALS:
-    void listed();  // the list is read anew
+    void listed();  // the list is read again
     void asked(const boresight::ui::Question& question);
     void done(const QString& outcome);
     void failed(const QString& reason);

@@ -113,7 +113,7 @@ void PlotTools::place()
 }
 
 // What is not masked is the plot's, for eye and mouse. A label without text is hidden: below one with a ground of its
-// own Qt does not paint the plot anew, although it is masked.
+// own Qt does not paint the plot again, although it is masked.
 void PlotTools::showMask()
 {
     QRegion region;

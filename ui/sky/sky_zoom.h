@@ -9,7 +9,7 @@
 #include <vector>
 
 // The magnified part of the polar plot: how much, around what, and which grid lines suit it. The view stands still
-// while what it follows stays in its inner half, so that the ground is not drawn anew with every status. Pure.
+// while what it follows stays in its inner half, so that the ground is not drawn again with every status. Pure.
 namespace boresight::ui {
 
 class SkyZoom

@@ -135,7 +135,9 @@ AlarmCard::AlarmCard(const ProfileDraft& draft, RequestDesk& desk, QWidget* pare
                                     desk, *m_notice, this)),
       m_recover(new CommandButton(buttonText(AlarmHelp::ResetStop), {}, desk, *m_notice, this)),
       m_acknowledge(new CommandButton(tr("Acknowledge"), tr("Acknowledge all alarms (F8)"), desk, *m_notice, this)),
-      m_count(makePushButton({.text = {}, .name = tr("All alarms"), .help = tr("Open the list of alarms")}, this))
+      m_count(makePushButton({.text = {}, .name = tr("All alarms"), .help = tr("Open the list of alarms")}, this)),
+      m_more(makePushButton(
+          {.text = tr("More"), .name = tr("Whole alarm"), .help = tr("Open the whole alarm in the log")}, this))
 {
     build();
     connect(m_help, &QPushButton::clicked, this, [this] { help(m_shown ? m_shown->help : AlarmHelp::None, *m_help); });
@@ -143,6 +145,11 @@ AlarmCard::AlarmCard(const ProfileDraft& draft, RequestDesk& desk, QWidget* pare
     connect(m_recover, &QPushButton::clicked, this, [this] { help(m_recovery, *m_recover); });
     connect(m_acknowledge, &QPushButton::clicked, this, [this] { m_acknowledge->ask(request::AcknowledgeAlarms{}); });
     connect(m_count, &QPushButton::clicked, this, &AlarmCard::listWanted);
+    connect(m_more, &QPushButton::clicked, this, [this] {
+        if (m_shown) {
+            Q_EMIT lineWanted(*m_shown);
+        }
+    });
     m_notice->installEventFilter(this);
     hide();
 }
@@ -158,6 +165,8 @@ void AlarmCard::build()
     }
     m_notice->setCollapsing(true);
     m_count->setFlat(true);
+    m_more->setFlat(true);
+    m_more->hide();
     m_since->setFixedHeight(kTouchSize);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     auto* const buttons = new FlowRow;
@@ -165,7 +174,7 @@ void AlarmCard::build()
         buttons->addWidget(part);
     }
     // At the other end: a second press on a button that has just gone does not acknowledge.
-    for (QWidget* const part : std::initializer_list<QWidget*>{m_since, m_count, m_acknowledge}) {
+    for (QWidget* const part : std::initializer_list<QWidget*>{m_since, m_more, m_count, m_acknowledge}) {
         buttons->addWidget(part);
         buttons->setAlignment(part, Qt::AlignRight);
     }
@@ -185,6 +194,44 @@ void AlarmCard::setLow(bool low)
     layout()->setSpacing(low ? kLowAlarmSpacing : kAlarmSpacing);
 }
 
+// Who acknowledged it has read it. The choice is still open.
+QString AlarmCard::adviceIn(AlarmForm form) const
+{
+    if (!m_shown) {
+        return {};
+    }
+    const Alarm& alarm = *m_shown;
+    const bool isRead = alarm.acknowledged;
+    const QString did = isRead || form == AlarmForm::Remedy ? QString() : alarm.action;
+    const QString lines = linesOf({did, isRead ? QString() : alarm.remedy, m_cost});
+    return form == AlarmForm::Lines ? lines : QString(lines).replace(QLatin1Char('\n'), QLatin1Char(' '));
+}
+
+// Without laying out: a station that reports twenty times a second asks for it each time.
+int AlarmCard::heightWith(AlarmForm form, int width) const
+{
+    const int text = width - layout()->contentsMargins().left() - layout()->contentsMargins().right();
+    const int now = m_advice->text().isEmpty() ? 0 : m_advice->heightForWidth(text);
+    const QString advice = adviceIn(form);
+    return heightForWidth(width) - now + (advice.isEmpty() ? 0 : m_advice->heightWith(advice, text));
+}
+
+void AlarmCard::setForm(AlarmForm form)
+{
+    if (form == std::exchange(m_form, form)) {
+        return;
+    }
+    m_advice->setValue(adviceIn(form));
+    showTimeOrMore();
+}
+
+void AlarmCard::showTimeOrMore()
+{
+    const bool isBrief = m_form == AlarmForm::Remedy;
+    m_more->setVisible(isBrief && m_shown);
+    m_since->setVisible(!isBrief && !m_since->text().isEmpty());
+}
+
 void AlarmCard::showStatus(const StationStatus& status)
 {
     m_shown = mostUrgent(status);
@@ -201,7 +248,9 @@ void AlarmCard::showAlarm(const StationStatus& status)
     for (ValueLabel* const label : {m_what, m_advice}) {
         label->setVisible(m_shown.has_value());
     }
-    m_since->setVisible(!status.alarms.empty());
+    m_since->setValue(status.alarms.empty() ? QString() : clockText(status.alarms.front().since) + QLatin1Char('Z'),
+                      Tone::Secondary);
+    showTimeOrMore();
     if (!m_shown) {
         m_what->setValue({});
         m_advice->setValue({});
@@ -211,11 +260,9 @@ void AlarmCard::showAlarm(const StationStatus& status)
     }
     const Alarm& alarm = *m_shown;
     m_what->setValue(alarm.active ? alarm.what : tr("Cleared: %1").arg(alarm.what));
-    const QString cost = alarm.active && alarm.help == AlarmHelp::Unwind ? costOf(status) : QString();
-    // Who acknowledged it has read it. A click opens it in the log. The choice is still open.
-    m_advice->setValue(alarm.acknowledged ? cost : linesOf({alarm.action, alarm.remedy, cost}));
+    m_cost = alarm.active && alarm.help == AlarmHelp::Unwind ? costOf(status) : QString();
+    m_advice->setValue(adviceIn(m_form));
     m_advice->setVisible(!m_advice->text().isEmpty());
-    m_since->setValue(clockText(alarm.since) + QLatin1Char('Z'), Tone::Secondary);
     m_what->setToolTip(listOf(status.alarms));
     m_advice->setToolTip(m_what->toolTip());
 }

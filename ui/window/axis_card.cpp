@@ -100,9 +100,33 @@ QWidget* makeName(const QString& text, QWidget* parent)
     return label;
 }
 
+QLayout* stacked(std::initializer_list<QWidget*> parts)
+{
+    auto* const column = new QVBoxLayout;
+    for (QWidget* const part : parts) {
+        column->addWidget(part);
+    }
+    column->addStretch(1);
+    return column;
+}
+
+// The last of them is that much wider than the others; 0: as wide as it needs.
+QLayout* inRow(std::initializer_list<QWidget*> parts, int stretchOfLast)
+{
+    auto* const row = new QHBoxLayout;
+    row->setSpacing(kGrid);
+    for (QWidget* const part : parts) {
+        row->addWidget(part, stretchOfLast == 0 ? 0 : 1);
+    }
+    row->setStretch(row->count() - 1, stretchOfLast);
+    return row;
+}
+
 int pointsOf(Numerals numerals)
 {
     switch (numerals) {
+        case Numerals::Bare:
+            return 20;
         case Numerals::Beside:
             return 22;
         case Numerals::Small:
@@ -158,7 +182,7 @@ AxisCard::AxisCard(Axis axis, QWidget* parent)
     setNumerals(Numerals::Small);
 }
 
-// The name with the state below it, the numeral, and beside it a line for each further number. In the narrow card the
+// The name with the state below it, the numeral, and beside it a line for each further number. In the narrow cards the
 // lines of target and error are one, below the numeral.
 void AxisCard::build(Numerals numerals)
 {
@@ -167,27 +191,10 @@ void AxisCard::build(Numerals numerals)
     grid->setContentsMargins(kCardSides, kCardEnds, kCardSides, kCardEnds);
     grid->setHorizontalSpacing(kGrid);
     grid->setVerticalSpacing(0);
-    auto* const names = new QVBoxLayout;
-    names->addWidget(m_name);
-    names->addWidget(m_state);
-    names->addStretch(1);
-    auto* const below = new QHBoxLayout;
-    below->setSpacing(kGrid);
-    below->addWidget(m_bar, 1);
-    below->addWidget(m_detail, numerals == Numerals::Beside ? 2 : 1);
-    if (numerals == Numerals::Beside) {
-        auto* const line = new QHBoxLayout;
-        for (QWidget* const part :
-             {m_targetCaption, static_cast<QWidget*>(m_target), m_errorCaption, static_cast<QWidget*>(m_error)}) {
-            line->addWidget(part);
-        }
-        line->insertStretch(2, 1);
-        grid->addLayout(names, 0, 0);
-        grid->addWidget(m_actual, 0, 1, Qt::AlignRight | Qt::AlignVCenter);
-        grid->addLayout(line, 1, 0, 1, 2);
-        grid->addLayout(below, 2, 0, 1, 2);
+    if (areBeside(numerals)) {
+        buildBeside(*grid, numerals);
     } else {
-        grid->addLayout(names, 0, 0, 3, 1);
+        grid->addLayout(stacked({m_name, m_state}), 0, 0, 3, 1);
         grid->addWidget(m_actual, 0, 1, 3, 1, Qt::AlignRight | Qt::AlignVCenter);
         grid->addWidget(m_targetCaption, 0, 2);
         grid->addWidget(m_target, 0, 3);
@@ -195,9 +202,29 @@ void AxisCard::build(Numerals numerals)
         grid->addWidget(m_error, 1, 3);
         grid->addWidget(m_rateCaption, 2, 2);
         grid->addWidget(m_rate, 2, 3);
-        grid->addLayout(below, 3, 0, 1, 4);
+        grid->addLayout(inRow({m_bar, m_detail}, 1), 3, 0, 1, 4);
     }
     grid->setColumnStretch(1, 1);
+}
+
+// The bare card has the age of late data in the place of the error.
+void AxisCard::buildBeside(QGridLayout& grid, Numerals numerals)
+{
+    const bool bare = numerals == Numerals::Bare;
+    auto* const line = new QHBoxLayout;
+    for (QWidget* const part :
+         {m_targetCaption, static_cast<QWidget*>(m_target), m_errorCaption, static_cast<QWidget*>(m_error)}) {
+        line->addWidget(part);
+    }
+    line->insertStretch(2, 1);
+    grid.addLayout(bare ? inRow({m_name, m_state}, 0) : stacked({m_name, m_state}), 0, 0);
+    grid.addWidget(m_actual, 0, 1, Qt::AlignRight | Qt::AlignVCenter);
+    grid.addLayout(line, 1, 0, 1, 2);
+    if (bare) {
+        line->addWidget(m_detail, 1);
+    } else {
+        grid.addLayout(inRow({m_bar, m_detail}, 2), 2, 0, 1, 2);
+    }
 }
 
 void AxisCard::setNumerals(Numerals numerals)
@@ -208,13 +235,25 @@ void AxisCard::setNumerals(Numerals numerals)
     m_numerals = numerals;
     m_actual->setFont(fonts::actual(pointsOf(numerals)));
     for (ValueLabel* const number : {m_target, m_error}) {
-        number->setFont(numerals == Numerals::Beside ? fonts::small() : fonts::value());
+        number->setFont(areBeside(numerals) ? fonts::small() : fonts::value());
     }
     const bool roomForRate = numerals == Numerals::Usual || numerals == Numerals::Large;
     m_rate->setVisible(roomForRate);
     m_rateCaption->setVisible(roomForRate);
     build(numerals);
+    chooseShown();
     updateGeometry();
+}
+
+void AxisCard::chooseShown()
+{
+    const bool bare = m_numerals == Numerals::Bare;
+    const bool live = freshness(m_shown.age) == Freshness::Live;
+    m_bar->setVisible(!bare);
+    m_detail->setVisible(!bare || !live);
+    for (QWidget* const part : {m_errorCaption, static_cast<QWidget*>(m_error)}) {
+        part->setVisible(!bare || live);
+    }
 }
 
 void AxisCard::showStatus(const StationStatus& status)
@@ -231,6 +270,7 @@ void AxisCard::showStatus(const StationStatus& status)
     m_state->setValue(state.word, state.tone, state.symbol);
     const bool live = freshness(m_shown.age) == Freshness::Live;
     m_detail->setValue(detail(), !live ? Tone::Warning : trim() != 0_deg ? Tone::Accent : Tone::Secondary);
+    chooseShown();
 }
 
 void AxisCard::showNumbers(bool turnKnown)
@@ -278,8 +318,12 @@ Angle AxisCard::trim() const
     return !m_trim ? 0_deg : m_axis == Axis::Azimuth ? m_trim->azimuth : m_trim->elevation;
 }
 
+// The bare card has room for the age only.
 QString AxisCard::detail()
 {
+    if (m_numerals == Numerals::Bare) {
+        return detailText(m_shown, m_shown.turnKnown);
+    }
     QStringList parts;
     if (trim() != 0_deg) {
         parts << tr("trim %1").arg(signedAngleText(trim()));

@@ -8,6 +8,8 @@
 
 #include <optional>
 
+class QGridLayout;
+
 // One axis: actual and target as true directions, error (target minus actual, along the way the axis really goes), rate
 // and a word. Below it the error as a bar, and what else there is to say: what is trimmed, what the axis shows where
 // that is not the truth, a detail. An old number is dimmed with its age, a very old one is not shown at all. On an
@@ -21,11 +23,18 @@ class ValueLabel;
 // Of the numeral of the actual angle, by the room there is in the window.
 enum class Numerals
 {
+    Bare,    // 20 pt, the word beside the name, and neither bar nor detail: a long alarm in a low window
     Beside,  // 22 pt, and no line for the rate: both cards in one row, while an alarm needs room
     Small,   // 28 pt, and no line for the rate: a window of 1024×700 has no room for more
     Usual,   // 44 pt
     Large    // 60 pt
 };
+
+// Both cards beside each other.
+[[nodiscard]] constexpr bool areBeside(Numerals numerals)
+{
+    return numerals == Numerals::Bare || numerals == Numerals::Beside;
+}
 
 class AxisCard : public QWidget
 {
@@ -43,6 +52,8 @@ protected:
 
 private:
     void build(Numerals numerals);
+    void buildBeside(QGridLayout& grid, Numerals numerals);
+    void chooseShown();
     void showNumbers(bool turnKnown);
     void showError(const StationStatus& status, bool known);
     [[nodiscard]] QString detail();

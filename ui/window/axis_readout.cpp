@@ -48,7 +48,7 @@ void AxisReadout::showStatus(const StationStatus& status)
 void AxisReadout::setNumerals(Numerals numerals)
 {
     m_numerals = numerals;
-    m_cards->setDirection(numerals == Numerals::Beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_cards->setDirection(areBeside(numerals) ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     m_azimuth->setNumerals(numerals);
     m_elevation->setNumerals(numerals);
 }

@@ -53,9 +53,9 @@ void ColumnHead::setRoom(QSize window)
     arrange();
 }
 
-int ColumnHead::heightOfAlarm() const
+int ColumnHead::heightOfAlarm(AlarmForm form) const
 {
-    return m_alarms.isHidden() ? 0 : m_alarms.heightForWidth(width()) + layout()->spacing();
+    return m_alarms.isHidden() ? 0 : m_alarms.heightWith(form, width()) + layout()->spacing();
 }
 
 // The fullest arrangement that the room without an alarm has place for.
@@ -65,6 +65,7 @@ void ColumnHead::arrange()
     {
         Numerals numerals;
         bool sensor;
+        AlarmForm alarm = AlarmForm::Lines;
     };
     const Numerals usual = numeralsFor(m_window);
     const int sensor = m_sensor->isConfigured() ? m_sensor->sizeHint().height() + layout()->spacing() : 0;
@@ -72,13 +73,17 @@ void ColumnHead::arrange()
     const auto height = [&](const Arrangement& of) {
         return antenna + m_axes->sizeWith(of.numerals).height() + (of.sensor ? sensor : 0);
     };
-    const std::array arrangements{Arrangement{usual, true}, Arrangement{Numerals::Small, true},
-                                  Arrangement{Numerals::Beside, true}, Arrangement{Numerals::Beside, false}};
+    const std::array arrangements{Arrangement{usual, true},
+                                  Arrangement{Numerals::Small, true},
+                                  Arrangement{Numerals::Beside, true},
+                                  Arrangement{Numerals::Beside, false},
+                                  Arrangement{Numerals::Bare, false},
+                                  Arrangement{Numerals::Bare, false, AlarmForm::Flowing},
+                                  Arrangement{Numerals::Bare, false, AlarmForm::Remedy}};
     const int room = height(arrangements.front()) + (isLow(m_window) ? kKeptForAlarms : 0);
-    const int alarm = heightOfAlarm();
     Arrangement best = arrangements.back();
     for (const Arrangement& one : arrangements) {
-        if (alarm + height(one) <= room) {
+        if (heightOfAlarm(one.alarm) + height(one) <= room) {
             best = one;
             break;
         }
@@ -86,6 +91,7 @@ void ColumnHead::arrange()
     setMinimumSize(m_axes->sizeWith(usual).width(), room);
     m_axes->setNumerals(best.numerals);
     m_sensor->setRoom(best.sensor);
+    m_alarms.setForm(best.alarm);
 }
 
 }  // namespace boresight::ui

@@ -5,10 +5,9 @@
 
 #include <QWidget>
 
-// What stands above the tabs: the alarm card while there is one, the readouts of the axes, the antenna in use
-// where there are several, the readout of the sensor. An alarm
-// takes its room from the readouts, which get smaller, so that tabs and buttons stay where the operator's hand is. Only
-// an alarm for which that is not enough moves them. Gui thread.
+// What stands above the tabs: the alarm card while there is one, the readouts of the axes, the antenna in use where
+// there are several, the readout of the sensor. Tabs and buttons stay where the operator's hand is: an alarm takes its
+// room from the readouts, which get smaller. The longest alarms leave out a sentence. Gui thread.
 namespace boresight::ui {
 
 class AlarmCard;
@@ -16,6 +15,7 @@ class AntennaRow;
 class AxisReadout;
 class RequestDesk;
 class SensorReadout;
+enum class AlarmForm;
 
 class ColumnHead : public QWidget
 {
@@ -32,7 +32,7 @@ Q_SIGNALS:
 
 private:
     void arrange();
-    [[nodiscard]] int heightOfAlarm() const;
+    [[nodiscard]] int heightOfAlarm(AlarmForm form) const;
 
     AlarmCard& m_alarms;
     AxisReadout* m_axes;

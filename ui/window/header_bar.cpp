@@ -6,6 +6,7 @@
 #include "ui/kit/value_label.h"
 #include "ui/kit/widest.h"
 #include "ui/look/glyph.h"
+#include "ui/sky/range_words.h"
 #include "ui/window/authority_button.h"
 #include "ui/window/clock_words.h"
 #include "ui/window/stop_button.h"
@@ -421,7 +422,15 @@ void HeaderBar::showTarget(const StationStatus& status)
         m_target->setValue(tr("no target"), Tone::Secondary);
         return;
     }
-    m_target->setValue(doing(status));
+    m_target->setValue(withRange(doing(status), trackedRangeText(status)));
+}
+
+// The second line, where both lines are whole.
+QString HeaderBar::withRange(const QString& doing, const QString& range) const
+{
+    const QString both = doing + QLatin1Char('\n') + range;
+    const auto height = [this](const QString& text) { return m_target->heightWith(text, m_target->width()); };
+    return !range.isEmpty() && height(both) <= height(QStringLiteral("1\n2")) ? both : doing;
 }
 
 void HeaderBar::showLinks(const StationStatus& status)

@@ -38,6 +38,7 @@ private:
     void build(AuthorityButton& authority);
     void showState(const StationStatus& status);
     void showTarget(const StationStatus& status);
+    [[nodiscard]] QString withRange(const QString& doing, const QString& range) const;
     void showLinks(const StationStatus& status);
 
     ValueLabel* m_state;

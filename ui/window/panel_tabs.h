@@ -59,7 +59,7 @@ public:
     [[nodiscard]] ProfilePage& profile() { return *m_profile; }
 
 Q_SIGNALS:
-    void broughtUp();  // a panel is wanted, whatever stands in the panels' place
+    void broughtUp();  // a panel is to be shown, in the place of whatever covers the panels
 
 protected:
     void changeEvent(QEvent* event) override;

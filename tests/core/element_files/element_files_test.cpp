@@ -106,10 +106,12 @@ TEST_F(ElementFilesTest, APipeIsNotWaitedFor)
         EXPECT_EQ(::mkfifo(QFile::encodeName(path).constData(), 0600), 0);
         return path;
     };
-    EXPECT_THAT(linesOf(readElementFiles({pipe("pipe.tle")})), ElementsAre(HasSubstr("pipe.tle: This is not a file.")));
-    EXPECT_THAT(linesOf(readElementFiles({pipe("pipe.mod")})), ElementsAre(HasSubstr("pipe.mod: This is not a file.")));
+    EXPECT_THAT(linesOf(readElementFiles({pipe("pipe.tle")})),
+                ElementsAre(HasSubstr("pipe.tle: Pipes and devices are not read. Give a file or a folder.")));
+    EXPECT_THAT(linesOf(readElementFiles({pipe("pipe.mod")})),
+                ElementsAre(HasSubstr("pipe.mod: Pipes and devices are not read.")));
     EXPECT_THAT(linesOf(readElementFiles({QStringLiteral("/dev/zero")})),
-                ElementsAre("/dev/zero: This is not a file."));
+                ElementsAre("/dev/zero: Pipes and devices are not read. Give a file or a folder."));
     EXPECT_THAT(linesOf(readElementFiles({folder.path()})), ElementsAre(HasSubstr("There is no file of elements")));
     ASSERT_TRUE(QDir(folder.path()).mkdir(QStringLiteral("satdata")));
     pipe("satdata/25544.sat");

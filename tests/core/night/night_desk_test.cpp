@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/alarms/catalogue.h"
+#include "core/units/angle_between.h"
 #include "tests/core/night/night_desk_fixture.h"
 
 #include <gmock/gmock.h>
@@ -69,6 +70,27 @@ TEST_F(NightDeskTest, NothingMovesUntilItIsArmed)
     none.schedule.watch.clear();
     rig.setProfile(none);
     EXPECT_EQ(arm(), "The watch list of the profile is empty.");
+}
+
+// The mount joins in the middle of a pass, far from where it stands.
+// REQ-SCHEDULE-922
+TEST_F(NightDeskTest, APassThatIsJoinedLateHasTheErrorOfItsTracking)
+{
+    const schedule::WatchedPass pass = first();
+    const UtcTime middle = pass.begins() + (pass.ends() - pass.begins()) / 2;
+    skipTo(middle);
+    ASSERT_EQ(arm(), "");
+    run(Seconds(0.2));
+    ASSERT_TRUE(status().tracked);
+    EXPECT_GT(angleBetween(*rig.control.direction(), pass.pass.tca.direction), 20_deg);
+    EXPECT_EQ(status().report.passes.back().peakError, std::nullopt);
+    runUntil(pass.ends() + std::chrono::seconds(1));
+    const schedule::PassRecord record = status().report.passes.back();
+    EXPECT_EQ(record.end, schedule::PassEnd::Set);
+    EXPECT_NEAR(record.tracked.count(), Seconds(pass.ends() - middle).count(), 1.0);
+    EXPECT_LT(record.within3dB, record.tracked - Seconds(2.0)) << "what was missed";
+    EXPECT_LT(record.peakError.value(), 0.5_deg);
+    EXPECT_LT(record.rmsError.value(), 0.3_deg);
 }
 
 // REQ-SCHEDULE-912: STOP in a pass disarms the schedule: an alarm and a line of the log say so. Nothing moves after the

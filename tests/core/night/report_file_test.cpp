@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
+#include <QThread>
 
 #include <gmock/gmock.h>
 
@@ -38,7 +39,8 @@ protected:
 
 // REQ-SCHEDULE-906 (ReportFileTest.*): The night report is in a file and survives a restart with all its values. It is
 // written by a worker, never in a tick, and is on the disk before the program ends. What cannot be read is not written
-// over. What cannot be written is reported until it can.
+// over. What cannot be written is reported until it can. A pass that was running when the program was killed is
+// interrupted in the report, with what was tracked of it, and each pass is there once.
 TEST_F(ReportFileTest, TheReportIsThereAgain)
 {
     const schedule::NightReport report{.passes = {aPass(25'544), aPass(7)}, .interventions = 2, .faults = 1};
@@ -52,7 +54,7 @@ TEST_F(ReportFileTest, TheReportIsThereAgain)
     EXPECT_TRUE(again.problem().isEmpty()) << again.problem().toStdString();
     EXPECT_THAT(again.report().passes, testing::SizeIs(2));
     EXPECT_EQ(again.report().passes[0].aos, report.passes[0].aos);
-    EXPECT_NEAR(again.report().passes[0].rmsError.degrees(), 0.125, 1e-9);
+    EXPECT_NEAR(again.report().passes[0].rmsError.value().degrees(), 0.125, 1e-9);
     EXPECT_EQ(again.report().passes[0].why, report.passes[0].why);
     EXPECT_EQ(again.report().passes[1].name, report.passes[1].name);
     EXPECT_EQ(again.report().passes[1].end, schedule::PassEnd::Manual);
@@ -87,6 +89,91 @@ TEST_F(ReportFileTest, WhatCannotBeWrittenIsReportedUntilItCan)
     file.keep({.passes = {aPass(1), aPass(2)}});
     ASSERT_TRUE(fakes::waitUntil([&] { return file.problem().isEmpty(); }));
     EXPECT_EQ(passes(), 2U);
+}
+
+schedule::PassRecord begunPass(int number, Seconds tracked)
+{
+    schedule::PassRecord pass = aPass(number);
+    pass.tracked = tracked;
+    pass.end = schedule::PassEnd::Running;
+    pass.why.clear();
+    return pass;
+}
+
+// As kill -9 leaves the folder: what the worker has written, and no end.
+TEST_F(ReportFileTest, APassThatWasRunningIsInterrupted)
+{
+    ReportFile killed(path());
+    EXPECT_FALSE(killed.lostPass());
+    killed.keepPass(begunPass(7, Seconds(30.5)));
+    ASSERT_TRUE(fakes::waitUntil([&] { return ReportFile(path()).lostPass().has_value(); }));
+    const schedule::PassRecord lost = *ReportFile(path()).lostPass();
+    EXPECT_EQ(lost.end, schedule::PassEnd::Interrupted);
+    EXPECT_FALSE(lost.why.isEmpty());
+    EXPECT_EQ(lost.number, 7);
+    EXPECT_EQ(lost.name, aPass(7).name);
+    EXPECT_EQ(lost.aos, aPass(7).aos);
+    EXPECT_NEAR(lost.tracked.count(), 30.5, 1e-9);
+    EXPECT_LT(QFile(path() + QStringLiteral(".pass")).size(), 600) << "it is written often";
+}
+
+// The two files come to the disk in any order.
+TEST_F(ReportFileTest, APassWithAnEndIsThereOnce)
+{
+    {
+        ReportFile file(path());
+        file.keepPass(aPass(7));
+    }
+    EXPECT_EQ(ReportFile(path()).lostPass()->end, schedule::PassEnd::Manual) << "killed before it was in the report";
+    {
+        ReportFile file(path());
+        file.keepPass(aPass(7));
+        file.keep({.passes = {aPass(7)}});
+    }
+    EXPECT_FALSE(ReportFile(path()).lostPass());
+    {
+        ReportFile file(path());
+        file.keepPass(begunPass(7, Seconds(2.0)));
+    }
+    EXPECT_TRUE(ReportFile(path()).lostPass()) << "the same pass once more, after a manual act";
+}
+
+TEST_F(ReportFileTest, ATornPassCostsNothingElse)
+{
+    {
+        ReportFile file(path());
+        file.keep({.passes = {aPass(1)}});
+        file.keepPass(begunPass(7, Seconds(30.0)));
+    }
+    QFile torn(path() + QStringLiteral(".pass"));
+    ASSERT_TRUE(torn.resize(torn.size() / 2));
+    ReportFile file(path());
+    EXPECT_THAT(file.problem().toStdString(), testing::HasSubstr(".pass"));
+    EXPECT_FALSE(file.lostPass());
+    EXPECT_EQ(file.report().passes.size(), 1U);
+    file.keepPass(begunPass(8, Seconds(1.0)));
+    ASSERT_TRUE(fakes::waitUntil([&] { return file.problem().isEmpty(); }));
+    EXPECT_EQ(ReportFile(path()).lostPass()->number, 8);
+}
+
+// Story: a station is made on the main thread and moved to its own. The writer of the pass stayed behind, and two
+// threads worked on it.
+TEST_F(ReportFileTest, BothWritersGoToTheThreadOfTheFile)
+{
+    QThread other;
+    auto* const file = new ReportFile(path());
+    file->moveToThread(&other);
+    const auto writers = file->findChildren<NewestWriter*>();
+    EXPECT_EQ(writers.size(), 2);
+    for (const NewestWriter* const writer : writers) {
+        EXPECT_EQ(writer->thread(), &other);
+    }
+    QObject::connect(&other, &QThread::started, file, [file, &other] {
+        delete file;
+        other.quit();
+    });
+    other.start();
+    EXPECT_TRUE(other.wait());
 }
 
 TEST_F(ReportFileTest, ASimulatedMountHasItsOwn)

@@ -25,10 +25,10 @@ Angle peakError(ephemeris::RefractionRule beam, ephemeris::RefractionRule judged
     pass.pass.clear = {{.from = up.rises, .to = up.sets.value()}};
     TrackedPass tracked(pass, elements, kLisbon, {});
     for (std::chrono::seconds after{0}; after < std::chrono::minutes(1); ++after) {
-        tracked.look(path.at(up.rises + after).value(), up.rises + after, SteadyTime(after),
+        tracked.look({.direction = path.at(up.rises + after).value()}, up.rises + after, SteadyTime(after),
                      {.beamWidth = 10_deg, .refraction = judged});
     }
-    return tracked.tally().record().peakError;
+    return tracked.tally().record().peakError.value();
 }
 
 // Sæmundsson's 29.0′ at the horizon.

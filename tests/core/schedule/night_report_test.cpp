@@ -6,24 +6,51 @@
 namespace boresight::schedule {
 namespace {
 
+PassTally::Look lookAt(Angle error, Seconds during, bool isOnTarget = true)
+{
+    return {.error = error, .isOnTarget = isOnTarget, .during = during};
+}
+
 // REQ-SCHEDULE-903: The report has the seconds that a pass was tracked, those within 1 and 3 dB of the beam, and the
 // rms and peak error on the sky.
 TEST(NightReport, ATallyHasSecondsAndErrors)
 {
     PassTally tally({.number = 25544, .name = QStringLiteral("TEST ONE"), .why = {}});
-    tally.add(0_deg, Seconds(10.0), 10_deg);
-    tally.add(2.8_deg, Seconds(10.0), 10_deg);
-    tally.add(4.9_deg, Seconds(10.0), 10_deg);
-    tally.add(6_deg, Seconds(10.0), 10_deg);
+    tally.add(lookAt(0_deg, Seconds(1.0)), 10_deg);  // it settles
+    for (const Angle error : {0_deg, 2.8_deg, 4.9_deg, 6_deg}) {
+        tally.add(lookAt(error, Seconds(10.0)), 10_deg);
+    }
     EXPECT_EQ(tally.record().end, PassEnd::Running);
     const PassRecord record = tally.ended(PassEnd::Set, {});
-    EXPECT_EQ(record.tracked, Seconds(40.0));
-    EXPECT_EQ(record.within1dB, Seconds(20.0));
-    EXPECT_EQ(record.within3dB, Seconds(30.0));
+    EXPECT_EQ(record.tracked, Seconds(41.0));
+    EXPECT_EQ(record.within1dB, Seconds(21.0));
+    EXPECT_EQ(record.within3dB, Seconds(31.0));
     EXPECT_EQ(record.peakError, 6_deg);
-    EXPECT_NEAR(record.rmsError.degrees(), 4.11856, 1e-5);  // of 0, 7.84, 24.01 and 36 deg²
+    EXPECT_NEAR(record.rmsError.value().degrees(), 4.11856, 1e-5);  // of 0, 7.84, 24.01 and 36 deg²
     EXPECT_EQ(record.end, PassEnd::Set);
     EXPECT_EQ(record.number, 25544);
+}
+
+// Story: a pass that was joined in its middle had an error of 40°, though it was tracked within 0.1° from then on.
+// REQ-SCHEDULE-922: rms and peak error count from the moment in which the beam was on target for a second, to the end
+// of the pass. The way there counts as seconds outside 1 and 3 dB. A beam that only crosses its target is not on it.
+TEST(NightReport, TheWayToAPassIsNoError)
+{
+    PassTally tally({.number = 25544, .name = {}, .why = {}});
+    tally.add(lookAt(90_deg, Seconds(20.0), false), 10_deg);
+    tally.add(lookAt(0.5_deg, Seconds(0.5)), 10_deg);
+    tally.add(lookAt(8_deg, Seconds(1.0), false), 10_deg);
+    EXPECT_EQ(tally.record().rmsError, std::nullopt);
+    EXPECT_EQ(tally.record().peakError, std::nullopt);
+    tally.add(lookAt(0.9_deg, Seconds(0.6)), 10_deg);
+    tally.add(lookAt(0.2_deg, Seconds(0.6)), 10_deg);
+    tally.add(lookAt(0.1_deg, Seconds(60.0)), 10_deg);
+    EXPECT_EQ(tally.record().peakError, 0.1_deg);
+    EXPECT_NEAR(tally.record().rmsError.value().degrees(), 0.1, 1e-9);
+    tally.add(lookAt(7_deg, Seconds(10.0), false), 10_deg);
+    EXPECT_EQ(tally.record().peakError, 7_deg) << "it was lost on the way";
+    EXPECT_EQ(tally.record().tracked, Seconds(92.7));
+    EXPECT_EQ(tally.record().within3dB, Seconds(61.7));
 }
 
 TEST(NightReport, ABeamLosesThreeDecibelsAtHalfItsWidth)
@@ -38,7 +65,7 @@ TEST(NightReport, APassThatSomebodyEndedIsNotDone)
     const PassTally tally({.number = 1, .name = {}, .why = {}});
     const NightReport report{.passes = {tally.ended(PassEnd::Set, {}), tally.ended(PassEnd::Manual, {})}};
     EXPECT_EQ(report.done(), 1);
-    EXPECT_EQ(report.passes[0].rmsError, 0_deg) << "without a measured beam there is no error";
+    EXPECT_EQ(report.passes[0].rmsError, std::nullopt) << "without a measured beam there is no error";
 }
 
 }  // namespace

@@ -253,6 +253,19 @@ TEST_F(JogTest, ChoosingARateByMouseKeepsThePadArmed)
     release(Qt::Key_Right);
 }
 
+// Story: the tooltip said "while held" in step mode, too.
+// REQ-UI-1572: In step mode each button of the pad shows the size of its step.
+TEST_F(JogTest, StepModeShowsTheStep)
+{
+    EXPECT_EQ(button(JogDirection::Down).toolTip(), QStringLiteral("Elevation down while held"));
+    QTest::mouseClick(named<ChoiceButton>("Step mode: a press moves one step only"), Qt::LeftButton);
+    QTest::mouseClick(named<ChoiceButton>("One step is 5° (Ctrl + arrow)"), Qt::LeftButton);
+    EXPECT_EQ(button(JogDirection::Down).toolTip(), QStringLiteral("Elevation down by 5.00°"));
+    EXPECT_EQ(button(JogDirection::Right).toolTip(), QStringLiteral("Azimuth clockwise by 5.00°"));
+    QTest::mouseClick(named<ChoiceButton>("Step mode: a press moves one step only"), Qt::LeftButton);
+    EXPECT_EQ(button(JogDirection::Down).toolTip(), QStringLiteral("Elevation down while held"));
+}
+
 TEST_F(JogTest, StepModeMovesOneStepPerPress)
 {
     QTest::mouseClick(named<ChoiceButton>("One step is 5° (Ctrl + arrow)"), Qt::LeftButton);

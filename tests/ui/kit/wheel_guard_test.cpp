@@ -7,6 +7,7 @@
 #include <QScrollBar>
 #include <QSlider>
 #include <QSpinBox>
+#include <QTabBar>
 #include <QTest>
 #include <QVBoxLayout>
 #include <QWheelEvent>
@@ -31,7 +32,12 @@ struct Page
         number->setValue(50);
         choice->setCurrentIndex(1);
         slider->setValue(50);
-        for (QWidget* const one : std::initializer_list<QWidget*>{number, choice, slider}) {
+        tabs = new QTabBar(content);
+        tabs->setFocusPolicy(Qt::StrongFocus);
+        tabs->addTab(QStringLiteral("Mount"));
+        tabs->addTab(QStringLiteral("North"));
+        tabs->setCurrentIndex(1);
+        for (QWidget* const one : std::initializer_list<QWidget*>{number, choice, slider, tabs}) {
             column->addWidget(one);
         }
         column->addSpacing(2000);
@@ -57,6 +63,7 @@ struct Page
     QSpinBox* number;
     QComboBox* choice;
     QSlider* slider;
+    QTabBar* tabs;
 };
 
 // Story: who scrolled the page of the compass swing changed its "Stops" from sweep to 7 without noticing.
@@ -78,6 +85,23 @@ TEST(WheelGuardTest, AWheelThatScrollsThePageChangesNothing)
     page.number->setFocus();
     page.roll(*page.number);
     EXPECT_EQ(page.number->value(), 49);
+}
+
+// Story: who scrolled the page North up to its begin opened the page Mount, because the tabs came under the pointer.
+// REQ-UI-1573: The wheel never changes the tab, also while the tabs have the keyboard.
+TEST(WheelGuardTest, AWheelThatScrollsThePageChangesNoTab)
+{
+    Page page;
+    int before = page.area.verticalScrollBar()->value();
+    for (const bool focused : {false, true}) {
+        if (focused) {
+            page.tabs->setFocus();
+        }
+        page.roll(*page.tabs);
+        EXPECT_EQ(page.tabs->currentIndex(), 1) << focused;
+        EXPECT_GT(page.area.verticalScrollBar()->value(), before) << focused;
+        before = page.area.verticalScrollBar()->value();
+    }
 }
 
 }  // namespace

@@ -16,6 +16,8 @@
 namespace boresight::ui {
 namespace {
 
+constexpr QSize kWithRoom{1920, 1080};  // for a line of each sentence
+
 class AlarmCardTest : public WindowFixture
 {
 protected:
@@ -29,6 +31,8 @@ protected:
 // the count opens the list.
 TEST_F(AlarmCardTest, IsThereOnlyWhileThereIsAnAlarm)
 {
+    window.resize(kWithRoom);
+    QCoreApplication::processEvents();
     EXPECT_FALSE(card().isVisible());
     give(samples::update(samples::faulted()));
     EXPECT_TRUE(card().isVisible());
@@ -103,6 +107,8 @@ TEST_F(AlarmCardTest, StopBesideAnotherAlarmCanBeReset)
 // REQ-CONTROL-31c
 TEST_F(AlarmCardTest, BothChoicesAtTheCableEndSayWhatTheyLose)
 {
+    window.resize(kWithRoom);
+    QCoreApplication::processEvents();
     StationStatus status = samples::cableEnding();
     give(samples::update(status));
     EXPECT_FALSE(text("What was done and what to do").contains(QStringLiteral("Holding at the end loses")))

@@ -280,6 +280,8 @@ TEST_F(WindowTest, AClickOnThePlotOffersGoHereAsASecondAct)
 
 TEST_F(WindowTest, AlarmsAreShownAcknowledgedAndFaultsReArmed)
 {
+    window.resize(1920, 1080);  // with room for a line of each sentence
+    QCoreApplication::processEvents();
     give(samples::update(samples::faulted()));
     EXPECT_TRUE(text("Worst alarm").contains(QLatin1String("fault 38")));
     EXPECT_EQ(named<QPushButton>("All alarms")->text(), QStringLiteral("1 of 2"));

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/newest_writer.h"
+#include "core/schedule/night_report.h"
+
+#include <QObject>
+#include <QString>
+
+#include <optional>
+
+// The file of the pass that is tracked, or was tracked last: what a crash would cost the night report. It is small,
+// because it is written again and again while a pass goes on. Read once when the program starts. Saving never blocks
+// the station thread, on which this lives. A file that cannot be read is written over by the next pass.
+namespace boresight {
+
+class PassFile final : public QObject
+{
+    Q_OBJECT
+
+public:
+    // An empty path: nothing is kept. Blocks while it reads. It goes to the thread of its parent with it.
+    PassFile(const QString& path, QObject* parent);
+
+    // As the program before has left it.
+    [[nodiscard]] const std::optional<schedule::NewestPass>& found() const { return m_found; }
+    // Why the file could not be read, or not be written the last time. Empty while all is well.
+    [[nodiscard]] const QString& problem() const { return m_problem; }
+    void keep(const schedule::NewestPass& newest);
+
+private:
+    void load();
+
+    QString m_path;
+    std::optional<schedule::NewestPass> m_found;
+    QString m_problem;
+    NewestWriter m_writer{this};
+};
+
+}  // namespace boresight
