@@ -604,8 +604,20 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
 <context>
     <name>RangeWords</name>
     <message>
-        <source>%1 km, %2 km/s, Doppler %3 Hz/MHz</source>
-        <translation>%1 km, %2 km/s, Doppler %3 Hz/MHz</translation>
+        <source>%1 km, %2 km/s</source>
+        <translation>%1 km, %2 km/s</translation>
+    </message>
+    <message>
+        <source>%1 Hz/MHz</source>
+        <translation>%1 Hz/MHz</translation>
+    </message>
+    <message>
+        <source>%1, Doppler %2</source>
+        <translation>%1, Doppler %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>

@@ -25,7 +25,7 @@ struct Shown
 std::optional<Shown> shownIn(const QString& text)
 {
     static const QRegularExpression kForm(
-        QStringLiteral("(\\d+) km, ([+-]\\d+\\.\\d\\d) km/s, Doppler ([+-]\\d+\\.\\d) Hz/MHz"));
+        QStringLiteral("(\\d+) km, ([+-]\\d+\\.\\d\\d) km/s, (?:Doppler )?([+-]\\d+\\.\\d) Hz/MHz"));
     const QRegularExpressionMatch found = kForm.match(text);
     return found.hasMatch() ? std::optional(Shown{.kilometres = found.captured(1).toDouble(),
                                                   .rate = found.captured(2).toDouble(),
