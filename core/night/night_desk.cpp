@@ -53,41 +53,22 @@ NightDesk::NightDesk(StationControl& control, const profile::InForce& profile, R
                      EventLog& log, Search search, PassMoments::Tell tell)
     : m_control(control),
       m_profile(profile),
-      m_file(file),
       m_clock(clock),
       m_log(log),
       m_search(std::move(search)),
-      m_moments(log, clock, std::move(tell))
+      m_moments(log, clock, std::move(tell)),
+      m_report(file, clock, log, scheduleSource().name)
 {
-    goOnWithReport();
+    show();
 }
 
 NightDesk::~NightDesk()
 {
     const QString why = Text::tr("Boresight was closed");
     if (m_tracked) {
-        store(m_tracked->tally().ended(schedule::PassEnd::Manual, why));
+        m_report.store(m_tracked->tally().ended(schedule::PassEnd::Manual, why));
     }
     m_moments.end(schedule::PassEnd::Manual, why);
-}
-
-void NightDesk::goOnWithReport()
-{
-    const auto isTonight = [this](const schedule::PassRecord& pass) {
-        return std::chrono::abs(m_clock.utc() - pass.los) < kSameNight;
-    };
-    const std::vector<schedule::PassRecord>& stored = m_file.report().passes;
-    if (!stored.empty() && isTonight(stored.back())) {
-        m_report = m_file.report();
-    }
-    if (const std::optional<schedule::PassRecord> lost = m_file.lostPass(); lost && isTonight(*lost)) {
-        store(*lost);
-        m_log.add(Severity::Warning, scheduleSource().name,
-                  Text::tr("The night report now has the pass of %1 from before the start. It was tracked for %2 s.")
-                      .arg(lost->name)
-                      .arg(lost->tracked.count(), 0, 'f', 0));
-    }
-    show();
 }
 
 Result<> NightDesk::carryOut(const ScheduleRequest& request, const Source& by)
@@ -166,13 +147,12 @@ void NightDesk::disarm(const Interruption& by)
 {
     m_armed = false;
     m_why = by.why;
-    int& count = by.end == schedule::PassEnd::Manual ? m_report.interventions : m_report.faults;
-    ++count;
+    m_report.count(by.end);
     if (m_tracked) {
-        keep(m_tracked->tally().ended(by.end, by.why));
+        m_report.keep(m_tracked->tally().ended(by.end, by.why));
         m_tracked.reset();
     } else {
-        m_file.keep(m_report);
+        m_report.flush();
     }
     m_log.add(Severity::Warning, scheduleSource().name, Text::tr("the schedule is off: %1").arg(by.why));
     m_control.alarms().raise(alarmEntry("schedule.disarmed"), {by.why});
@@ -230,7 +210,7 @@ void NightDesk::tick()
         }
     }
     if (m_clock.now() - m_shownAt >= kShowPeriod) {
-        noteFile();
+        m_report.noteProblem();
         show();
     }
 }
@@ -361,7 +341,7 @@ void NightDesk::move()
         if (utc >= m_tracked->ends() || !m_control.obeys(scheduleSource())) {
             finish(schedule::PassEnd::Set, {});
         } else if (utc >= m_tracked->pass().begins()) {
-            keepRunning();
+            m_report.goesOn(m_tracked->tally().record());
         }
         return;
     }
@@ -384,11 +364,11 @@ void NightDesk::begin(const schedule::WatchedPass& pass)
         m_log.add(Severity::Advisory, scheduleSource().name,
                   Text::tr("goes to the pass of %1 at %2").arg(pass.name, timeOfDayText(pass.begins())));
         m_tracked.emplace(std::move(tracked));
-        m_kept.reset();
+        m_report.begun();
     } else {
         m_log.add(Severity::Warning, scheduleSource().name,
                   Text::tr("the pass of %1 is left out: %2").arg(pass.name, begun.error().text));
-        keep(tracked.tally().ended(schedule::PassEnd::Refused, begun.error().text));
+        m_report.keep(tracked.tally().ended(schedule::PassEnd::Refused, begun.error().text));
         m_moments.end(schedule::PassEnd::Refused, begun.error().text);
     }
     show();
@@ -396,7 +376,7 @@ void NightDesk::begin(const schedule::WatchedPass& pass)
 
 void NightDesk::finish(schedule::PassEnd end, const QString& why)
 {
-    keep(m_tracked->tally().ended(end, why));
+    m_report.keep(m_tracked->tally().ended(end, why));
     m_tracked.reset();
     m_moments.end(end, why);
     holdNow();
@@ -434,63 +414,11 @@ Result<> NightDesk::ask(const Request& request)
     return answer;
 }
 
-void NightDesk::keepRunning()
-{
-    const SteadyTime now = m_clock.now();
-    if (!m_kept || now - *m_kept >= kKept) {
-        m_kept = now;
-        m_file.keepPass(m_tracked->tally().record());
-    }
-}
-
-void NightDesk::store(const schedule::PassRecord& record)
-{
-    m_file.keepPass(record);
-    std::vector<schedule::PassRecord>& passes = m_report.passes;
-    passes.push_back(record);
-    if (passes.size() > kMostPasses) {
-        passes.erase(passes.begin());
-    }
-    m_file.keep(m_report);
-}
-
-// Once for each problem.
-void NightDesk::noteFile()
-{
-    if (m_file.problem() != m_fileProblem) {
-        m_fileProblem = m_file.problem();
-        if (!m_fileProblem.isEmpty()) {
-            m_log.add(Severity::Warning, scheduleSource().name, m_fileProblem);
-        }
-    }
-}
-
-// Empty where nothing was measured.
-QString NightDesk::errorOf(const schedule::PassRecord& record)
-{
-    if (record.rmsError && record.peakError) {
-        return QLatin1Char(' ') + Text::tr("Error: %1° rms. Largest error: %2°.")
-                                      .arg(record.rmsError->degrees(), 0, 'f', 3)
-                                      .arg(record.peakError->degrees(), 0, 'f', 3);
-    }
-    return record.tracked > Seconds(0.0) ? QLatin1Char(' ') + Text::tr("The beam was never on target.") : QString();
-}
-
-void NightDesk::keep(const schedule::PassRecord& record)
-{
-    store(record);
-    const QString seconds = Text::tr("%1 was tracked for %2 s. Within 1 dB: %3 s. Within 3 dB: %4 s.")
-                                .arg(record.name)
-                                .arg(record.tracked.count(), 0, 'f', 0)
-                                .arg(record.within1dB.count(), 0, 'f', 0)
-                                .arg(record.within3dB.count(), 0, 'f', 0);
-    m_log.add(Severity::Advisory, scheduleSource().name, seconds + errorOf(record));
-}
-
 void NightDesk::show()
 {
     m_shownAt = m_clock.now();
-    ScheduleStatus status{.armed = m_armed, .why = m_armed ? QString() : m_why, .plan = m_plan, .report = m_report};
+    ScheduleStatus status{
+        .armed = m_armed, .why = m_armed ? QString() : m_why, .plan = m_plan, .report = m_report.report()};
     if (!m_missing.isEmpty()) {
         status.why += (status.why.isEmpty() ? QString() : QStringLiteral("; ")) + m_missing;
     }

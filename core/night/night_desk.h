@@ -6,7 +6,7 @@
 #include "core/messages/request.h"
 #include "core/messages/schedule_status.h"
 #include "core/night/pass_moments.h"
-#include "core/night/report_file.h"
+#include "core/night/report_keeper.h"
 #include "core/night/tracked_pass.h"
 #include "core/passes/pass_finder.h"
 #include "core/profile/in_force.h"
@@ -23,8 +23,7 @@
 // so limits, STOP, faults and authority hold for it like for everybody. It is off after each start; only a person arms
 // it, or the written policy of the profile, once. Whatever else is done with the mount disarms it. Station thread.
 //
-// More than 15 members and 600 lines: what it stands beside, the plan with what it was made of, and what goes on. Each
-// act ends the pass, the moments of it and the report together.
+// More than 15 members: what it stands beside, the plan with what it was made of, and what goes on.
 namespace boresight {
 
 // Who asks for the motions of the schedule.
@@ -45,11 +44,6 @@ public:
     static constexpr std::chrono::hours kRenewed{1};
     // What does not follow within this time is not waited for: the mount may be parked.
     static constexpr std::chrono::minutes kLongPause{30};
-    // A stored report goes on if its last pass ended within this time.
-    static constexpr std::chrono::hours kSameNight{24};
-    static constexpr std::size_t kMostPasses = 500;  // of the report
-    // What a crash costs at most of a pass. A write takes some 300 bytes, which is little for a flash card.
-    static constexpr std::chrono::seconds kKept{30};
 
     // All of them outlive the desk.
     NightDesk(StationControl& control, const profile::InForce& profile, ReportFile& file, const Clock& clock,
@@ -94,17 +88,10 @@ private:
     void holdNow();
     void restBetween();
     Result<> ask(const Request& request);
-    void goOnWithReport();
-    void keepRunning();
-    void store(const schedule::PassRecord& record);
-    [[nodiscard]] static QString errorOf(const schedule::PassRecord& record);
-    void keep(const schedule::PassRecord& record);
-    void noteFile();
     void show();
 
     StationControl& m_control;
     const profile::InForce& m_profile;
-    ReportFile& m_file;
     const Clock& m_clock;
     EventLog& m_log;
     Search m_search;
@@ -120,10 +107,8 @@ private:
     UtcTime m_handledUntil{};  // passes that end before are over
     sources::SteeredUtc m_utc;
     std::optional<TrackedPass> m_tracked;
-    std::optional<SteadyTime> m_kept = {};  // the tracked pass was, for a crash
     PassMoments m_moments;
-    schedule::NightReport m_report;
-    QString m_fileProblem;  // that the log has
+    ReportKeeper m_report;
     std::shared_ptr<const ScheduleStatus> m_shown = std::make_shared<const ScheduleStatus>();
     SteadyTime m_shownAt{};
 };

@@ -13,7 +13,7 @@ PassFile::PassFile(const QString& path, QObject* parent) : QObject(parent), m_pa
 {
     connect(&m_writer, &NewestWriter::written, this, [this] { m_problem.clear(); });
     connect(&m_writer, &NewestWriter::failed, this, [this](const QString& reason) {
-        m_problem = Text::tr("The pass that goes on could not be stored: %1").arg(reason);
+        m_problem = Text::tr("The running pass could not be stored: %1").arg(reason);
     });
     load();
 }
@@ -29,8 +29,8 @@ void PassFile::load()
     if (read) {
         m_found = *std::move(read);
     } else {
-        m_problem = Text::tr("The last pass before the start cannot be read: %1. The next pass replaces this file.")
-                        .arg(read.error().text);
+        m_problem =
+            Text::tr("The file of the last pass cannot be read: %1. The next pass replaces it.").arg(read.error().text);
     }
 }
 

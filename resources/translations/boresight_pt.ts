@@ -9251,22 +9251,6 @@ até %1</translation>
         <translation>A resposta do rotctld é: %1. Verifique o rotador, a sua alimentação, o seu cabo e as opções do rotctld</translation>
     </message>
     <message>
-        <source>The night report now has the pass of %1 from before the start. It was tracked for %2 s.</source>
-        <translation>O relatório da noite tem agora a passagem de %1 anterior ao arranque. Foi seguida durante %2 s.</translation>
-    </message>
-    <message>
-        <source>The pass that goes on could not be stored: %1</source>
-        <translation>Não foi possível guardar a passagem em curso: %1</translation>
-    </message>
-    <message>
-        <source>The last pass before the start cannot be read: %1. The next pass replaces this file.</source>
-        <translation>Não é possível ler a última passagem antes do arranque: %1. A próxima passagem substitui este ficheiro.</translation>
-    </message>
-    <message>
-        <source>Boresight or its computer stopped during this pass</source>
-        <translation>O Boresight ou o seu computador parou durante esta passagem</translation>
-    </message>
-    <message>
         <source>%1 was tracked for %2 s. Within 1 dB: %3 s. Within 3 dB: %4 s.</source>
         <translation>%1 foi seguido durante %2 s. A menos de 1 dB: %3 s. A menos de 3 dB: %4 s.</translation>
     </message>
@@ -9279,12 +9263,28 @@ até %1</translation>
         <translation>O feixe nunca esteve no alvo.</translation>
     </message>
     <message>
-        <source>%1: Pipes and devices are not read. Give a file or a folder.</source>
-        <translation>%1: Os pipes e os dispositivos não são lidos. Indique um ficheiro ou uma pasta.</translation>
-    </message>
-    <message>
         <source>Check that rotctld still runs there (%1). If it hangs, end it and start it again</source>
         <translation>Verifique se o rotctld ainda corre lá (%1). Se estiver bloqueado, termine-o e arranque-o de novo</translation>
+    </message>
+    <message>
+        <source>%1: This is a pipe or a device. Give a file or a folder.</source>
+        <translation>%1: Isto é um tubo (pipe) ou um dispositivo. Indique um ficheiro ou uma pasta.</translation>
+    </message>
+    <message>
+        <source>The running pass could not be stored: %1</source>
+        <translation>Não foi possível guardar a passagem em curso: %1</translation>
+    </message>
+    <message>
+        <source>The file of the last pass cannot be read: %1. The next pass replaces it.</source>
+        <translation>O ficheiro da última passagem não pode ser lido: %1. A próxima passagem substitui-o.</translation>
+    </message>
+    <message>
+        <source>Boresight stopped during this pass</source>
+        <translation>O Boresight parou durante esta passagem</translation>
+    </message>
+    <message>
+        <source>The last pass before this start was of %1. It was tracked for %2 s. The night report now has it.</source>
+        <translation>A última passagem antes deste arranque foi de %1. Foi seguida durante %2 s. O relatório da noite já a inclui.</translation>
     </message>
 </context>
 <context>

@@ -208,7 +208,7 @@ TEST_F(NightDeskTest, TheReportGoesOnAfterARestart)
     EXPECT_EQ(reportNow(), before);
     EXPECT_EQ(file.report().interventions, 1);
 
-    rig.clock.stepUtc(NightDesk::kSameNight + Seconds(600.0));
+    rig.clock.stepUtc(ReportKeeper::kSameNight + Seconds(600.0));
     EXPECT_EQ(reportNow(), schedule::NightReport{});
 }
 
