@@ -128,7 +128,9 @@ AxisReport BoxMount::report(Axis axis) const
 void BoxMount::lineOpened()
 {
     m_lineOpen = true;
-    m_opened.reset();
+    if (!wantsAnotherLine()) {  // else the patience goes on
+        m_opened.reset();
+    }
     talk().restart();
     for (AxisOfBox& axis : m_axes) {
         axis.filter.forget();
@@ -150,9 +152,6 @@ void BoxMount::observe(SteadyTime now)
 void BoxMount::takePlaces(const RotatorTalk::Places& places)
 {
     m_heard = m_now;
-    if (!m_state.lost) {
-        m_alarms.clear(alarmEntry("rotator.no-answer"));  // or of a silence, which is the reason until Re-arm
-    }
     if (std::exchange(m_state.silent, false)) {
         stop();  // it may still be on its way to where it was sent before the silence
     }
@@ -167,6 +166,12 @@ void BoxMount::takePlaces(const RotatorTalk::Places& places)
         }
         if (mine.filter.place() && mine.filter.placed() == m_now) {
             mine.watch.place(inSteps(*mine.filter.place(), grain()), m_now);
+        }
+    }
+    if (placed()) {
+        m_opened = m_now;
+        if (!m_state.lost) {
+            m_alarms.clear(alarmEntry("rotator.no-answer"));  // or of a silence, which is the reason until Re-arm
         }
     }
 }
@@ -216,7 +221,8 @@ void BoxMount::beginSilence(MountFindings& found)
 void BoxMount::showNoAnswer()
 {
     const bool patient = !m_opened || m_now - *m_opened < kPatience;
-    if (!m_lineOpen || patient || answers() || m_state.lost || talk().proof() == RotatorTalk::Proof::Foreign) {
+    if (!m_lineOpen || patient || (answers() && placed()) || m_state.lost ||
+        talk().proof() == RotatorTalk::Proof::Foreign) {
         return;
     }
     m_alarms.raise(alarmEntry("rotator.no-answer"), {remedyOfNoAnswer()});

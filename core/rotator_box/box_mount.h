@@ -76,6 +76,8 @@ protected:
     [[nodiscard]] virtual Angle grain() const { return Angle{}; }
 
     [[nodiscard]] const profile::InForce& profile() const { return m_profile; }
+    // Where the rotator says that it stands, if that is credible. Also of an axis that this mount does not turn.
+    [[nodiscard]] const std::optional<Angle>& believed(Axis axis) const { return of(axis).filter.place(); }
     // The rotator does not go where it is sent: the motion of all axes ends.
     void loseAll(MountFindings& found, const AlarmCase& alarm);
 
@@ -123,7 +125,7 @@ private:
     std::array<AxisOfBox, 2> m_axes;
     State m_state;
     std::optional<SteadyTime> m_heard;   // an answer
-    std::optional<SteadyTime> m_opened;  // the line
+    std::optional<SteadyTime> m_opened;  // the line, or since then it stands somewhere
     bool m_lineOpen = false;
     bool m_broke = false;  // the line, since the last tick: it may be open again
     SteadyTime m_now{};    // of the running or last tick

@@ -75,6 +75,11 @@ RotatorType typeOf(std::string_view text)
 
 }  // namespace
 
+bool isReport(std::string_view line)
+{
+    return codeOf(withoutBlanks(line)).has_value();
+}
+
 ReplyReader::Progress ReplyReader::take(std::string_view line)
 {
     const std::string_view text = withoutBlanks(line);

@@ -47,6 +47,9 @@ struct Reply
     bool operator==(const Reply&) const = default;
 };
 
+// "RPRT -5": the last line of an answer in the extended form, and all of a refusal.
+[[nodiscard]] bool isReport(std::string_view line);
+
 class ReplyReader
 {
 public:

@@ -8,7 +8,6 @@ namespace boresight::rotctl {
 namespace {
 
 constexpr std::size_t kHeardKept = 1000;
-constexpr std::chrono::milliseconds kLatency{5};
 
 Angle movedTo(Angle place, Angle target, Angle farthest)
 {
@@ -58,14 +57,34 @@ void RotctldBox::take(std::string_view bytes, SteadyTime now)
     if (m_heard.size() > kHeardKept) {
         m_heard.pop_front();
     }
-    m_session->receive(bytes);
+    m_half += bytes;
+    for (std::size_t end = m_half.find('\n'); end != std::string::npos; end = m_half.find('\n')) {
+        m_todo.push_back({.line = m_half.substr(0, end + 1)});
+        m_half.erase(0, end + 1);
+    }
+    work(now);
+}
+
+void RotctldBox::work(SteadyTime now)
+{
+    while (!m_todo.empty() && m_busy <= now) {
+        m_busy = now + m_faults.works;
+        const Command command = m_todo.front();
+        m_todo.pop_front();
+        carryOut(command);
+    }
+}
+
+void RotctldBox::carryOut(const Command& command)
+{
+    m_session->receive(command.line);
     std::string reply;
     while (m_session->step(reply)) {
         if (m_faults.halfAnswers && !reply.empty() && ++m_replies % 2 == 0) {
             reply.resize(reply.size() / 2);
         }
-        if (!m_faults.silent && !reply.empty()) {
-            m_due.push_back({.when = now + kLatency, .bytes = reply});
+        if (!m_faults.silent && command.answered && !reply.empty()) {
+            m_due.push_back({.when = m_busy, .bytes = reply});
         }
         reply.clear();
     }
@@ -74,6 +93,7 @@ void RotctldBox::take(std::string_view bytes, SteadyTime now)
 std::string RotctldBox::answers(SteadyTime now)
 {
     moveOn(now);
+    work(now);
     std::string bytes;
     while (!m_due.empty() && m_due.front().when <= now) {
         bytes += m_due.front().bytes;
@@ -82,11 +102,23 @@ std::string RotctldBox::answers(SteadyTime now)
     return bytes;
 }
 
+void RotctldBox::reconnect()
+{
+    m_half.clear();
+    m_due.clear();
+    for (Command& command : m_todo) {
+        command.answered = false;
+    }
+}
+
 void RotctldBox::restart(SteadyTime now)
 {
     moveOn(now);
     m_target = m_place;
+    m_half.clear();
+    m_todo.clear();
     m_due.clear();
+    m_busy = {};
     beginSession();
 }
 
@@ -95,7 +127,7 @@ Result<SkyPointing> RotctldBox::position(const rotctld::Client& /*client*/)
     if (m_faults.position) {
         return failure(*m_faults.position, {});
     }
-    return SkyPointing{.azimuth = m_shown.azimuth + m_faults.offset, .elevation = m_shown.elevation};
+    return SkyPointing{.azimuth = m_shown.azimuth + m_faults.offset, .elevation = m_shown.elevation - m_faults.sag};
 }
 
 rotctld::MotionFlags RotctldBox::motion() const

@@ -13,8 +13,8 @@
 #include <string_view>
 
 // A simulated rotctld with the dummy rotator of Hamlib: 6 °/s on both axes without ramps, exact arrival, -180…450° and
-// 0…90°. The bytes are those of our own server, which answers as Hamlib's does. It fails on request. Pure: time is
-// passed in.
+// 0…90°. It works at one command at a time, in order. The bytes are those of our own server, which answers as Hamlib's
+// does. It fails on request. Pure: time is passed in.
 namespace boresight::rotctl {
 
 class RotctldBox final : public SimulatedBox, private rotctld::Rotator
@@ -28,13 +28,15 @@ public:
 
     struct Faults
     {
-        bool silent = false;       // acts, but answers nothing
-        bool deaf = false;         // takes nothing
-        bool halfAnswers = false;  // each second answer loses its second half
-        bool frozen = false;       // the motors stand, whatever it is told
-        bool stuckPlace = false;   // it reports what it reported before
-        bool runsOn = false;       // a stop is accepted, and nothing stops
-        Angle offset{};            // of the azimuth that it reports
+        bool silent = false;                 // acts, but answers nothing
+        bool deaf = false;                   // takes nothing
+        bool halfAnswers = false;            // each second answer loses its second half
+        bool frozen = false;                 // the motors stand, whatever it is told
+        bool stuckPlace = false;             // it reports what it reported before
+        bool runsOn = false;                 // a stop is accepted, and nothing stops
+        Angle offset{};                      // of the azimuth that it reports
+        Angle sag{};                         // by which it reports the elevation too low
+        std::chrono::milliseconds works{5};  // at each command
         // As the rotator behind it fails: the error of each answer.
         std::optional<ErrorCode> position{};
         std::optional<ErrorCode> order{};
@@ -50,6 +52,8 @@ public:
 
     // The program was ended and started again: the rotator stands, and a client has to connect anew.
     void restart(SteadyTime now);
+    // The client connects anew: what it has sent is carried out, and the answers are lost.
+    void reconnect();
     // As another client would.
     void send(const AxisPosition& target) { m_target = target; }
     [[nodiscard]] Faults& faults() { return m_faults; }
@@ -58,6 +62,7 @@ public:
     [[nodiscard]] AxisPosition truth() const { return m_place; }
     [[nodiscard]] int moves() const { return m_moves; }  // orders to move or stop so far, accepted or not
     [[nodiscard]] const std::deque<std::string>& heard() const { return m_heard; }  // as it came
+    [[nodiscard]] std::size_t waiting() const { return m_todo.size(); }             // commands that it has not begun
     void moveOn(SteadyTime now);
 
 private:
@@ -77,8 +82,15 @@ private:
         SteadyTime when;
         std::string bytes;
     };
+    struct Command
+    {
+        std::string line;
+        bool answered = true;  // its client is still there
+    };
 
     void beginSession();
+    void work(SteadyTime now);
+    void carryOut(const Command& command);
     [[nodiscard]] std::string info() const override { return "Dummy rotator"; }
     [[nodiscard]] rotctld::Limits limits() const override { return kLimits; }
     [[nodiscard]] Result<SkyPointing> position(const rotctld::Client& client) override;
@@ -100,6 +112,9 @@ private:
     AxisPosition m_shown;
     Faults m_faults;
     std::optional<rotctld::Session> m_session;  // always there
+    std::string m_half;                         // of a line
+    std::deque<Command> m_todo;
+    SteadyTime m_busy{};  // until then
     std::deque<Due> m_due;
     std::deque<std::string> m_heard;
     bool m_started = false;

@@ -75,6 +75,27 @@ void RotctldMount::observe(SteadyTime now)
         m_checked = state;
         m_fitness = fits();
     }
+    m_talk.standsAt(standing());
+}
+
+// Noise at a limit of the rotator puts it a little outside, and rotctld would refuse both axes.
+std::optional<AxisPosition> RotctldMount::standing() const
+{
+    const auto& azimuth = believed(Axis::Azimuth);
+    const auto& elevation = believed(Axis::Elevation);
+    if (!azimuth || !elevation) {
+        return std::nullopt;
+    }
+    const AxisPosition place = permitted({.azimuth = *azimuth, .elevation = *elevation});
+    const bool isNear = abs(place.azimuth - *azimuth) <= kAxis.miss && abs(place.elevation - *elevation) <= kAxis.miss;
+    return isNear ? std::optional(place) : std::nullopt;
+}
+
+AxisPosition RotctldMount::permitted(const AxisPosition& place) const
+{
+    return m_checked ? AxisPosition{.azimuth = m_checked->azimuth.clamped(place.azimuth),
+                                    .elevation = m_checked->elevation.clamped(place.elevation)}
+                     : place;
 }
 
 MountFindings RotctldMount::supervise(const MountSituation& known)
@@ -86,20 +107,12 @@ MountFindings RotctldMount::supervise(const MountSituation& known)
     return found;
 }
 
-// rotctld names both axes. One that is not ours is sent to where it stands, or to its nearest limit.
+// rotctld names both axes, and refuses both where one is outside its limits. An axis that is not ours is sent to where
+// it stands.
 bool RotctldMount::goTo(const RotatorTalk::Places& target)
 {
-    if (!target.azimuth || !target.elevation) {
-        return false;
-    }
-    AxisPosition place{.azimuth = *target.azimuth, .elevation = *target.elevation};
-    if (m_checked && !capabilities().has(Axis::Azimuth)) {
-        place.azimuth = m_checked->azimuth.clamped(place.azimuth);
-    }
-    if (m_checked && !capabilities().has(Axis::Elevation)) {
-        place.elevation = m_checked->elevation.clamped(place.elevation);
-    }
-    return m_talk.go(place);
+    return target.azimuth && target.elevation &&
+           m_talk.go(permitted({.azimuth = *target.azimuth, .elevation = *target.elevation}));
 }
 
 QString RotctldMount::remedyOfNoAnswer() const

@@ -31,6 +31,8 @@ private:
     [[nodiscard]] QString remedyOfNoAnswer() const override;
     [[nodiscard]] Angle grain() const override { return Angle::fromDegrees(0.5); }
     [[nodiscard]] Result<> fits() const;
+    [[nodiscard]] std::optional<AxisPosition> standing() const;
+    [[nodiscard]] AxisPosition permitted(const AxisPosition& place) const;
 
     RotctldTalk m_talk;
     std::optional<RotatorState> m_checked;  // the limits that the fitness is about

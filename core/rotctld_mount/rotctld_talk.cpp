@@ -25,11 +25,13 @@ std::string shown(std::string_view bytes)
 
 void RotctldTalk::restart()
 {
-    const bool stops = m_stop.wanted;
+    const bool stops = m_stop.wanted || stopWaits();
     const Probe probe = m_probe;
+    const bool answered = m_probeAnswered;
     *this = RotctldTalk();
     m_stop.wanted = stops;
     m_probe = probe;
+    m_probeAnswered = answered;
 }
 
 Form RotctldTalk::form() const
@@ -39,6 +41,9 @@ Form RotctldTalk::form() const
 
 void RotctldTalk::nextProbe()
 {
+    if (m_probeAnswered) {
+        return;  // it hangs
+    }
     m_probe = m_probe == Probe::ExtendedState ? Probe::PlainState
               : m_probe == Probe::PlainState  ? Probe::PlainPosition
                                               : Probe::ExtendedState;
@@ -49,7 +54,6 @@ void RotctldTalk::take(std::string_view bytes, SteadyTime now)
     if (m_proof == Proof::Foreign || bytes.empty()) {
         return;
     }
-    m_line.heard = now;
     const std::size_t end = bytes.find_last_of("\r\n");
     m_line.rest = end == std::string_view::npos ? m_line.rest : std::string();
     m_line.rest += bytes.substr(end == std::string_view::npos ? 0 : end + 1, kShownOfStrange);
@@ -63,7 +67,17 @@ void RotctldTalk::takeLine(std::string_view line, SteadyTime now)
         return;
     }
     if (m_waiting.empty()) {
-        takeStrange(line);  // or late
+        if (isReport(line)) {
+            ++m_counts.unknown;  // some imitations end every answer so, or refuse each half of a command
+        } else {
+            takeStrange(line);
+        }
+        return;
+    }
+    if (m_waiting.front().spoiled) {
+        if (isReport(line)) {
+            leaveOut(now);
+        }
         return;
     }
     switch (m_waiting.front().reader.take(line)) {
@@ -77,10 +91,31 @@ void RotctldTalk::takeLine(std::string_view line, SteadyTime now)
             break;
         }
         case ReplyReader::Progress::Strange:
-            m_waiting.front().reader = ReplyReader(m_waiting.front().question, form());
+            m_waiting.front().spoiled = true;
             takeStrange(line);
+            if (isReport(line)) {
+                leaveOut(now);
+            }
             break;
     }
+}
+
+// Nobody knows what the answer was.
+void RotctldTalk::leaveOut(SteadyTime now)
+{
+    const Pending pending = m_waiting.front();
+    m_waiting.pop_front();
+    if (pending.stops) {
+        m_stop.wanted = true;
+        m_stop.from = now + kBetweenStops;
+    } else if (pending.question == Question::Order && !m_order.next) {
+        m_order.next = m_order.last;
+    }
+}
+
+bool RotctldTalk::stopWaits() const
+{
+    return std::ranges::any_of(m_waiting, &Pending::stops);
 }
 
 // Of somebody who has not answered yet it is proof enough: a rotctld says nothing before it was asked.
@@ -104,6 +139,7 @@ void RotctldTalk::finish(const Pending& pending, const Reply& reply, SteadyTime 
             m_state = reply.state;
             if (reply.state) {
                 m_proof = Proof::Box;
+                m_probeAnswered = true;
             } else {
                 nextProbe();  // it knows how to refuse, and not what was asked
             }
@@ -112,7 +148,7 @@ void RotctldTalk::finish(const Pending& pending, const Reply& reply, SteadyTime 
             m_positionError = reply.code;
             if (reply.position) {
                 m_proof = Proof::Box;
-                m_at = reply.position;
+                m_probeAnswered = true;
                 m_places = Places{.azimuth = reply.position->azimuth, .elevation = reply.position->elevation};
             }
             break;
@@ -195,28 +231,9 @@ std::string RotctldTalk::probe(SteadyTime now)
 std::string RotctldTalk::sendStop(SteadyTime now)
 {
     m_stop.wanted = false;
-    const auto overwritten = m_stop.unavailable && m_at ? goTo(form(), *m_at) : std::nullopt;
+    const auto overwritten = m_stop.unavailable && m_stop.place ? goTo(form(), *m_stop.place) : std::nullopt;
     return overwritten ? say(Question::Order, *overwritten, now, true)
                        : say(Question::Stop, stopAll(form()), now, true);
-}
-
-void RotctldTalk::waitNoLonger(SteadyTime now)
-{
-    if (m_line.heard && now - *m_line.heard >= kHangs) {
-        m_wantsLine = true;
-    }
-    if (m_waiting.empty() || now - m_waiting.front().sent < kAnswerTime) {
-        return;
-    }
-    if (form() == Form::Plain) {
-        m_wantsLine = true;
-        return;
-    }
-    if (m_waiting.front().stops) {
-        m_stop.wanted = true;  // nobody knows whether it arrived
-    }
-    m_asked.reset();  // the position comes before another target
-    m_waiting.pop_front();
 }
 
 std::string RotctldTalk::send(SteadyTime now)
@@ -227,14 +244,14 @@ std::string RotctldTalk::send(SteadyTime now)
     if (m_proof == Proof::Unknown) {
         return probe(now);
     }
-    waitNoLonger(now);
-    if (m_stop.wanted && now >= m_stop.from) {
+    if (m_stop.wanted && !stopWaits() && now >= m_stop.from) {
         return sendStop(now);
     }
     if (!m_waiting.empty()) {
+        m_wantsLine = m_wantsLine || now - m_waiting.front().sent >= kHangs;
         return {};
     }
-    if (m_asked && m_order.next && (!m_order.sent || now - *m_order.sent >= kBetweenGoes)) {
+    if (m_asked && m_order.next && !m_stop.wanted && (!m_order.sent || now - *m_order.sent >= kBetweenGoes)) {
         m_order.sent = now;
         m_order.last = std::exchange(m_order.next, std::nullopt);
         return say(Question::Order, goTo(form(), *m_order.last).value_or(std::string()), now);

@@ -50,6 +50,7 @@ public:
         }
         if (m_mount.wantsAnotherLine()) {
             ++m_reopened;
+            m_box.reconnect();
             m_mount.lineClosed();
             m_mount.lineOpened();
         }

@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
                   bench.mount().lineOpened();
               },
               "rotator.silent", 1.0},
-        Fault{"HalfAnswers", [](RotctldBench& bench) { faultsOf(bench).halfAnswers = true; }, "", 4.0},
+        Fault{"HalfAnswers", [](RotctldBench& bench) { faultsOf(bench).halfAnswers = true; }, "rotator.silent", 3.0},
         Fault{"AnotherClientSendsItElsewhere",
               [](RotctldBench& bench) { bench.box().send({.azimuth = 5_deg, .elevation = 5_deg}); }, "", 3.0}),
     [](const auto& one) { return std::string(one.param.name); });
@@ -146,6 +146,62 @@ TEST(RotctldStop, WorksWhereItIsRefused)
         EXPECT_TRUE(bench.stands(Seconds(10.0)));
         EXPECT_LT(bench.truth().azimuth, 60_deg);
     }
+}
+
+// REQ-ROTCTLDMOUNT-27: However long rotctld works at each command, no more than a question and the stop wait in its
+// queue. So the stop is carried out as soon as it can be.
+TEST(RotctldStop, IsNotBehindAQueue)
+{
+    for (const int ms : {300, 900, 1300, 1600, 2500}) {
+        const std::chrono::milliseconds works(ms);
+        RotctldBench bench;
+        bench.run(Seconds(3.0));
+        ASSERT_TRUE(bench.goTo(400.0, 20.0));
+        bench.run(Seconds(1.0));
+        bench.box().faults().works = works;
+        std::size_t most = 0;
+        for (int i = 0; i < 500; ++i) {
+            bench.tick();
+            most = std::max(most, bench.box().waiting());
+        }
+        ASSERT_TRUE(bench.ask(request::Stop{}));
+        bench.run(Seconds(2 * works) + Seconds(1.0));
+        EXPECT_LE(most, 2U) << works.count();
+        EXPECT_TRUE(bench.stands(Seconds(5.0))) << works.count();
+    }
+}
+
+// REQ-ROTCTLDMOUNT-28: A rotator without a stop is sent to where it is believed to stand, and never outside of the
+// limits of rotctld: not where one wrong answer says, and not below its horizon by the noise of its sensor.
+TEST(RotctldStop, SendsARotatorWithoutOneNowhereElse)
+{
+    RotctldBench bench;
+    bench.box().faults().stop = ErrorCode::NotAvailable;
+    bench.run(Seconds(2.0));
+    ASSERT_TRUE(bench.goTo(200.0, 20.0));
+    bench.run(Seconds(4.0));
+    bench.box().faults().offset = 360_deg;
+    bench.run(Seconds(0.3));
+    ASSERT_TRUE(bench.ask(request::Stop{}));
+    bench.run(Seconds(0.1));
+    bench.box().faults().offset = {};
+    bench.run(Seconds(3.0));
+    EXPECT_TRUE(bench.stands(Seconds(10.0)));
+    EXPECT_LT(bench.truth().azimuth, 60_deg);
+
+    RotctldBench low;
+    low.box().faults().stop = ErrorCode::NotAvailable;
+    low.run(Seconds(2.0));
+    ASSERT_TRUE(low.goTo(20.0, 0.0));
+    low.run(Seconds(10.0));
+    ASSERT_TRUE(low.goTo(300.0, 0.0));
+    low.run(Seconds(2.0));
+    low.box().faults().sag = 0.3_deg;
+    low.run(Seconds(1.0));
+    ASSERT_TRUE(low.ask(request::Stop{}));
+    low.run(Seconds(3.0));
+    EXPECT_TRUE(low.stands(Seconds(10.0)));
+    EXPECT_LT(low.truth().azimuth, 60_deg);
 }
 
 // REQ-ROTCTLDMOUNT-23: A server that does not answer is asked on, and the alarm says what to check. So is one whose
