@@ -180,8 +180,9 @@ TEST(Rooms, TheControlKnowsNoKindOfRotator)
 {
     Rooms permitted = roomsOf("core");
     for (const char* const room :
-         {"core/moteus", "core/moteus_mount", "core/gs232", "core/gs232_mount", "core/simple_mount", "core/survey",
-          "core/memory", "core/can", "core/sim", "core/sim_bus", "core/station", "core/perfect_mount"}) {
+         {"core/moteus", "core/moteus_mount", "core/gs232", "core/gs232_mount", "core/rotctl", "core/rotctld_mount",
+          "core/rotator_box", "core/simple_mount", "core/survey", "core/memory", "core/can", "core/sim", "core/sim_bus",
+          "core/station", "core/perfect_mount"}) {
         permitted.erase(room);
     }
     EXPECT_THAT(wrong(kAboveTheDriver, permitted), IsEmpty());
@@ -193,7 +194,8 @@ TEST(Rooms, OnlyTheControlKnowsThePortOfTheMount)
     std::vector<std::string> found;
     for (const std::string& path : sourcesBelow("core")) {
         const std::string room = roomOf(path);
-        if (room == "core/control" || room == "core/mount" || room == "core/station" || room.ends_with("_mount")) {
+        if (room == "core/control" || room == "core/mount" || room == "core/rotator_box" || room == "core/station" ||
+            room.ends_with("_mount")) {
             continue;
         }
         std::ifstream file(std::filesystem::path(BORESIGHT_SOURCES) / path);

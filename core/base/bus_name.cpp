@@ -13,6 +13,7 @@ constexpr std::string_view kSocketCan = "socketcan:";
 constexpr std::string_view kFdcanusb = "fdcanusb:";
 constexpr std::string_view kSerial = "serial:";
 constexpr std::string_view kTcp = "tcp:";
+constexpr std::string_view kRotctld = "rotctld:";
 
 Result<BusName> parseInterface(std::string_view name)
 {
@@ -42,7 +43,7 @@ Result<BusName> parsePath(BusKind kind, std::string_view path, const char* examp
 }
 
 // "HOST:PORT", an IPv6 address in brackets.
-Result<BusName> parseHost(std::string_view text)
+Result<BusName> parseHost(BusKind kind, std::string_view text, const char* example)
 {
     const auto colon = text.rfind(':');
     const auto port = parseInteger(text.substr(colon + 1));
@@ -56,10 +57,10 @@ Result<BusName> parseHost(std::string_view text)
                      host.find_first_of(" []/") != std::string_view::npos || hasControlCharacters(host);
     if (odd || !port || *port < 1 || *port > 65535) {
         return failure(ErrorCode::InvalidInput,
-                       Text::tr("'%1' is no address with a port; write for example tcp:192.168.1.20:4001")
-                           .arg(toQString(printable(std::string(text)))));
+                       Text::tr("'%1' is no address with a port; write for example %2")
+                           .arg(toQString(printable(std::string(text))), QLatin1String(example)));
     }
-    return BusName{.kind = BusKind::Tcp, .target = std::string(host), .port = static_cast<std::uint16_t>(*port)};
+    return BusName{.kind = kind, .target = std::string(host), .port = static_cast<std::uint16_t>(*port)};
 }
 
 std::string hostText(const BusName& bus)
@@ -85,11 +86,15 @@ Result<BusName> parseBusName(std::string_view text)
         return parsePath(BusKind::Serial, text.substr(kSerial.size()), "serial:/dev/ttyUSB0");
     }
     if (text.starts_with(kTcp)) {
-        return parseHost(text.substr(kTcp.size()));
+        return parseHost(BusKind::Tcp, text.substr(kTcp.size()), "tcp:192.168.1.20:4001");
+    }
+    if (text.starts_with(kRotctld)) {
+        return parseHost(BusKind::Rotctld, text.substr(kRotctld.size()), "rotctld:192.168.1.20:4533");
     }
     return failure(
         ErrorCode::InvalidInput,
-        Text::tr("unknown bus '%1'. Write simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH or tcp:HOST:PORT")
+        Text::tr("unknown bus '%1'. Write simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH, tcp:HOST:PORT or "
+                 "rotctld:HOST:PORT")
             .arg(toQString(text)));
 }
 
@@ -104,6 +109,8 @@ std::string toString(const BusName& bus)
             return std::string(kSerial) + bus.target;
         case BusKind::Tcp:
             return std::string(kTcp) + hostText(bus);
+        case BusKind::Rotctld:
+            return std::string(kRotctld) + hostText(bus);
         case BusKind::Simulated:
             break;
     }

@@ -8,7 +8,8 @@
 #include <string_view>
 
 // The name of a bus as the user writes it, on the command line or in the profile: "simulated", "socketcan:can0",
-// "fdcanusb:/dev/boresight/fdcanusb", "serial:/dev/ttyUSB0", "tcp:rotator.local:4001".
+// "fdcanusb:/dev/boresight/fdcanusb", "serial:/dev/ttyUSB0", "tcp:rotator.local:4001",
+// "rotctld:10.0.0.7:4533".
 namespace boresight {
 
 enum class BusKind
@@ -18,6 +19,7 @@ enum class BusKind
     Fdcanusb,
     Serial,  // of a box that speaks text
     Tcp,
+    Rotctld,  // a rotctld on a host
 };
 
 struct BusName

@@ -61,7 +61,7 @@ void BoxTalk::takeLine(std::string_view line, SteadyTime now)
     if (position != nullptr && isWhole(*position)) {
         m_proof = Proof::Box;
         m_dialect = position->dialect;
-        m_position = *position;
+        m_places = Places{.azimuth = position->azimuth, .elevation = position->elevation};
         m_echoes = m_refuses = false;
         m_strange = {};
         m_times.asked.reset();
@@ -105,9 +105,9 @@ bool BoxTalk::isWhole(const Position& position) const
     return position.azimuth && (m_question == Question::Azimuth || position.elevation);
 }
 
-std::optional<Position> BoxTalk::takePosition()
+std::optional<RotatorTalk::Places> BoxTalk::takePlaces()
 {
-    return std::exchange(m_position, std::nullopt);
+    return std::exchange(m_places, std::nullopt);
 }
 
 void BoxTalk::stop()

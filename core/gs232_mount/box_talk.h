@@ -3,9 +3,9 @@
 
 #include "core/base/clock.h"
 #include "core/gs232/box_reply.h"
+#include "core/rotator_box/rotator_talk.h"
 #include "core/serial/line_splitter.h"
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,14 +26,9 @@ enum class Question
     Azimuth  // an azimuth-only box answers this one too
 };
 
-enum class Proof
-{
-    Unknown,  // it has not answered yet
-    Box,
-    Foreign
-};
+using Proof = RotatorTalk::Proof;
 
-class BoxTalk
+class BoxTalk final : public RotatorTalk
 {
 public:
     static constexpr std::chrono::milliseconds kPause{50};           // after each command
@@ -48,31 +43,21 @@ public:
     // `baud` as bits per second of the line.
     BoxTalk(Question question, int baud) : m_question(question), m_baud(baud) {}
 
-    // Another line, another box perhaps: it has to prove itself again.
-    void restart();
-    void take(std::string_view bytes, SteadyTime now);
-    // The newest that came since the last time. It has what was asked for.
-    [[nodiscard]] std::optional<Position> takePosition();
+    void restart() override;
+    void take(std::string_view bytes, SteadyTime now) override;
+    [[nodiscard]] std::optional<Places> takePlaces() override;
 
     // Replaces the target that was not sent yet.
     void go(std::string command) { m_go = std::move(command); }
-    void stop();
-    // What is to be sent now. Once per tick.
-    [[nodiscard]] std::string send(SteadyTime now);
+    void stop() override;
+    [[nodiscard]] std::string send(SteadyTime now) override;
 
-    [[nodiscard]] Proof proof() const { return m_proof; }
+    [[nodiscard]] Proof proof() const override { return m_proof; }
     [[nodiscard]] Dialect dialect() const { return m_dialect; }
     [[nodiscard]] bool echoes() const { return m_echoes; }    // our commands came back since the last answer
     [[nodiscard]] bool refuses() const { return m_refuses; }  // it said ?> since the last answer
-    struct Counts
-    {
-        std::uint64_t sent = 0;
-        std::uint64_t received = 0;  // answers
-        std::uint64_t unknown = 0;   // lines that mean nothing
-    };
-    [[nodiscard]] const Counts& counts() const { return m_counts; }
-    // What came in place of an answer, as printable text.
-    [[nodiscard]] const std::string& strange() const { return m_strange.text; }
+    [[nodiscard]] const Counts& counts() const override { return m_counts; }
+    [[nodiscard]] const std::string& strange() const override { return m_strange.text; }
 
 private:
     void takeLine(std::string_view line, SteadyTime now);
@@ -87,7 +72,7 @@ private:
     LineSplitter m_splitter;
     Proof m_proof = Proof::Unknown;
     Dialect m_dialect = Dialect::A;
-    std::optional<Position> m_position;
+    std::optional<Places> m_places;
     std::string m_go;
     bool m_stop = false;
     bool m_echoes = false;

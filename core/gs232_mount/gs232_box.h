@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/gs232/box_reply.h"
+#include "core/rotator_box/simulated_box.h"
 #include "core/units/sky.h"
 
 #include <array>
@@ -16,7 +17,7 @@
 // Hamlib have them. It fails on request. Pure: time is passed in. Angles as the box counts them.
 namespace boresight::gs232 {
 
-class Gs232Box
+class Gs232Box final : public SimulatedBox
 {
 public:
     static constexpr AngularRate kSpeed = AngularRate::fromDegrees(6.0);
@@ -51,9 +52,8 @@ public:
     Gs232Box(const AxisPosition& place, const Habits& habits);
     explicit Gs232Box(const AxisPosition& place = {}) : Gs232Box(place, Habits{}) {}
 
-    void take(std::string_view bytes, SteadyTime now);
-    // What has come out of it by now.
-    [[nodiscard]] std::string answers(SteadyTime now);
+    void take(std::string_view bytes, SteadyTime now) override;
+    [[nodiscard]] std::string answers(SteadyTime now) override;
 
     // Off: it stands, answers nothing and forgets where it was going.
     void setPower(bool on, SteadyTime now);

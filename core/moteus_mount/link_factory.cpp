@@ -40,6 +40,7 @@ Result<std::unique_ptr<CanLink>> makeLinkTo(const std::string& busName, const Cl
                 return std::make_unique<FdcanusbLink>(target, clock);
             case BusKind::Serial:
             case BusKind::Tcp:
+            case BusKind::Rotctld:
                 return failure(ErrorCode::InvalidInput,
                                Text::tr("%1 is no CAN bus. A moteus needs fdcanusb:PATH or socketcan:INTERFACE")
                                    .arg(toQString(busName)));

@@ -15,6 +15,7 @@ enum class AxisDriver
 {
     Moteus,
     Gs232,
+    Rotctld,
     Simple,
     None
 };
@@ -24,7 +25,8 @@ enum class DriverLine
 {
     None,
     Can,
-    Text  // a serial port or a TCP connection that carries lines of text
+    Text,    // a serial port or a TCP connection that carries lines of text
+    Rotctld  // a rotctld elsewhere
 };
 
 struct DriverKind
@@ -50,6 +52,10 @@ inline constexpr std::array kDriverKinds{
                .name = "gs232",
                .simulated = "a GS-232 box with relays, whole degrees and a coast",
                .line = DriverLine::Text},
+    DriverKind{.driver = AxisDriver::Rotctld,
+               .name = "rotctld",
+               .simulated = "a rotctld with the dummy rotator of Hamlib",
+               .line = DriverLine::Rotctld},
     DriverKind{.driver = AxisDriver::Simple,
                .name = "simple",
                .simulated = "a rotator of whole degrees, without rates and watchdog",
@@ -66,7 +72,8 @@ inline constexpr std::array kDriverKinds{
 inline constexpr const char* kDriverMeaning = QT_TRANSLATE_NOOP(
     "Text",
     "What turns the axis. Each axis may have its own driver. \"gs232\" is a Yaesu GS-232A, a GS-232B or a box that "
-    "speaks as they do. \"simple\" is simulated only: a rotator of whole degrees without a watchdog. With \"none\" the "
+    "speaks as they do. \"rotctld\" is any rotator that Hamlib drives. \"simple\" is simulated only: a rotator of "
+    "whole degrees without a watchdog. With \"none\" the "
     "mount has no such axis.");
 
 }  // namespace boresight::profile

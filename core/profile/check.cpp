@@ -119,6 +119,23 @@ void checkSupervision(std::vector<Problem>& problems, const Profile& profile)
            Text::tr("must be below %1").arg(QLatin1String("supervision.board_limit_c")));
 }
 
+DriverLine lineOf(BusKind bus)
+{
+    switch (bus) {
+        case BusKind::SocketCan:
+        case BusKind::Fdcanusb:
+            return DriverLine::Can;
+        case BusKind::Serial:
+        case BusKind::Tcp:
+            return DriverLine::Text;
+        case BusKind::Rotctld:
+            return DriverLine::Rotctld;
+        case BusKind::Simulated:
+            break;
+    }
+    return DriverLine::None;
+}
+
 // The bus of the profile is of another kind than the driver of this axis speaks on.
 std::optional<Problem> wrongBus(const Profile& profile, const DriverKind& kind)
 {
@@ -126,13 +143,14 @@ std::optional<Problem> wrongBus(const Profile& profile, const DriverKind& kind)
     if (!bus || kind.line == DriverLine::None || bus->kind == BusKind::Simulated) {
         return std::nullopt;
     }
-    const bool isText = bus->kind == BusKind::Serial || bus->kind == BusKind::Tcp;
-    if (isText == (kind.line == DriverLine::Text)) {
+    if (lineOf(bus->kind) == kind.line) {
         return std::nullopt;
     }
-    return Problem{"bus.name", (isText ? Text::tr("The driver \"%1\" needs fdcanusb:PATH or socketcan:INTERFACE.")
-                                       : Text::tr("The driver \"%1\" needs serial:PATH or tcp:HOST:PORT."))
-                                   .arg(toQString(kind.name))};
+    const QString need =
+        kind.line == DriverLine::Can    ? Text::tr("The driver \"%1\" needs fdcanusb:PATH or socketcan:INTERFACE.")
+        : kind.line == DriverLine::Text ? Text::tr("The driver \"%1\" needs serial:PATH or tcp:HOST:PORT.")
+                                        : Text::tr("The driver \"%1\" needs rotctld:HOST:PORT.");
+    return Problem{"bus.name", need.arg(toQString(kind.name))};
 }
 
 // A profile has one bus.

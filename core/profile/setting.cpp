@@ -45,9 +45,11 @@ void addMount(std::vector<Setting>& list)
     list.push_back(textual(
         "bus.name", Applies::OnReconnect,
         {QT_TRANSLATE_NOOP("Text", "Bus"),
-         QT_TRANSLATE_NOOP("Text",
-                           "How Boresight reaches the drives: \"fdcanusb:PATH\" or \"socketcan:INTERFACE\" for moteus, "
-                           "\"serial:PATH\" or \"tcp:HOST:PORT\" for a GS-232 rotator, or \"simulated\".")},
+         QT_TRANSLATE_NOOP(
+             "Text",
+             "How Boresight reaches the drives: \"fdcanusb:PATH\" or \"socketcan:INTERFACE\" for moteus, "
+             "\"serial:PATH\" or \"tcp:HOST:PORT\" for a GS-232 rotator, \"rotctld:HOST:PORT\" for a rotator of "
+             "Hamlib, or \"simulated\".")},
         [](const Profile& p) { return p.bus; },
         [](Profile& p, const std::string& text) {
             return parseBusName(text).map([&](const BusName&) { p.bus = text; });

@@ -122,6 +122,7 @@ bool isSimulatedBus(const QString& bus)
         case BusKind::SocketCan:
             return socketcan::looksVirtual(QString::fromStdString(name->target));
         case BusKind::Tcp:
+        case BusKind::Rotctld:
             return false;
         case BusKind::Fdcanusb:
         case BusKind::Serial:

@@ -3,11 +3,12 @@
 
 #include "core/base/text.h"
 #include "core/can/unusable_link.h"
-#include "core/gs232_mount/gs232_connection.h"
+#include "core/gs232_mount/gs232_rotators.h"
 #include "core/moteus_mount/link_factory.h"
 #include "core/moteus_mount/moteus_connection.h"
 #include "core/mount/paired_connection.h"
 #include "core/profile/setting.h"
+#include "core/rotctld_mount/rotctld_rotators.h"
 #include "core/simple_mount/simple_connection.h"
 
 namespace boresight {
@@ -22,6 +23,7 @@ MountFactory::MountFactory(const profile::Profile& profile, const Clock& clock) 
     m_kinds = {
         {AxisDriver::Moteus, moteusRotators(links)},
         {AxisDriver::Gs232, gs232::gs232Rotators()},
+        {AxisDriver::Rotctld, rotctl::rotctldRotators()},
         {AxisDriver::Simple, simpleRotators()},
     };
 }

@@ -8899,10 +8899,6 @@ até %1</translation>
         <translation>O rotor não responde</translation>
     </message>
     <message>
-        <source>Boresight asks for its position once a second. It sends no motion commands</source>
-        <translation>O Boresight pergunta a posição uma vez por segundo. Não envia comandos de movimento</translation>
-    </message>
-    <message>
         <source>The rotator fell silent in motion</source>
         <translation>O rotor deixou de responder em movimento</translation>
     </message>
@@ -8951,10 +8947,6 @@ até %1</translation>
         <translation>o barramento não indica porta; escreva por exemplo %1</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no address with a port; write for example tcp:192.168.1.20:4001</source>
-        <translation>&apos;%1&apos; não é um endereço com porta; escreva por exemplo tcp:192.168.1.20:4001</translation>
-    </message>
-    <message>
         <source>%1 answers as a %2</source>
         <translation>%1 responde como um %2</translation>
     </message>
@@ -8987,16 +8979,8 @@ até %1</translation>
         <translation>%1: %2. Verifique a alimentação, o endereço e a rede</translation>
     </message>
     <message>
-        <source>%1: no answer. Check its power, its address and its network</source>
-        <translation>%1: sem resposta. Verifique a alimentação, o endereço e a rede</translation>
-    </message>
-    <message>
         <source>%1 is no CAN bus. A moteus needs fdcanusb:PATH or socketcan:INTERFACE</source>
         <translation>%1 não é um barramento CAN. Um moteus precisa de fdcanusb:PATH ou socketcan:INTERFACE</translation>
-    </message>
-    <message>
-        <source>What turns the axis. Each axis may have its own driver. &quot;gs232&quot; is a Yaesu GS-232A, a GS-232B or a box that speaks as they do. &quot;simple&quot; is simulated only: a rotator of whole degrees without a watchdog. With &quot;none&quot; the mount has no such axis.</source>
-        <translation>O que roda o eixo. Cada eixo pode ter o seu próprio controlador. &quot;gs232&quot; é um Yaesu GS-232A, um GS-232B ou uma caixa que fala como eles. &quot;simple&quot; é só simulado: um rotor de graus inteiros sem watchdog. Com &quot;none&quot; a montagem não tem esse eixo.</translation>
     </message>
     <message>
         <source>The driver &quot;%1&quot; needs fdcanusb:PATH or socketcan:INTERFACE.</source>
@@ -9007,20 +8991,12 @@ até %1</translation>
         <translation>O controlador &quot;%1&quot; precisa de serial:PATH ou tcp:HOST:PORT.</translation>
     </message>
     <message>
-        <source>How Boresight reaches the drives: &quot;fdcanusb:PATH&quot; or &quot;socketcan:INTERFACE&quot; for moteus, &quot;serial:PATH&quot; or &quot;tcp:HOST:PORT&quot; for a GS-232 rotator, or &quot;simulated&quot;.</source>
-        <translation>Como o Boresight chega aos acionamentos: &quot;fdcanusb:PATH&quot; ou &quot;socketcan:INTERFACE&quot; para moteus, &quot;serial:PATH&quot; ou &quot;tcp:HOST:PORT&quot; para um rotor GS-232, ou &quot;simulated&quot;.</translation>
-    </message>
-    <message>
         <source>Speed of the serial port</source>
         <translation>Velocidade da porta série</translation>
     </message>
     <message>
         <source>Speed of the serial port of a GS-232 rotator, as its switches are set. A CAN bus does not use it.</source>
         <translation>Velocidade da porta série de um rotor GS-232, como estão os seus interruptores. Um barramento CAN não a usa.</translation>
-    </message>
-    <message>
-        <source>The device on %1 is not a GS-232 rotator. It sent &quot;%2&quot;</source>
-        <translation>O dispositivo em %1 não é um rotador GS-232. Enviou &quot;%2&quot;</translation>
     </message>
     <message>
         <source>Boresight closed the line, and sends nothing more</source>
@@ -9057,10 +9033,6 @@ até %1</translation>
     <message>
         <source>Boresight moves nothing. The board&apos;s reports may mean something else</source>
         <translation>O Boresight não move nada. Os dados da placa podem ter outro significado</translation>
-    </message>
-    <message>
-        <source>unknown bus &apos;%1&apos;. Write simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH or tcp:HOST:PORT</source>
-        <translation>barramento desconhecido &apos;%1&apos;. Escreva simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH ou tcp:HOST:PORT</translation>
     </message>
     <message>
         <source>More than %1 elements stand inside one another.</source>
@@ -9163,6 +9135,118 @@ até %1</translation>
         <translation>O objeto é &quot;%1&quot; e acima está &quot;%2&quot;. Escreva um ficheiro para cada objeto.</translation>
     </message>
     <message>
+        <source>The device on %1 is not %2. It sent &quot;%3&quot;</source>
+        <translation>O dispositivo em %1 não é %2. Enviou &quot;%3&quot;</translation>
+    </message>
+    <message>
+        <source>a GS-232 rotator</source>
+        <translation>um rotador GS-232</translation>
+    </message>
+    <message>
+        <source>the value is outside the limits of rotctld</source>
+        <translation>o valor está fora dos limites do rotctld</translation>
+    </message>
+    <message>
+        <source>rotctld is configured wrongly</source>
+        <translation>o rotctld está mal configurado</translation>
+    </message>
+    <message>
+        <source>this rotator does not have the function</source>
+        <translation>este rotador não tem esta função</translation>
+    </message>
+    <message>
+        <source>the rotator did not answer rotctld in time</source>
+        <translation>o rotador não respondeu ao rotctld a tempo</translation>
+    </message>
+    <message>
+        <source>rotctld cannot use the port of the rotator</source>
+        <translation>o rotctld não consegue usar a porta do rotador</translation>
+    </message>
+    <message>
+        <source>rotctld did not understand the answer of the rotator</source>
+        <translation>o rotctld não compreendeu a resposta do rotador</translation>
+    </message>
+    <message>
+        <source>the rotator rejected the command</source>
+        <translation>o rotador rejeitou o comando</translation>
+    </message>
+    <message>
+        <source>the rotator is switched off</source>
+        <translation>o rotador está desligado</translation>
+    </message>
+    <message>
+        <source>the position is outside the limits of rotctld</source>
+        <translation>a posição está fora dos limites do rotctld</translation>
+    </message>
+    <message>
+        <source>rotctld denied the access</source>
+        <translation>o rotctld negou o acesso</translation>
+    </message>
+    <message>
+        <source>rotctld reported an error</source>
+        <translation>o rotctld comunicou um erro</translation>
+    </message>
+    <message>
+        <source>Boresight keeps asking for its position. It sends no motion commands</source>
+        <translation>O Boresight continua a pedir a sua posição. Não envia comandos de movimento</translation>
+    </message>
+    <message>
+        <source>The rotator refused its target: %1</source>
+        <translation>O rotador recusou o seu alvo: %1</translation>
+    </message>
+    <message>
+        <source>Compare the travel of the profile with the limits of the rotator, and check its power.</source>
+        <translation>Compare o curso do perfil com os limites do rotador e verifique a sua alimentação.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no address with a port; write for example %2</source>
+        <translation>&apos;%1&apos; não é um endereço com uma porta; escreva por exemplo %2</translation>
+    </message>
+    <message>
+        <source>unknown bus &apos;%1&apos;. Write simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH, tcp:HOST:PORT or rotctld:HOST:PORT</source>
+        <translation>barramento &apos;%1&apos; desconhecido. Escreva simulated, socketcan:INTERFACE, fdcanusb:PATH, serial:PATH, tcp:HOST:PORT ou rotctld:HOST:PORT</translation>
+    </message>
+    <message>
+        <source>What turns the axis. Each axis may have its own driver. &quot;gs232&quot; is a Yaesu GS-232A, a GS-232B or a box that speaks as they do. &quot;rotctld&quot; is any rotator that Hamlib drives. &quot;simple&quot; is simulated only: a rotator of whole degrees without a watchdog. With &quot;none&quot; the mount has no such axis.</source>
+        <translation>O que roda o eixo. Cada eixo pode ter o seu próprio controlador. &quot;gs232&quot; é um Yaesu GS-232A, um GS-232B ou uma caixa que fala como eles. &quot;rotctld&quot; é qualquer rotador que o Hamlib controla. &quot;simple&quot; é só simulado: um rotor de graus inteiros sem watchdog. Com &quot;none&quot; a montagem não tem esse eixo.</translation>
+    </message>
+    <message>
+        <source>The driver &quot;%1&quot; needs rotctld:HOST:PORT.</source>
+        <translation>O controlador &quot;%1&quot; precisa de rotctld:HOST:PORT.</translation>
+    </message>
+    <message>
+        <source>How Boresight reaches the drives: &quot;fdcanusb:PATH&quot; or &quot;socketcan:INTERFACE&quot; for moteus, &quot;serial:PATH&quot; or &quot;tcp:HOST:PORT&quot; for a GS-232 rotator, &quot;rotctld:HOST:PORT&quot; for a rotator of Hamlib, or &quot;simulated&quot;.</source>
+        <translation>Como o Boresight chega aos acionamentos: &quot;fdcanusb:PATH&quot; ou &quot;socketcan:INTERFACE&quot; para moteus, &quot;serial:PATH&quot; ou &quot;tcp:HOST:PORT&quot; para um rotor GS-232, &quot;rotctld:HOST:PORT&quot; para um rotador do Hamlib, ou &quot;simulated&quot;.</translation>
+    </message>
+    <message>
+        <source>%1: %2. Check that rotctld runs there, its address, its port and the network</source>
+        <translation>%1: %2. Verifique se o rotctld corre lá, o seu endereço, a sua porta e a rede</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>sem resposta</translation>
+    </message>
+    <message>
+        <source>This rotator has no azimuth. Set azimuth.driver to &quot;none&quot; in the profile.</source>
+        <translation>Este rotador não tem azimute. Ponha azimuth.driver em &quot;none&quot; no perfil.</translation>
+    </message>
+    <message>
+        <source>This rotator has no elevation. Set elevation.driver to &quot;none&quot; in the profile.</source>
+        <translation>Este rotador não tem elevação. Ponha elevation.driver em &quot;none&quot; no perfil.</translation>
+    </message>
+    <message>
+        <source>The travel %1…%2 does not fit this rotator. Its rotctld permits %3…%4. Change %5.travel_min_deg and %5.travel_max_deg in the profile.</source>
+        <translation>O curso %1…%2 não serve a este rotador. O seu rotctld permite %3…%4. Altere %5.travel_min_deg e %5.travel_max_deg no perfil.</translation>
+    </message>
+    <message>
+        <source>a rotctld</source>
+        <translation>um rotctld</translation>
+    </message>
+    <message>
+        <source>The answer of rotctld is: %1. Check the rotator, its power, its cable and the options of rotctld</source>
+        <translation>A resposta do rotctld é: %1. Verifique o rotador, a sua alimentação, o seu cabo e as opções do rotctld</translation>
+    </message>
+    <message>
         <source>%1 was tracked for %2 s. Within 1 dB: %3 s. Within 3 dB: %4 s.</source>
         <translation>%1 foi seguido durante %2 s. A menos de 1 dB: %3 s. A menos de 3 dB: %4 s.</translation>
     </message>
@@ -9173,6 +9257,10 @@ até %1</translation>
     <message>
         <source>The beam was never on target.</source>
         <translation>O feixe nunca esteve no alvo.</translation>
+    </message>
+    <message>
+        <source>Check that rotctld still runs there (%1). If it hangs, end it and start it again</source>
+        <translation>Verifique se o rotctld ainda corre lá (%1). Se estiver bloqueado, termine-o e arranque-o de novo</translation>
     </message>
     <message>
         <source>%1: This is a pipe or a device. Give a file or a folder.</source>

@@ -67,7 +67,7 @@ Proof talked(std::string_view bytes, std::size_t piece)
     SteadyTime now = SteadyTime{} + std::chrono::hours(1);
     for (; !bytes.empty(); bytes.remove_prefix(std::min(piece, bytes.size()))) {
         talk.take(bytes.substr(0, piece), now);
-        if (const auto position = talk.takePosition()) {
+        if (const auto position = talk.takePlaces()) {
             require(position->azimuth && position->elevation, "an answer has what was asked for");
             require(talk.proof() == Proof::Box, "who answers is a box");
         }

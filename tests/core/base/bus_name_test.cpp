@@ -17,9 +17,10 @@ TEST(BusName, ReadsTheThreeKindsAndWritesThemBack)
     EXPECT_EQ(parseBusName("fdcanusb:C:odd"), (BusName{BusKind::Fdcanusb, "C:odd"}));
     EXPECT_EQ(parseBusName("serial:/dev/ttyUSB0"), (BusName{BusKind::Serial, "/dev/ttyUSB0"}));
     EXPECT_EQ(parseBusName("tcp:rotator.local:4001"), (BusName{BusKind::Tcp, "rotator.local", 4001}));
+    EXPECT_EQ(parseBusName("rotctld:10.0.0.7:4533"), (BusName{BusKind::Rotctld, "10.0.0.7", 4533}));
     EXPECT_EQ(parseBusName("tcp:[fe80::1]:1"), (BusName{BusKind::Tcp, "fe80::1", 1}));
     for (const char* const name : {"simulated", "socketcan:vcan12", "fdcanusb:/dev/boresight/fdcanusb",
-                                   "serial:/dev/ttyS0", "tcp:10.0.0.7:65535", "tcp:[::1]:4001"}) {
+                                   "serial:/dev/ttyS0", "tcp:10.0.0.7:65535", "tcp:[::1]:4001", "rotctld:[::1]:4533"}) {
         EXPECT_EQ(toString(parseBusName(name).value()), name);
     }
 }
@@ -30,6 +31,7 @@ TEST(BusName, RefusesWithWhatToWrite)
     EXPECT_THAT(textOf(parseBusName("can0").error()), testing::HasSubstr("socketcan:INTERFACE"));
     EXPECT_THAT(textOf(parseBusName("socketcan:").error()), testing::HasSubstr("names no interface"));
     EXPECT_THAT(textOf(parseBusName("fdcanusb:").error()), testing::HasSubstr("names no port"));
+    EXPECT_THAT(textOf(parseBusName("rotctld:pi").error()), testing::HasSubstr("rotctld:192.168.1.20:4533"));
     for (const char* const bad : {"",
                                   "simulated ",
                                   "Simulated",
@@ -53,7 +55,10 @@ TEST(BusName, RefusesWithWhatToWrite)
                                   "tcp:a:x",
                                   "tcp:a b:1",
                                   "tcp:::1:4001",
-                                  "tcp:[a]:1"}) {
+                                  "tcp:[a]:1",
+                                  "rotctld:",
+                                  "rotctld:a",
+                                  "rotctld:a:0"}) {
         const auto result = parseBusName(bad);
         ASSERT_FALSE(result.has_value()) << bad;
         EXPECT_EQ(result.error().code, ErrorCode::InvalidInput) << bad;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/bus_name.h"
-#include "core/gs232_mount/gs232_connection.h"
-#include "core/gs232_mount/serial_box_line.h"
-#include "core/gs232_mount/simulated_box_line.h"
-#include "core/gs232_mount/tcp_box_line.h"
+#include "core/gs232_mount/gs232_mount.h"
+#include "core/rotator_box/box_connection.h"
+#include "core/rotator_box/serial_box_line.h"
+#include "core/rotator_box/simulated_box_line.h"
+#include "core/rotator_box/tcp_box_line.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/pseudo_terminal.h"
 #include "tests/fakes/wait_until.h"
@@ -20,6 +21,11 @@ namespace boresight::gs232 {
 namespace {
 
 using fakes::waitUntil;
+
+BusName localPort(quint16 port)
+{
+    return {.kind = BusKind::Tcp, .target = "127.0.0.1", .port = port};
+}
 
 QByteArray collected(BoxLine& line, QObject& context, QByteArray& into)
 {
@@ -74,7 +80,7 @@ TEST(TcpBoxLine, CarriesBytesAndConnectsAgain)
 {
     QTcpServer server;
     ASSERT_TRUE(server.listen(QHostAddress::LocalHost));
-    TcpBoxLine line(QStringLiteral("127.0.0.1"), server.serverPort());
+    TcpBoxLine line(localPort(server.serverPort()));
     QObject context;
     QByteArray heard;
     collected(line, context, heard);
@@ -97,7 +103,7 @@ TEST(TcpBoxLine, APortWithoutABoxHasAReason)
 {
     QTcpSocket keeper;  // has the port, and listens on nothing: nobody else can take it meanwhile
     ASSERT_TRUE(keeper.bind(QHostAddress::LocalHost, 0, QAbstractSocket::DontShareAddress));
-    TcpBoxLine line(QStringLiteral("127.0.0.1"), keeper.localPort());
+    TcpBoxLine line(localPort(keeper.localPort()));
     line.open();
     EXPECT_TRUE(waitUntil([&] { return line.state() == BoxLine::State::Lost; }));
     EXPECT_TRUE(line.problem().contains(line.name()));
@@ -109,7 +115,7 @@ TEST(TcpBoxLine, IsNamedAsInTheProfile)
     for (const char* const name : {"tcp:[::1]:4001", "tcp:[fe80::1%eth0]:23", "tcp:rotator.local:4001"}) {
         const Result<BusName> bus = parseBusName(name);
         ASSERT_TRUE(bus);
-        EXPECT_EQ(TcpBoxLine(QString::fromStdString(bus->target), bus->port).name(), QLatin1String(name));
+        EXPECT_EQ(TcpBoxLine(*bus).name(), QLatin1String(name));
     }
 }
 
@@ -138,9 +144,9 @@ struct Rig
     {
         for (Seconds left = time; left > Seconds(0.0); left -= Seconds(0.02)) {
             clock.advance(Seconds(0.02));
-            connection.driver().observe(clock.now());
-            (void)connection.driver().supervise({});
-            connection.send();
+            connection->driver().observe(clock.now());
+            (void)connection->driver().supervise({});
+            connection->send();
         }
     }
     [[nodiscard]] bool warns(const char* alarm) const
@@ -154,7 +160,8 @@ struct Rig
     AlarmBoard alarms{log, clock};
     profile::InForce profile{profile::Profile{}};
     Wire* wire = new Wire;
-    Gs232Connection connection{std::unique_ptr<BoxLine>(wire), {}, profile, clock, log, alarms};
+    std::unique_ptr<MountConnection> connection =
+        rotatorBehind<Gs232Mount>(std::unique_ptr<BoxLine>(wire), {})(profile, clock, log, alarms);
 };
 
 // REQ-GS232-43: A device that is not a GS-232 box is asked for its position and never commanded. The line is closed and
@@ -162,7 +169,7 @@ struct Rig
 TEST(Gs232Connection, AForeignDeviceIsClosedAndLeftAlone)
 {
     Rig rig;
-    rig.connection.open();
+    rig.connection->open();
     for (int i = 0; i < 4; ++i) {
         rig.run(Seconds(0.1));
         rig.wire->say(QByteArray("\xfe\xfe\xe0\x94\x03\xfd", 6));  // of a radio whose dial is turned
@@ -173,7 +180,7 @@ TEST(Gs232Connection, AForeignDeviceIsClosedAndLeftAlone)
     EXPECT_TRUE(rig.wire->written.startsWith("C2\r"));
     rig.wire->written.replace("C2\r", "");
     EXPECT_EQ(rig.wire->written, QByteArray());
-    rig.connection.open();
+    rig.connection->open();
     rig.run(Seconds(5.0));
     EXPECT_EQ(rig.wire->opened, 1);
     EXPECT_EQ(rig.wire->written, QByteArray());
@@ -183,7 +190,7 @@ TEST(Gs232Connection, AForeignDeviceIsClosedAndLeftAlone)
 TEST(Gs232Connection, AByteOfNoiseClosesNoLine)
 {
     Rig rig;
-    rig.connection.open();
+    rig.connection->open();
     rig.run(Seconds(0.1));
     rig.wire->say("\xff");
     rig.run(Seconds(10.0));
@@ -192,26 +199,26 @@ TEST(Gs232Connection, AByteOfNoiseClosesNoLine)
     rig.wire->say("+0010+0020\r\n");
     rig.run(Seconds(0.1));
     StationStatus status;
-    rig.connection.describe(status);
+    rig.connection->describe(status);
     EXPECT_EQ(status.line.kind, QStringLiteral("GS-232A"));
 }
 
 TEST(Gs232Connection, ALineThatIsGoneIsAnAlarmAndNotACommand)
 {
     Rig rig;
-    rig.connection.open();
+    rig.connection->open();
     rig.run(Seconds(0.5));
     rig.wire->say("+0010+0020\r\n");
     rig.run(Seconds(0.5));
     StationStatus status;
-    rig.connection.describe(status);
+    rig.connection->describe(status);
     EXPECT_EQ(status.line.kind, QStringLiteral("GS-232A"));
     rig.wire->breakDown();
     EXPECT_TRUE(rig.warns("rotator.line-down"));
     rig.wire->written.clear();
     rig.run(Seconds(5.0));
     EXPECT_EQ(rig.wire->written, QByteArray());
-    rig.connection.open();
+    rig.connection->open();
     EXPECT_FALSE(rig.warns("rotator.line-down"));
 }
 

@@ -65,10 +65,10 @@ TEST(BoxTalk, TheDialectIsFoundByAsking)
         talk.hear(answer);
         EXPECT_EQ(talk->proof(), Proof::Box);
         EXPECT_EQ(talk->dialect(), dialect);
-        const auto position = talk->takePosition();
+        const auto position = talk->takePlaces();
         ASSERT_TRUE(position);
         EXPECT_EQ(position->azimuth, 180_deg);
-        EXPECT_FALSE(talk->takePosition()) << "once";
+        EXPECT_FALSE(talk->takePlaces()) << "once";
     }
 }
 

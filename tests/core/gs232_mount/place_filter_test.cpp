@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/gs232_mount/place_filter.h"
+#include "core/rotator_box/place_filter.h"
 
-#include "core/gs232_mount/obedience_watch.h"
+#include "core/rotator_box/obedience_watch.h"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 // What every rotator promises behind the port of the mount, tried with the control above it.
 #include "tests/core/gs232_mount/gs232_bench.h"
 #include "tests/core/mount/mount_bench.h"
+#include "tests/core/rotctld_mount/rotctld_bench.h"
 
 #include <gtest/gtest.h>
 
@@ -256,6 +257,11 @@ std::unique_ptr<Bench> gs232Bench(gs232::Dialect dialect, bool azimuth = true, b
     return std::make_unique<gs232::Gs232Bench>(habits, axesIf(azimuth, elevation));
 }
 
+std::unique_ptr<Bench> rotctldBench(bool azimuth, bool elevation)
+{
+    return std::make_unique<rotctl::RotctldBench>(axesIf(azimuth, elevation));
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Drivers, MountPromises,
     testing::Values(Kind{"TwoMoteus", [] { return std::make_unique<MoteusBench>(); }},
@@ -270,6 +276,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Kind{"Gs232B", [] { return gs232Bench(gs232::Dialect::B); }},
                     Kind{"Gs232AzimuthOnly", [] { return gs232Bench(gs232::Dialect::B, true, false); }},
                     Kind{"Gs232ElevationOnly", [] { return gs232Bench(gs232::Dialect::A, false, true); }},
+                    Kind{"Rotctld", [] { return rotctldBench(true, true); }},
+                    Kind{"RotctldAzimuthOnly", [] { return rotctldBench(true, false); }},
+                    Kind{"RotctldElevationOnly", [] { return rotctldBench(false, true); }},
                     Kind{"Pair", [] { return std::make_unique<PairBench>(); }}),
     [](const auto& one) { return std::string(one.param.name); });
 

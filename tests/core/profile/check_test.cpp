@@ -76,6 +76,12 @@ TEST(CrossCheck, TheDriversOfTheAxesMakeSense)
     EXPECT_EQ(onBus(AxisDriver::Gs232, AxisDriver::None, "tcp:10.0.0.7:4001"), nothing);
     EXPECT_EQ(onBus(AxisDriver::Gs232, AxisDriver::None, "socketcan:can0"), only("bus.name"));
     EXPECT_EQ(onBus(AxisDriver::None, AxisDriver::Moteus, "serial:/dev/ttyUSB0"), only("bus.name"));
+    EXPECT_EQ(onBus(AxisDriver::Rotctld, AxisDriver::Rotctld, "rotctld:10.0.0.7:4533"), nothing);
+    EXPECT_EQ(onBus(AxisDriver::Rotctld, AxisDriver::None, "rotctld:10.0.0.7:4533"), nothing);
+    EXPECT_EQ(onBus(AxisDriver::Rotctld, AxisDriver::None, "tcp:10.0.0.7:4533"), only("bus.name"));
+    EXPECT_EQ(onBus(AxisDriver::Gs232, AxisDriver::None, "rotctld:10.0.0.7:4533"), only("bus.name"));
+    EXPECT_EQ(onBus(AxisDriver::Moteus, AxisDriver::None, "rotctld:10.0.0.7:4533"), only("bus.name"));
+    EXPECT_EQ(onBus(AxisDriver::Rotctld, AxisDriver::Gs232, "rotctld:10.0.0.7:4533"), only("elevation.driver"));
     // Story: each bus was refused for the other axis, with two texts that sent the operator to and fro.
     for (const char* const bus : {"serial:/dev/ttyUSB0", "socketcan:can0", "fdcanusb:/dev/ttyACM0"}) {
         EXPECT_EQ(onBus(AxisDriver::Gs232, AxisDriver::Moteus, bus), only("elevation.driver"));

@@ -43,6 +43,20 @@ TEST(SimpleRotator, ArrivesWhereAClientSendsItAndReadsWholeDegrees)
     EXPECT_EQ(daemon.terminate(), 0);
 }
 
+// REQ-ROTCTLDMOUNT-51: `--simulate=rotctld` is the station on the dummy rotator of Hamlib.
+TEST(SimulatedRotctld, ArrivesWhereAClientSendsIt)
+{
+    BoresightdProcess daemon({QStringLiteral("--simulate=rotctld")});
+    ASSERT_TRUE(daemon.listens()) << daemon.complaints();
+    const auto client = daemon.connect();
+    ASSERT_TRUE(fakes::waitUntil([&] { return client->ask("P 30.4 12.3\n") == "RPRT 0\n"; })) << daemon.complaints();
+    EXPECT_TRUE(fakes::waitUntil([&] {
+        const auto [azimuth, elevation] = position(*client);
+        return std::abs(azimuth - 30.4) < 0.06 && std::abs(elevation - 12.3) < 0.06;
+    }));
+    EXPECT_EQ(daemon.terminate(), 0);
+}
+
 TEST(SimpleRotator, AnotherKindIsRefused)
 {
     BoresightdProcess daemon({QStringLiteral("--simulate=nonsense")});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/gs232_mount/box_line.h"
-#include "core/gs232_mount/gs232_box.h"
+#include "core/rotator_box/box_line.h"
+#include "core/rotator_box/simulated_box.h"
 
 #include <memory>
 
@@ -14,7 +14,7 @@ class SimulatedBoxLine final : public BoxLine
     Q_OBJECT
 
 public:
-    explicit SimulatedBoxLine(std::shared_ptr<gs232::Gs232Box> box) : m_box(std::move(box)) {}
+    explicit SimulatedBoxLine(std::shared_ptr<SimulatedBox> box) : m_box(std::move(box)) {}
 
     [[nodiscard]] QString name() const override { return QStringLiteral("simulated"); }
     void open() override { show(State::Up); }
@@ -23,7 +23,7 @@ public:
     void tick(SteadyTime now) override;
 
 private:
-    std::shared_ptr<gs232::Gs232Box> m_box;
+    std::shared_ptr<SimulatedBox> m_box;
     SteadyTime m_now{};
 };
 

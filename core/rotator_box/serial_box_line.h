@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/gs232_mount/box_line.h"
+#include "core/rotator_box/box_line.h"
 #include "core/serial/stable_port.h"
 
 #include <QSerialPort>

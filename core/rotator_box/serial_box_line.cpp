@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/gs232_mount/serial_box_line.h"
+#include "core/rotator_box/serial_box_line.h"
 
 #include "core/base/text.h"
 #include "core/serial/port_claim.h"

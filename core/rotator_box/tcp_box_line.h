@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/gs232_mount/box_line.h"
+#include "core/base/bus_name.h"
+#include "core/rotator_box/box_line.h"
 
 #include <QTcpSocket>
 #include <QTimer>
@@ -16,7 +17,8 @@ class TcpBoxLine final : public BoxLine
 public:
     static constexpr std::chrono::seconds kConnectTime{5};
 
-    TcpBoxLine(const QString& host, quint16 port, QObject* parent = nullptr);
+    // `bus` as the profile names it, with a host and a port.
+    explicit TcpBoxLine(BusName bus, QObject* parent = nullptr);
     ~TcpBoxLine() override;
 
     [[nodiscard]] QString name() const override;
@@ -29,9 +31,9 @@ private:
     void begin();
     void lose();
     void giveUp();
+    [[nodiscard]] QString lost(const QString& reason) const;
 
-    QString m_host;
-    quint16 m_port;
+    BusName m_bus;
     QTcpSocket m_socket{this};
     QTimer m_patience{this};  // of a host that does not answer
 };

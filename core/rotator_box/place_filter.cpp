@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/gs232_mount/place_filter.h"
+#include "core/rotator_box/place_filter.h"
 
 #include <algorithm>
 
-namespace boresight::gs232 {
+namespace boresight {
 namespace {
 
 bool canBe(Angle from, Angle to, Seconds time)
@@ -42,4 +42,4 @@ void PlaceFilter::believe(Angle angle, SteadyTime now)
     m_doubted.reset();
 }
 
-}  // namespace boresight::gs232
+}  // namespace boresight

@@ -9,7 +9,7 @@
 // Whether one axis of a rotator obeys. The box does not report the end of a motion, so its positions are compared.
 // An axis that stands away from where it was sent is sent there once more, then it is stuck. An axis that goes on after
 // a stop is stopped again each second, then it runs on. Pure.
-namespace boresight::gs232 {
+namespace boresight {
 
 class ObedienceWatch
 {
@@ -57,4 +57,4 @@ private:
     SteadyTime m_lastStop{};
 };
 
-}  // namespace boresight::gs232
+}  // namespace boresight

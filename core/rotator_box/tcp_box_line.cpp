@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/gs232_mount/tcp_box_line.h"
+#include "core/rotator_box/tcp_box_line.h"
 
-#include "core/base/bus_name.h"
 #include "core/base/text.h"
 
 #include <QNetworkProxy>
@@ -10,9 +9,11 @@
 #include <netinet/tcp.h>
 #include <sys/socket.h>
 
+#include <utility>
+
 namespace boresight {
 
-TcpBoxLine::TcpBoxLine(const QString& host, quint16 port, QObject* parent) : BoxLine(parent), m_host(host), m_port(port)
+TcpBoxLine::TcpBoxLine(BusName bus, QObject* parent) : BoxLine(parent), m_bus(std::move(bus))
 {
     m_socket.setProxy(QNetworkProxy::NoProxy);  // to ask the desktop for one blocks
     m_socket.setReadBufferSize(kBytesAtOnce);
@@ -30,7 +31,15 @@ TcpBoxLine::~TcpBoxLine()
 
 QString TcpBoxLine::name() const
 {
-    return toQString(toString(BusName{.kind = BusKind::Tcp, .target = m_host.toStdString(), .port = m_port}));
+    return toQString(toString(m_bus));
+}
+
+QString TcpBoxLine::lost(const QString& reason) const
+{
+    const QString text = m_bus.kind == BusKind::Rotctld
+                             ? Text::tr("%1: %2. Check that rotctld runs there, its address, its port and the network")
+                             : Text::tr("%1: %2. Check its power, its address and its network");
+    return text.arg(name(), reason);
 }
 
 void TcpBoxLine::open()
@@ -38,7 +47,7 @@ void TcpBoxLine::open()
     if (state() != State::Up && !m_patience.isActive()) {
         m_socket.abort();  // what was not written must not keep it closing
         m_patience.start(kConnectTime);
-        m_socket.connectToHost(m_host, m_port);
+        m_socket.connectToHost(QString::fromStdString(m_bus.target), m_bus.port);
     }
 }
 
@@ -85,13 +94,13 @@ void TcpBoxLine::lose()
     m_patience.stop();
     const bool closed = m_socket.error() == QAbstractSocket::RemoteHostClosedError;
     const QString reason = closed ? Text::tr("the other end closed the connection") : m_socket.errorString();
-    show(State::Lost, Text::tr("%1: %2. Check its power, its address and its network").arg(name(), reason));
+    show(State::Lost, lost(reason));
 }
 
 void TcpBoxLine::giveUp()
 {
     m_socket.abort();
-    show(State::Lost, Text::tr("%1: no answer. Check its power, its address and its network").arg(name()));
+    show(State::Lost, lost(Text::tr("no answer")));
 }
 
 }  // namespace boresight

@@ -9,7 +9,7 @@
 // What of the reported angles of one axis is believed. An answer that lost a digit on the line is a wrong number, so an
 // angle that cannot have been reached since the last one counts only when the next one agrees with it: then the
 // rotator has jumped. Pure.
-namespace boresight::gs232 {
+namespace boresight {
 
 class PlaceFilter
 {
@@ -42,4 +42,4 @@ private:
     SteadyTime m_taken{};
 };
 
-}  // namespace boresight::gs232
+}  // namespace boresight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/gs232_mount/box_line.h"
+#include "core/rotator_box/box_line.h"
 
 namespace boresight {
 

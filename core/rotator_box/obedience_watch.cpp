@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/gs232_mount/obedience_watch.h"
+#include "core/rotator_box/obedience_watch.h"
 
-namespace boresight::gs232 {
+namespace boresight {
 
 void ObedienceWatch::sent(Angle target, SteadyTime now)
 {
@@ -80,4 +80,4 @@ ObedienceWatch::Verdict ObedienceWatch::judgeStop(SteadyTime now)
     return Verdict::Obeys;
 }
 
-}  // namespace boresight::gs232
+}  // namespace boresight

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mount/mount_kind.h"
+
+// The GS-232 rotators, as the wiring lists them.
+namespace boresight::gs232 {
+
+// A simulated one stays the same one when the mount is connected again.
+[[nodiscard]] MountKind gs232Rotators();
+
+}  // namespace boresight::gs232

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/rotator_box/box_connection.h"
+
+#include "core/alarms/catalogue.h"
+#include "core/base/text.h"
+
+#include <utility>
+
+namespace boresight {
+namespace {
+
+const QString kSource = QStringLiteral("rotator");
+
+}  // namespace
+
+BoxConnection::BoxConnection(std::unique_ptr<BoxLine> line, std::unique_ptr<BoxMount> mount, bool simulated,
+                             const Clock& clock, EventLog& log, AlarmBoard& alarms)
+    : m_clock(clock),
+      m_log(log),
+      m_alarms(alarms),
+      m_simulated(simulated),
+      m_mount(std::move(mount)),
+      m_line(std::move(line))
+{
+    m_line->setParent(this);  // so that it moves to the station thread with us
+    connect(m_line.get(), &BoxLine::received, this, [this](const QByteArray& bytes) {
+        m_mount->take({bytes.constData(), static_cast<std::size_t>(bytes.size())}, m_clock.now());
+    });
+    connect(m_line.get(), &BoxLine::stateChanged, this, &BoxConnection::showLine);
+}
+
+BoxConnection::~BoxConnection()
+{
+    m_line->setParent(nullptr);
+    m_line->disconnect(this);
+}
+
+void BoxConnection::open()
+{
+    if (!m_closed) {
+        m_line->open();
+    }
+}
+
+// The last order goes out first: there is no watchdog that would stop the rotator.
+void BoxConnection::close()
+{
+    send();
+    m_closed = true;
+    m_line->close();
+}
+
+void BoxConnection::showLine()
+{
+    if (m_line->state() == BoxLine::State::Up) {
+        m_mount->lineOpened();
+        m_alarms.clear(alarmEntry("rotator.line-down"));
+        return;
+    }
+    m_mount->lineClosed();
+    m_proof = RotatorTalk::Proof::Unknown;
+    if (!m_closed && m_line->state() == BoxLine::State::Lost) {
+        m_alarms.raise(alarmEntry("rotator.line-down"), {m_line->problem()});
+    }
+}
+
+void BoxConnection::send()
+{
+    m_line->tick(m_clock.now());
+    if (const std::string bytes = m_mount->send(); !bytes.empty()) {
+        m_line->write(QByteArray::fromStdString(bytes));
+    }
+    watchProof();
+    if (m_mount->wantsAnotherLine() && m_line->state() == BoxLine::State::Up) {
+        m_line->close();  // and open() comes again within a second
+    }
+}
+
+void BoxConnection::watchProof()
+{
+    const RotatorTalk::Proof proof = m_mount->talk().proof();
+    if (m_line->state() != BoxLine::State::Up || std::exchange(m_proof, proof) == proof) {
+        return;
+    }
+    if (proof == RotatorTalk::Proof::Box) {
+        m_log.add(Severity::Advisory, kSource, Text::tr("%1 answers as a %2").arg(m_line->name(), m_mount->kind()));
+    } else if (proof == RotatorTalk::Proof::Foreign) {
+        m_closed = true;
+        const QString strange = toQString(m_mount->talk().strange());
+        m_line->close();
+        m_alarms.clear(alarmEntry("rotator.no-answer"));
+        m_alarms.raise(alarmEntry("rotator.foreign"), {m_line->name(), m_mount->kindInWords(), strange});
+    }
+}
+
+void BoxConnection::describe(StationStatus& status) const
+{
+    const RotatorTalk& talk = m_mount->talk();
+    status.line = {.state = m_line->state(),
+                   .kind = m_mount->kind(),
+                   .name = m_line->name(),
+                   .problem = m_line->problem(),
+                   .sent = talk.counts().sent,
+                   .received = talk.counts().received,
+                   .dropped = talk.counts().unknown};
+}
+
+}  // namespace boresight
+
+#include "moc_box_connection.cpp"

@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/rotator_box/box_mount.h"
+
+#include "core/alarms/catalogue.h"
+#include "core/base/text.h"
+#include "core/units/degrees_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace boresight {
+namespace {
+
+// The target is this far ahead of the set-point. The rotator then runs on until the next target, half a second later.
+constexpr Seconds kAhead{0.6};
+// Of a rotator that is slower than its profile says: it must not run far when the line fails.
+constexpr Angle kFarthest = 12_deg;
+// Until an alarm reports that nothing answers.
+constexpr std::chrono::seconds kPatience{3};
+
+Angle inSteps(Angle angle, Angle step)
+{
+    return step > Angle{} ? step * std::round(angle / step) : angle;
+}
+
+// The nearest place that the rotator can be sent to. From inside the travel it is inside.
+Angle onStep(const TravelRange& travel, Angle angle, Angle step)
+{
+    const TravelRange steps = stepsIn(travel, step);
+    const bool isInside = angle >= travel.min && angle <= travel.max;
+    return isInside ? std::clamp(inSteps(angle, step), steps.min, steps.max) : inSteps(angle, step);
+}
+
+std::optional<AxisCapabilities> capabilitiesOf(const AxisSet& axes, Axis axis, const AxisCapabilities& each)
+{
+    return std::ranges::find(axes, axis) != axes.end() ? std::optional(each) : std::nullopt;
+}
+
+}  // namespace
+
+TravelRange stepsIn(const TravelRange& travel, Angle step)
+{
+    constexpr double kRounding = 1e-6;  // steps
+    return {.min = step * std::ceil(travel.min / step - kRounding),
+            .max = step * std::floor(travel.max / step + kRounding)};
+}
+
+QString tableOf(Axis axis)
+{
+    return axis == Axis::Azimuth ? QStringLiteral("azimuth") : QStringLiteral("elevation");
+}
+
+// A new profile has the sign and the offset of another mount.
+Result<> countsAsTheRotator(const profile::Profile& profile, Axis axis)
+{
+    const pointing::AxisGeometry& geometry = profile.axis(axis).geometry;
+    const pointing::AxisGeometry usual = profile::Profile().axis(axis).geometry;
+    const bool plain = geometry.sign == 1 && geometry.offset == Angle{};
+    if (plain || (geometry.sign == usual.sign && geometry.offset == usual.offset)) {
+        return {};
+    }
+    return failure(ErrorCode::Refused,
+                   Text::tr("This rotator counts its angles itself: %1.sign and %1.offset_deg have no "
+                            "effect on it. Set them to 1 and 0, and calibrate the count at its box.")
+                       .arg(tableOf(axis)));
+}
+
+BoxMount::BoxMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes,
+                   const AxisCapabilities& each)
+    : m_profile(profile),
+      m_alarms(alarms),
+      m_capabilities{.axes = {capabilitiesOf(axes, Axis::Azimuth, each), capabilitiesOf(axes, Axis::Elevation, each)}},
+      m_each(each),
+      m_names{QStringLiteral("azimuth drive"), QStringLiteral("elevation drive")}
+{}
+
+bool BoxMount::answers() const
+{
+    return m_lineOpen && m_heard && m_now - *m_heard <= m_each.silence;
+}
+
+QString BoxMount::label(Axis axis) const
+{
+    return Text::of(name(axis).toStdString());
+}
+
+// Such a rotator does not report who it is.
+std::optional<QString> BoxMount::identity(Axis /*axis*/) const
+{
+    return m_heard ? std::optional(QString()) : std::nullopt;
+}
+
+bool BoxMount::placed() const
+{
+    return std::ranges::all_of(kAxes,
+                               [this](Axis axis) { return !m_capabilities.has(axis) || of(axis).filter.place(); });
+}
+
+bool BoxMount::moves() const
+{
+    return std::ranges::any_of(kAxes,
+                               [this](Axis axis) { return m_capabilities.has(axis) && of(axis).watch.moves(m_now); });
+}
+
+AxisReport BoxMount::report(Axis axis) const
+{
+    if (!m_capabilities.has(axis)) {
+        return reportOfMissingAxis(m_state.follows, m_now);
+    }
+    const AxisOfBox& mine = of(axis);
+    const AxisHand idle = mine.watch.moves(m_now) ? AxisHand::Unordered : AxisHand::HoldsItself;
+    AxisReport report{.hand = m_state.follows ? AxisHand::Follows : idle,
+                      .answers = answers(),
+                      .seen = answers(),
+                      .latched = m_state.lost,
+                      .changesHands = m_state.wanted && !m_state.follows,
+                      .underOrders = m_state.follows || m_state.wanted,
+                      .wrapKnown = mine.filter.place().has_value()};
+    report.heard = m_heard;
+    if (mine.filter.place()) {
+        report.place = mine.filter.place();
+        report.placed = mine.filter.placed();
+    }
+    return report;
+}
+
+void BoxMount::lineOpened()
+{
+    m_lineOpen = true;
+    if (!wantsAnotherLine()) {  // else the patience goes on
+        m_opened.reset();
+    }
+    talk().restart();
+    for (AxisOfBox& axis : m_axes) {
+        axis.filter.forget();
+        axis.watch.release();
+    }
+}
+
+void BoxMount::observe(SteadyTime now)
+{
+    m_now = now;
+    if (m_lineOpen && !m_opened) {
+        m_opened = now;
+    }
+    if (const auto places = talk().takePlaces()) {
+        takePlaces(*places);
+    }
+}
+
+void BoxMount::takePlaces(const RotatorTalk::Places& places)
+{
+    m_heard = m_now;
+    if (std::exchange(m_state.silent, false)) {
+        stop();  // it may still be on its way to where it was sent before the silence
+    }
+    for (const Axis axis : kAxes) {
+        const std::optional<Angle>& angle = axis == Axis::Azimuth ? places.azimuth : places.elevation;
+        if (!angle) {
+            continue;
+        }
+        AxisOfBox& mine = of(axis);
+        if (const auto jump = mine.filter.take(*angle, m_now); jump && m_capabilities.has(axis)) {
+            mine.jump = jump;
+        }
+        if (mine.filter.place() && mine.filter.placed() == m_now) {
+            mine.watch.place(inSteps(*mine.filter.place(), grain()), m_now);
+        }
+    }
+    if (placed()) {
+        m_opened = m_now;
+        if (!m_state.lost) {
+            m_alarms.clear(alarmEntry("rotator.no-answer"));  // or of a silence, which is the reason until Re-arm
+        }
+    }
+}
+
+MountFindings BoxMount::supervise(const MountSituation& /*known*/)
+{
+    MountFindings found;
+    if (const bool broke = std::exchange(m_broke, false); m_heard && !m_state.silent && (broke || !answers())) {
+        beginSilence(found);
+    }
+    showNoAnswer();
+    for (const Axis axis : kAxes) {
+        if (m_capabilities.has(axis)) {
+            superviseAxis(axis, found);
+        }
+    }
+    if (m_state.wanted && !m_state.follows && answers() && placed()) {
+        begin();
+    }
+    return found;
+}
+
+void BoxMount::beginSilence(MountFindings& found)
+{
+    m_state.silent = true;
+    const bool followed = m_state.follows;
+    if (followed) {
+        stop();  // it may still read what we write
+        letGo();
+    }
+    for (const Axis axis : kAxes) {
+        of(axis).filter.forget();
+        of(axis).watch.release();
+        if (followed && m_capabilities.has(axis)) {
+            m_state.lost = true;
+            found.troubles.push_back({.axis = axis,
+                                      .loss = supervision::LossClass::Bus,
+                                      .what = Text::tr("the %1 fell silent").arg(label(axis))});
+        }
+    }
+    if (followed) {
+        m_alarms.raise(alarmEntry("rotator.silent"));
+    }
+}
+
+// At the start, and after a silence that ended no motion. What comes in place of an answer says what is wrong.
+void BoxMount::showNoAnswer()
+{
+    const bool patient = !m_opened || m_now - *m_opened < kPatience;
+    if (!m_lineOpen || patient || (answers() && placed()) || m_state.lost ||
+        talk().proof() == RotatorTalk::Proof::Foreign) {
+        return;
+    }
+    m_alarms.raise(alarmEntry("rotator.no-answer"), {remedyOfNoAnswer()});
+}
+
+void BoxMount::superviseAxis(Axis axis, MountFindings& found)
+{
+    if (const auto jump = std::exchange(of(axis).jump, std::nullopt)) {
+        lose(found, axis,
+             {alarmEntry("rotator.jumped"), {label(axis), degreesText(jump->from, 0), degreesText(jump->to, 0)}});
+    }
+    if (!answers()) {
+        return;
+    }
+    switch (of(axis).watch.judge(m_now)) {
+        case ObedienceWatch::Verdict::Obeys:
+            break;
+        case ObedienceWatch::Verdict::SendAgain:
+            sendOrdered();
+            break;
+        case ObedienceWatch::Verdict::Stuck:
+            lose(found, axis,
+                 {alarmEntry("rotator.stuck"),
+                  {label(axis), degreesText(*of(axis).filter.place(), 0), degreesText(*of(axis).ordered, 0)}});
+            break;
+        case ObedienceWatch::Verdict::StopAgain:
+            talk().stop();
+            break;
+        case ObedienceWatch::Verdict::RunsOn:
+            lose(found, axis, {alarmEntry("rotator.runs-on"), {label(axis)}});
+            break;
+    }
+}
+
+void BoxMount::lose(MountFindings& found, Axis axis, const AlarmCase& alarm)
+{
+    stop();
+    letGo();
+    m_state.lost = true;
+    m_alarms.raise(alarm.entry.of(axis), alarm.arguments);
+    found.troubles.push_back({.axis = axis, .loss = supervision::LossClass::Motion, .what = whatOf(alarm)});
+}
+
+void BoxMount::loseAll(MountFindings& found, const AlarmCase& alarm)
+{
+    stop();
+    letGo();
+    m_state.lost = true;
+    m_alarms.raise(alarm.entry, alarm.arguments);
+    for (const Axis axis : kAxes) {
+        if (m_capabilities.has(axis)) {
+            found.troubles.push_back({.axis = axis, .loss = supervision::LossClass::Motion, .what = whatOf(alarm)});
+        }
+    }
+}
+
+void BoxMount::begin()
+{
+    m_state.follows = true;
+    for (const Axis axis : kAxes) {
+        AxisOfBox& mine = of(axis);
+        mine.begins = true;
+        mine.watch.release();
+        mine.ordered =
+            m_capabilities.has(axis) ? std::optional(inSteps(*mine.filter.place(), m_each.step)) : std::nullopt;
+    }
+}
+
+std::optional<Angle> BoxMount::takeFollowing(Axis axis)
+{
+    return std::exchange(of(axis).begins, false) ? report(axis).place : std::nullopt;
+}
+
+void BoxMount::stop()
+{
+    talk().stop();
+    for (const Axis axis : kAxes) {
+        if (m_capabilities.has(axis)) {
+            of(axis).watch.stopped(m_now);
+        }
+    }
+}
+
+void BoxMount::letGo()
+{
+    m_state.follows = m_state.wanted = false;
+    for (AxisOfBox& axis : m_axes) {
+        axis.begins = false;
+    }
+}
+
+void BoxMount::brakeHard(bool hard)
+{
+    const bool was = std::exchange(m_state.hard, hard);
+    if (hard && !was) {
+        stop();
+    }
+    if (was && !hard) {
+        m_state.follows = false;  // the set-points braked farther than the box: it is taken over again where it stands
+    }
+}
+
+// It moves although it does not follow: what was ordered before goes on, or somebody stands at the box.
+void BoxMount::seize()
+{
+    const auto isStopping = [this](Axis axis) { return of(axis).watch.stopping(); };
+    if ((!m_state.follows || m_state.hard) && answers() && moves() && std::ranges::none_of(kAxes, isStopping)) {
+        stop();
+    }
+}
+
+void BoxMount::rearmed()
+{
+    m_alarms.clear(alarmEntry("rotator.silent"));
+    m_alarms.clear(alarmEntry("rotator.refused"));
+    for (const Axis axis : kAxes) {
+        m_alarms.clear(alarmEntry("rotator.stuck").of(axis));
+    }
+}
+
+void BoxMount::leave(profile::OnExit /*how*/)
+{
+    if (m_state.follows || moves()) {
+        stop();
+        letGo();
+    }
+}
+
+// Not farther than the axis needs to stop from there: it is permitted up to that point.
+Angle BoxMount::aimOf(Axis axis) const
+{
+    const tracking::Setpoint& setpoint = of(axis).setpoint;
+    const double rate = setpoint.rate.degrees();
+    const double stopping = rate * rate / (2.0 * m_profile->axis(axis).limits.acceleration.degrees());
+    const double ahead = std::min(std::abs(rate) * kAhead.count(), stopping);
+    const Angle aim = setpoint.position + Angle::fromDegrees(std::copysign(ahead, rate));
+    const auto& place = of(axis).filter.place();
+    return onStep(m_profile->axis(axis).geometry.travel,
+                  place ? std::clamp(aim, *place - kFarthest, *place + kFarthest) : aim, m_each.step);
+}
+
+void BoxMount::order()
+{
+    bool changed = false;
+    for (const Axis axis : kAxes) {
+        AxisOfBox& mine = of(axis);
+        if (const Angle aim = aimOf(axis); m_capabilities.has(axis) && aim != mine.ordered) {
+            mine.ordered = aim;
+            changed = true;
+        }
+    }
+    if (changed && !m_state.hard) {
+        sendOrdered();
+    }
+}
+
+void BoxMount::sendOrdered()
+{
+    const auto target = [this](Axis axis) {
+        const AxisOfBox& mine = of(axis);
+        return mine.ordered ? mine.ordered : mine.filter.place();
+    };
+    if (!goTo({.azimuth = target(Axis::Azimuth), .elevation = target(Axis::Elevation)})) {
+        return;
+    }
+    for (const Axis axis : kAxes) {
+        if (of(axis).ordered) {
+            of(axis).watch.sent(*of(axis).ordered, m_now);
+        }
+    }
+}
+
+std::string BoxMount::send()
+{
+    if (m_state.follows) {
+        order();
+    }
+    return m_lineOpen ? talk().send(m_now) : std::string();
+}
+
+}  // namespace boresight

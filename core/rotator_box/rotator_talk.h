@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/units/sky.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+// The conversation with a rotator that answers lines of text: what is sent when, and which bytes are an answer. Each
+// protocol has its own. Nothing but questions is sent before the other end has proved to be such a rotator. No I/O:
+// time and bytes are passed in.
+namespace boresight {
+
+class RotatorTalk
+{
+public:
+    enum class Proof
+    {
+        Unknown,  // it has not answered yet
+        Box,
+        Foreign  // another kind of device: nothing more is sent
+    };
+    struct Places
+    {
+        std::optional<Angle> azimuth;  // as the rotator counts: 370° is not 10°
+        std::optional<Angle> elevation;
+    };
+    struct Counts
+    {
+        std::uint64_t sent = 0;
+        std::uint64_t received = 0;  // answers
+        std::uint64_t unknown = 0;   // lines that mean nothing
+    };
+
+    virtual ~RotatorTalk() = default;
+
+    // Another line, another device perhaps: it has to prove itself again.
+    virtual void restart() = 0;
+    virtual void take(std::string_view bytes, SteadyTime now) = 0;
+    // The newest that came since the last time. It has what was asked for.
+    [[nodiscard]] virtual std::optional<Places> takePlaces() = 0;
+    // It waits for nothing but the proof.
+    virtual void stop() = 0;
+    // What is to be sent now. Once per tick.
+    [[nodiscard]] virtual std::string send(SteadyTime now) = 0;
+
+    [[nodiscard]] virtual Proof proof() const = 0;
+    [[nodiscard]] virtual const Counts& counts() const = 0;
+    // What came in place of an answer, as printable text.
+    [[nodiscard]] virtual const std::string& strange() const = 0;
+
+protected:
+    RotatorTalk() = default;
+    RotatorTalk(const RotatorTalk&) = default;
+    RotatorTalk& operator=(const RotatorTalk&) = default;
+};
+
+}  // namespace boresight

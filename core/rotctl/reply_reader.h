@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/rotctl/rotctl_command.h"
+#include "core/units/sky.h"
+
+#include <optional>
+#include <string_view>
+
+// Reads the answer of a rotctld, line by line. An answer is one wholly or not at all: half a line is no number, and a
+// line that does not belong to the answer makes it strange. Pure.
+namespace boresight::rotctl {
+
+enum class Question
+{
+    State,
+    Position,
+    Order,  // to go somewhere
+    Stop
+};
+
+// Which axes the rotator has, as rotctld says.
+enum class RotatorType
+{
+    Unknown,
+    AzEl,
+    Az,
+    El
+};
+
+struct RotatorState
+{
+    int model = 0;  // of Hamlib's list
+    TravelRange azimuth;
+    TravelRange elevation;
+    RotatorType type = RotatorType::Unknown;
+
+    bool operator==(const RotatorState&) const = default;
+};
+
+struct Reply
+{
+    int code = 0;  // negative: an error of Hamlib, and nothing else is in the answer
+    std::optional<RotatorState> state;
+    std::optional<AxisPosition> position;
+
+    bool operator==(const Reply&) const = default;
+};
+
+// "RPRT -5": the last line of an answer in the extended form, and all of a refusal.
+[[nodiscard]] bool isReport(std::string_view line);
+
+class ReplyReader
+{
+public:
+    enum class Progress
+    {
+        More,
+        Whole,
+        Strange  // no answer to this question: nothing more is read
+    };
+
+    ReplyReader(Question question, Form form) : m_question(question), m_form(form) {}
+
+    // A line without its end, not empty.
+    [[nodiscard]] Progress take(std::string_view line);
+    // Of a whole answer.
+    [[nodiscard]] const Reply& reply() const { return m_reply; }
+
+private:
+    static constexpr int kMostLines = 60;  // of an answer
+
+    [[nodiscard]] Progress takeExtended(std::string_view line);
+    [[nodiscard]] Progress takePlain(std::string_view line);
+    [[nodiscard]] Progress takePlainState(std::string_view line);
+    [[nodiscard]] Progress takeNumber(std::string_view line, int wanted);
+    [[nodiscard]] bool takeValue(std::string_view line);
+    [[nodiscard]] Progress end(int code);
+
+    struct Numbers
+    {
+        std::optional<Angle> minAzimuth;
+        std::optional<Angle> maxAzimuth;
+        std::optional<Angle> minElevation;
+        std::optional<Angle> maxElevation;
+        std::optional<Angle> azimuth;
+        std::optional<Angle> elevation;
+        int version = 0;
+        int model = 0;
+        RotatorType type = RotatorType::Unknown;
+    };
+
+    Question m_question;
+    Form m_form;
+    Numbers m_numbers;
+    Reply m_reply;
+    int m_lines = 0;
+};
+
+}  // namespace boresight::rotctl

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/rotator_box/box_mount.h"
+#include "core/rotctld_mount/rotctld_talk.h"
+
+// The rotator of a rotctld behind the port of the mount: whatever Hamlib drives. It knows the limits of the rotator and
+// not how fast or how exact it is. Station thread only.
+namespace boresight::rotctl {
+
+class RotctldMount final : public BoxMount
+{
+public:
+    static constexpr std::chrono::milliseconds kSilence{1800};
+    static constexpr int kMostRefusals = 3;  // of one target
+
+    // They outlive this. `axes` are those that the rotator turns for this mount.
+    RotctldMount(const profile::InForce& profile, AlarmBoard& alarms, const AxisSet& axes);
+
+    [[nodiscard]] RotctldTalk& talk() override { return m_talk; }
+    [[nodiscard]] const RotctldTalk& talk() const override { return m_talk; }
+    [[nodiscard]] QString kind() const override { return QStringLiteral("rotctld"); }
+    [[nodiscard]] QString kindInWords() const override;
+    [[nodiscard]] bool wantsAnotherLine() const override { return m_talk.wantsAnotherLine(); }
+    [[nodiscard]] const Result<>& fitness() const override { return m_fitness; }
+    void observe(SteadyTime now) override;
+    [[nodiscard]] MountFindings supervise(const MountSituation& known) override;
+
+private:
+    bool goTo(const RotatorTalk::Places& target) override;
+    [[nodiscard]] QString remedyOfNoAnswer() const override;
+    [[nodiscard]] Angle grain() const override { return Angle::fromDegrees(0.5); }
+    [[nodiscard]] Result<> fits() const;
+    [[nodiscard]] std::optional<AxisPosition> standing() const;
+    [[nodiscard]] AxisPosition permitted(const AxisPosition& place) const;
+
+    RotctldTalk m_talk;
+    std::optional<RotatorState> m_checked;  // the limits that the fitness is about
+    Result<> m_fitness;
+};
+
+}  // namespace boresight::rotctl
