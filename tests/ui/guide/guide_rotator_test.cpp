@@ -24,6 +24,9 @@ class GuideRotatorTest : public GuideTest
 protected:
     GuideRotatorTest()
     {
+        profile::Profile real = *status.profile;
+        real.bus = "socketcan:can0";
+        putInForce(real);
         open<GuideConnect>(GuideStep::Connect);
         Q_EMIT window.host().adaptersFound(adaptersOf({ftdi}, {{QStringLiteral("can0"), true}}));
     }
@@ -88,7 +91,7 @@ TEST_F(GuideRotatorTest, AGs232RotatorIsConnectedByItsPortOrItsHost)
     EXPECT_EQ(lastApplied().bus, "serial:/dev/ttyUSB0");
     EXPECT_EQ(lastApplied().baud, 4800);
     EXPECT_EQ(lastApplied().azimuth.driver, profile::AxisDriver::Gs232);
-    accept();
+    goThroughWithReconnect();
     line.setEditText(QStringLiteral("10.0.0.7:4001"));
     requests.clear();
     click("Connect");
