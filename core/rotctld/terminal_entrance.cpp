@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/program_lock.h"
 #include "core/base/text.h"
 #include "core/rotctld/entrance.h"
 
-#include <QLockFile>
 #include <QLoggingCategory>
 
 #include <fcntl.h>
@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 namespace boresight::rotctld {
 namespace {
@@ -35,11 +36,7 @@ QString systemReason()
 class TerminalEntrance final : public Entrance
 {
 public:
-    explicit TerminalEntrance(const std::string& path)
-        : m_path(path), m_lock(QString::fromStdString(path) + QStringLiteral(".lock"))
-    {
-        m_lock.setStaleLockTime(0);  // a lock ends with the program that holds it
-    }
+    explicit TerminalEntrance(std::string path) : m_path(std::move(path)) {}
     TerminalEntrance(const TerminalEntrance&) = delete;
     TerminalEntrance& operator=(const TerminalEntrance&) = delete;
     ~TerminalEntrance() override;
@@ -57,7 +54,7 @@ private:
     [[nodiscard]] bool prepare() const;
 
     std::string m_path;
-    QLockFile m_lock;
+    ProgramLock m_lock;
     Descriptor m_master;
     std::string m_terminal;  // "/dev/pts/7"
     bool m_taken = false;
@@ -72,12 +69,14 @@ TerminalEntrance::~TerminalEntrance()
 
 Result<> TerminalEntrance::open()
 {
-    if (!m_lock.tryLock(0)) {
-        const bool held = m_lock.error() == QLockFile::LockFailedError;
-        return cannotServe(m_path, held ? ErrorCode::Busy : ErrorCode::Denied,
-                           held ? Text::tr("another program serves it already")
+    Result<ProgramLock> lock = ProgramLock::take(QString::fromStdString(m_path) + QStringLiteral(".lock"));
+    if (!lock) {
+        const bool held = lock.error().code == ErrorCode::Busy;
+        return cannotServe(m_path, lock.error().code,
+                           held ? Text::tr("%1 serves it already").arg(lock.error().text)
                                 : Text::tr("its folder is missing or cannot be written"));
     }
+    m_lock = std::move(*lock);
     struct stat found
     {};
     if (::lstat(m_path.c_str(), &found) == 0 && !S_ISLNK(found.st_mode)) {

@@ -9391,10 +9391,6 @@ até %1</translation>
         <translation>não é possível servir o pseudoterminal %1: %2</translation>
     </message>
     <message>
-        <source>another program serves it already</source>
-        <translation>outro programa já o serve</translation>
-    </message>
-    <message>
         <source>its folder is missing or cannot be written</source>
         <translation>a sua pasta não existe ou não se pode escrever nela</translation>
     </message>
@@ -9409,6 +9405,10 @@ até %1</translation>
     <message>
         <source>At %1 Boresight itself listens for programs (rotctld.listen). Start the rotctld of the rotator on another port, for example rotctld -t 4534.</source>
         <translation>Em %1 é o próprio Boresight que escuta programas (rotctld.listen). Inicie o rotctld do rotor noutra porta, por exemplo rotctld -t 4534.</translation>
+    </message>
+    <message>
+        <source>%1 serves it already</source>
+        <translation>%1 já o serve</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -169,6 +170,14 @@ TEST_F(Terminal, AFileOfSomebodyElseIsLeftAlone)
     const auto nowhere = serve()->listen();
     ASSERT_FALSE(nowhere);
     EXPECT_TRUE(nowhere.error().text.contains(QStringLiteral("folder")));
+}
+
+// Anybody may make one in /tmp, and whoever opens it to read waits for a writer.
+TEST_F(Terminal, APipeInPlaceOfTheLockHoldsUpNobody)
+{
+    ASSERT_EQ(::mkfifo((path + ".lock").c_str(), 0666), 0);
+    const auto server = serve();
+    EXPECT_TRUE(server->listen());
 }
 
 TEST_F(Terminal, ALinkThatWasLeftBehindIsReplacedAndItsOwnIsRemoved)

@@ -4,6 +4,7 @@
 #include "core/rotator_box/tcp_box_line.h"
 #include "core/rotctld_mount/rotctld_mount.h"
 #include "tests/core/rotctld_mount/rotctld_bench.h"
+#include "tests/fakes/free_port.h"
 #include "tests/fakes/program.h"
 #include "tests/fakes/wait_until.h"
 
@@ -20,12 +21,6 @@ namespace boresight::rotctl {
 namespace {
 
 using fakes::waitUntil;
-
-quint16 freePort()
-{
-    QTcpServer server;
-    return server.listen(QHostAddress::LocalHost) ? server.serverPort() : quint16{0};
-}
 
 // A control above a real connection. The clock is turned by hand, a tick for each look of the test.
 struct Rig
@@ -124,7 +119,7 @@ protected:
         if (path.isEmpty()) {
             GTEST_SKIP() << name << " is not installed (Debian package libhamlib-utils)";
         }
-        port = freePort();
+        port = fakes::freePort();
         ASSERT_NE(port, 0);
         server = std::make_unique<fakes::Program>(
             path, QStringList{QStringLiteral("-m"), QStringLiteral("1"), QStringLiteral("-T"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Gpredict's bytes -> boresightd -> rotctld of Hamlib -> its dummy rotator: programs from end to end.
 #include "core/profile/profile.h"
+#include "tests/fakes/free_port.h"
 #include "tests/fakes/program.h"
 #include "tests/fakes/real_mount.h"
 #include "tests/fakes/wait_until.h"
@@ -27,12 +28,6 @@ struct Place
     double elevation = -999.0;
 };
 
-quint16 freePort()
-{
-    QTcpServer server;
-    return server.listen(QHostAddress::LocalHost) ? server.serverPort() : quint16{0};
-}
-
 profile::Profile hamlibMount()
 {
     profile::Profile profile;
@@ -54,7 +49,7 @@ protected:
         if (path.isEmpty()) {
             GTEST_SKIP() << "rotctld is not installed (Debian package libhamlib-utils)";
         }
-        const quint16 port = freePort();
+        const quint16 port = fakes::freePort();
         rotctld = std::make_unique<fakes::Program>(
             path, QStringList{QStringLiteral("-m"), QStringLiteral("1"), QStringLiteral("-T"),
                               QStringLiteral("127.0.0.1"), QStringLiteral("-t"), QString::number(port)});

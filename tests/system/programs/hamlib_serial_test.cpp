@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/fakes/free_port.h"
 #include "tests/fakes/wait_until.h"
 #include "tests/system/programs/boresightd_process.h"
 
@@ -24,17 +25,11 @@ struct Outcome
     QString said;
 };
 
-struct Place
+struct AzEl
 {
     double azimuth;
     double elevation;
 };
-
-quint16 freePort()
-{
-    QTcpServer server;
-    return server.listen(QHostAddress::LocalHost) ? server.serverPort() : quint16{0};
-}
 
 class HamlibSerial : public ::testing::Test
 {
@@ -79,21 +74,21 @@ protected:
         EXPECT_FALSE(outcome.said.contains(QStringLiteral("error"))) << outcome.said.toStdString();
     }
     // Where the mount is, by our own protocol.
-    [[nodiscard]] Place position() const
+    [[nodiscard]] AzEl position() const
     {
         const QStringList lines = QString::fromStdString(client->ask("p\n", 2)).split(QLatin1Char('\n'));
         return {.azimuth = lines.value(0).toDouble(), .elevation = lines.value(1).toDouble()};
     }
-    [[nodiscard]] bool comesTo(Place place) const
+    [[nodiscard]] bool comesTo(AzEl place) const
     {
         return fakes::waitUntil([&] {
-            const Place now = position();
+            const AzEl now = position();
             return std::abs(std::remainder(now.azimuth - place.azimuth, 360.0)) < 0.1 &&
                    std::abs(now.elevation - place.elevation) < 0.1;
         });
     }
     // Where it is, as Hamlib's driver reads it.
-    static void expectRead(const QString& model, const QString& where, Place place)
+    static void expectRead(const QString& model, const QString& where, AzEl place)
     {
         const Outcome outcome = rotctl(model, where, QStringLiteral("p"));
         const QStringList lines = outcome.said.split(QLatin1Char('\n'));
@@ -106,14 +101,14 @@ protected:
     void drive(const QString& model, const QString& where) const
     {
         SCOPED_TRACE(model.toStdString() + " " + where.toStdString());
-        for (const Place place : {Place{20.0, 15.0}, Place{35.0, 22.0}}) {
+        for (const AzEl place : {AzEl{20.0, 15.0}, AzEl{35.0, 22.0}}) {
             expectAccepted(model, where, QStringLiteral("P %1 %2").arg(place.azimuth).arg(place.elevation));
             EXPECT_TRUE(comesTo(place));
             expectRead(model, where, place);
         }
         expectAccepted(model, where, QStringLiteral("P 180 60"));
         expectAccepted(model, where, QStringLiteral("S"));
-        const Place stopped = position();
+        const AzEl stopped = position();
         EXPECT_GT(std::abs(std::remainder(stopped.azimuth - 180.0, 360.0)), 20.0) << "S ended the way";
     }
 
@@ -121,7 +116,7 @@ protected:
     QString a = folder.filePath(QStringLiteral("a"));
     QString b = folder.filePath(QStringLiteral("b"));
     QString reading = folder.filePath(QStringLiteral("reading"));
-    QString tcp = QStringLiteral("127.0.0.1:%1").arg(freePort());
+    QString tcp = QStringLiteral("127.0.0.1:%1").arg(fakes::freePort());
     std::unique_ptr<BoresightdProcess> boresightd;
     std::unique_ptr<fakes::TcpPeer> client;
 };
@@ -145,7 +140,7 @@ TEST_F(HamlibSerial, Gs232BIsDriven)
 
 TEST_F(HamlibSerial, Gs232TurnsUntilItsClientLeaves)
 {
-    const Place before = position();
+    const AzEl before = position();
     expectAccepted(QStringLiteral("603"), b, QStringLiteral("M 16 100 p"));
     EXPECT_TRUE(fakes::waitUntil([&] {
         const double first = position().azimuth;
@@ -155,7 +150,7 @@ TEST_F(HamlibSerial, Gs232TurnsUntilItsClientLeaves)
 
 TEST_F(HamlibSerial, Gs232ThatOnlyReadsIsRefused)
 {
-    const Place before = position();
+    const AzEl before = position();
     expectRead(QStringLiteral("603"), reading, {std::round(before.azimuth), std::round(before.elevation)});
     // The driver does not read the answer to a motion.
     static_cast<void>(rotctl(QStringLiteral("603"), reading, QStringLiteral("P 90 45")));
