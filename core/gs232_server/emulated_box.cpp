@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/gs232_server/emulated_box.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace boresight::gs232 {
@@ -35,29 +36,55 @@ void EmulatedBox::carryOut(Ask question, rotctld::LineOutcome& outcome)
                          .map([&](const std::string& answer) { outcome.reply = answer; });
 }
 
-// The station points both axes. Without a word about the elevation it stays where it is measured.
+// The station points both axes.
 void EmulatedBox::carryOut(const PointTo& place, rotctld::LineOutcome& outcome)
 {
     outcome.motion = true;
-    const Result<Angle> elevation =
-        place.elevation ? Result<Angle>(*place.elevation)
-                        : m_rotator.position(m_client).map([](const SkyPointing& now) { return now.elevation; });
+    if (place.elevation) {
+        m_kept.reset();
+    }
+    const Result<Angle> elevation = place.elevation ? Result<Angle>(*place.elevation) : keptElevation();
     outcome.result = elevation
                          .and_then([&](Angle wanted) {
-                             outcome.point = SkyPointing{.azimuth = place.azimuth, .elevation = wanted};
-                             return m_rotator.pointTo(m_client, {.azimuth = place.azimuth, .elevation = wanted});
+                             const Angle azimuth = asLimited(place.azimuth);
+                             outcome.point = SkyPointing{.azimuth = azimuth, .elevation = wanted};
+                             return m_rotator.pointTo(m_client, {.azimuth = azimuth, .elevation = wanted});
                          })
                          .map([&](const QString& became) { outcome.became = became; });
 }
 
+// Where it is measured at the first M. A mount that stands a little beside its target would creep with each further
+// one.
+Result<Angle> EmulatedBox::keptElevation()
+{
+    constexpr Angle kBeside = Angle::fromDegrees(1.5);
+    return m_rotator.position(m_client).map([&](const SkyPointing& now) {
+        const rotctld::Limits limits = m_rotator.limits();
+        if (!m_kept || abs(*m_kept - now.elevation) > kBeside) {
+            m_kept = std::max(limits.minElevation, std::min(now.elevation, limits.maxElevation));
+        }
+        return *m_kept;
+    });
+}
+
+// A program counts 0…450°, the mount perhaps -180…180°.
+Angle EmulatedBox::asLimited(Angle azimuth) const
+{
+    const rotctld::Limits limits = m_rotator.limits();
+    const Angle other = azimuth - 360_deg;
+    return azimuth > limits.maxAzimuth && other >= limits.minAzimuth ? other : azimuth;
+}
+
 void EmulatedBox::carryOut(const Turn& turn, rotctld::LineOutcome& outcome)
 {
+    m_kept.reset();
     outcome.motion = true;
     outcome.result = m_rotator.move(m_client, turn.direction, kSpeedOfTheLevel);
 }
 
 void EmulatedBox::carryOut(const StopTurning&, rotctld::LineOutcome& outcome)
 {
+    m_kept.reset();
     outcome.result = m_rotator.stop(m_client);
 }
 

@@ -22,10 +22,13 @@ private:
     void carryOut(const Turn& turn, rotctld::LineOutcome& outcome);
     void carryOut(const StopTurning& stop, rotctld::LineOutcome& outcome);
     void carryOut(const Speed& speed, rotctld::LineOutcome& outcome);
+    [[nodiscard]] Result<Angle> keptElevation();
+    [[nodiscard]] Angle asLimited(Angle azimuth) const;
 
     rotctld::Client m_client;
     rotctld::Rotator& m_rotator;
     Dialect m_dialect;
+    std::optional<Angle> m_kept;  // elevation of the last M, while nothing else was said
 };
 
 // How a server starts a conversation with each of its clients. Both outlive it.

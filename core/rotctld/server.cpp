@@ -77,8 +77,7 @@ Server::Server(ServerSettings settings, StartConversation start, Rotator& rotato
       m_clock(clock),
       m_admission(m_settings.allow),
       m_nextTurn(this),
-      m_housekeeping(this),
-      m_nextId(m_settings.firstId)
+      m_housekeeping(this)
 {
     m_nextTurn.setSingleShot(true);
     m_nextTurn.setInterval(0ms);
@@ -180,7 +179,7 @@ void Server::acceptWaiting()
             }
             return;
         }
-        const Client client{.id = m_nextId++,
+        const Client client{.id = ++*m_settings.newestClient,
                             .address = accepted->address,
                             .protocol = m_settings.protocol,
                             .readsOnly = m_settings.readsOnly};

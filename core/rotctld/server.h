@@ -37,7 +37,8 @@ struct ServerSettings
     std::string protocol = "rotctld";        // its clients speak it
     const char* allowKey = "rotctld.allow";  // where the operator wrote `allow`
     bool readsOnly = false;                  // its clients may not move the mount
-    std::uint64_t firstId = 1;               // of its clients; each server has numbers of its own
+    // The number of the newest client. Servers of one rotator share it: who connected later has the higher number.
+    std::shared_ptr<std::uint64_t> newestClient = std::make_shared<std::uint64_t>(0);
 };
 
 struct ClientInfo
@@ -68,6 +69,7 @@ public:
     [[nodiscard]] std::string address() const;  // "127.0.0.1:4533"; of a pseudo-terminal the path of its link
     [[nodiscard]] std::uint16_t port() const;
     [[nodiscard]] std::vector<ClientInfo> clients() const;
+    [[nodiscard]] const std::shared_ptr<std::uint64_t>& newestClient() const { return m_settings.newestClient; }
 
     // Who may connect from now on, by address; who is connected and may not is hung up on.
     void setAllowed(const std::vector<std::string>& entries);
@@ -112,7 +114,6 @@ private:
     QTimer m_housekeeping;
     Connections m_connections;
     std::deque<std::uint64_t> m_backlog;
-    std::uint64_t m_nextId;
     bool m_shortageTold = false;
     std::string m_reply;
 };

@@ -33,6 +33,14 @@ QString systemReason()
     return toQString(std::strerror(errno));
 }
 
+// Of a link; empty: it is none.
+std::string targetOf(const std::string& path)
+{
+    std::array<char, 128> target{};
+    const ssize_t length = ::readlink(path.c_str(), target.data(), target.size());
+    return {target.data(), length > 0 ? static_cast<std::size_t>(length) : 0U};
+}
+
 class TerminalEntrance final : public Entrance
 {
 public:
@@ -49,14 +57,14 @@ public:
 
 private:
     [[nodiscard]] Result<> make();
-    [[nodiscard]] Result<> link() const;
+    [[nodiscard]] Result<> link(const char* terminal) const;
     [[nodiscard]] bool linksHere() const;
-    [[nodiscard]] bool prepare() const;
+    [[nodiscard]] static bool prepare(const char* terminal);
 
     std::string m_path;
     ProgramLock m_lock;
     Descriptor m_master;
-    std::string m_terminal;  // "/dev/pts/7"
+    std::string m_terminal;  // "/dev/pts/7"; empty: there is none now
     bool m_taken = false;
 };
 
@@ -77,36 +85,40 @@ Result<> TerminalEntrance::open()
                                 : Text::tr("its folder is missing or cannot be written"));
     }
     m_lock = std::move(*lock);
-    struct stat found
-    {};
-    if (::lstat(m_path.c_str(), &found) == 0 && !S_ISLNK(found.st_mode)) {
-        return cannotServe(m_path, ErrorCode::Busy, Text::tr("there is a file of this name, which is no link"));
-    }
     return make();
 }
 
+// All of it, or there is no terminal.
 Result<> TerminalEntrance::make()
 {
     Descriptor master(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
     std::array<char, 128> name{};
-    if (!master.valid() || ::grantpt(master.get()) != 0 || ::unlockpt(master.get()) != 0 ||
-        ::ptsname_r(master.get(), name.data(), name.size()) != 0) {
-        return cannotServe(m_path, ErrorCode::Io, systemReason());
+    const bool opened = master.valid() && ::grantpt(master.get()) == 0 && ::unlockpt(master.get()) == 0 &&
+                        ::ptsname_r(master.get(), name.data(), name.size()) == 0 && prepare(name.data());
+    const Result<> made = opened ? link(name.data()) : Result<>(cannotServe(m_path, ErrorCode::Io, systemReason()));
+    if (!made && linksHere()) {
+        ::unlink(m_path.c_str());  // to a terminal that is gone; its name may be that of another one soon
     }
-    m_master = std::move(master);
-    m_terminal = name.data();
-    if (!prepare()) {
-        return cannotServe(m_path, ErrorCode::Io, systemReason());
-    }
-    return link();
+    m_master = made ? std::move(master) : Descriptor();
+    m_terminal = made ? name.data() : "";
+    return made;
 }
 
-// Other programs find the terminal by this name, also while it is made anew: the link is replaced in one step.
-Result<> TerminalEntrance::link() const
+// Other programs find the terminal by this name, also while it is made anew: the link is replaced in one step. What is
+// no link to a terminal stays as it is.
+Result<> TerminalEntrance::link(const char* terminal) const
 {
     const std::string fresh = m_path + ".new";
+    for (const std::string& path : {m_path, fresh}) {
+        struct stat found
+        {};
+        if (::lstat(path.c_str(), &found) == 0 && !targetOf(path).starts_with("/dev/pts/")) {
+            return cannotServe(m_path, ErrorCode::Busy,
+                               Text::tr("%1 exists and is no link to a terminal").arg(toQString(path)));
+        }
+    }
     ::unlink(fresh.c_str());
-    if (::symlink(m_terminal.c_str(), fresh.c_str()) != 0 || ::rename(fresh.c_str(), m_path.c_str()) != 0) {
+    if (::symlink(terminal, fresh.c_str()) != 0 || ::rename(fresh.c_str(), m_path.c_str()) != 0) {
         const auto failed = cannotServe(m_path, ErrorCode::Io, systemReason());
         ::unlink(fresh.c_str());
         return failed;
@@ -116,26 +128,29 @@ Result<> TerminalEntrance::link() const
 
 bool TerminalEntrance::linksHere() const
 {
-    std::array<char, 128> target{};
-    const ssize_t length = ::readlink(m_path.c_str(), target.data(), target.size());
-    return length > 0 && m_terminal == std::string_view(target.data(), static_cast<std::size_t>(length));
+    return !m_terminal.empty() && targetOf(m_path) == m_terminal;
 }
 
 // Bytes pass as they are, no echo, and nothing is left of the last client. Opened and closed once, the terminal shows
 // whether a client has it open.
-bool TerminalEntrance::prepare() const
+bool TerminalEntrance::prepare(const char* terminal)
 {
-    const Descriptor line(::open(m_terminal.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+    constexpr mode_t kOfTheUser = 0600;
+    const Descriptor line(::open(terminal, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
     termios settings{};
     if (!line.valid() || ::tcgetattr(line.get(), &settings) != 0) {
         return false;
     }
     ::cfmakeraw(&settings);
-    return ::tcsetattr(line.get(), TCSANOW, &settings) == 0 && ::tcflush(line.get(), TCIFLUSH) == 0;
+    return ::fchmod(line.get(), kOfTheUser) == 0 && ::tcsetattr(line.get(), TCSANOW, &settings) == 0 &&
+           ::tcflush(line.get(), TCIFLUSH) == 0;
 }
 
 tl::expected<Accepted, AcceptFailure> TerminalEntrance::accept()
 {
+    if (!m_master.valid() && !make()) {
+        return tl::unexpected(AcceptFailure::NoneWaiting);
+    }
     pollfd state{.fd = m_master.get(), .events = POLLIN, .revents = 0};
     if (m_taken || ::poll(&state, 1, 0) < 0) {
         return tl::unexpected(AcceptFailure::NoneWaiting);
@@ -154,7 +169,7 @@ tl::expected<Accepted, AcceptFailure> TerminalEntrance::accept()
 void TerminalEntrance::left(bool byItself)
 {
     m_taken = false;
-    if (byItself && prepare()) {
+    if (byItself && prepare(m_terminal.c_str())) {
         return;
     }
     if (const Result<> made = make(); !made) {

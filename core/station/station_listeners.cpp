@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace boresight {
 namespace {
@@ -15,10 +16,8 @@ namespace {
 using listeners::Listener;
 using listeners::Protocol;
 
-// Each server numbers its clients: rotctld's from 1 on, those of the first listener above this, and so on.
-constexpr std::uint64_t kClientsOfOne = 1ULL << 32U;
-
-rotctld::ServerSettings serverSettings(const Listener& listener, std::size_t index, std::size_t maxClients)
+rotctld::ServerSettings serverSettings(const Listener& listener, const std::shared_ptr<std::uint64_t>& newestClient,
+                                       std::size_t maxClients)
 {
     return {.host = listener.host,
             .port = listener.port,
@@ -28,7 +27,7 @@ rotctld::ServerSettings serverSettings(const Listener& listener, std::size_t ind
             .protocol = std::string(listeners::nameOf(listener.protocol)),
             .allowKey = "listeners.list",
             .readsOnly = listener.rights == listeners::Rights::Read,
-            .firstId = (index + 1) * kClientsOfOne};
+            .newestClient = newestClient};
 }
 
 // The line to add for a protocol of another kind.
@@ -46,21 +45,28 @@ rotctld::StartConversation talkOf(Protocol protocol, rotctld::Rotator& rotator, 
 }  // namespace
 
 StationListeners::StationListeners(AlarmBoard& alarms, const profile::InForce& profile, EventLog& log,
-                                   rotctld::Rotator& rotator, const Clock& clock, QObject* parent)
-    : m_alarms(alarms), m_profile(profile), m_log(log), m_rotator(rotator), m_clock(clock), m_parent(parent)
+                                   rotctld::Rotator& rotator, const Clock& clock,
+                                   std::shared_ptr<std::uint64_t> newestClient, QObject* parent)
+    : m_alarms(alarms),
+      m_profile(profile),
+      m_log(log),
+      m_rotator(rotator),
+      m_clock(clock),
+      m_newestClient(std::move(newestClient)),
+      m_parent(parent)
 {}
 
 void StationListeners::open()
 {
     QStringList failed;
     QStringList exposed;
-    for (std::size_t i = 0; i < m_profile->listeners.size(); ++i) {
-        const auto listener = listeners::parseListener(m_profile->listeners[i]);
+    for (const std::string& line : m_profile->listeners) {
+        const auto listener = listeners::parseListener(line);
         if (!listener) {
             continue;  // the profile with it was refused
         }
         auto server = std::make_unique<rotctld::Server>(
-            serverSettings(*listener, i, static_cast<std::size_t>(m_profile->rotctld.maxClients)),
+            serverSettings(*listener, m_newestClient, static_cast<std::size_t>(m_profile->rotctld.maxClients)),
             talkOf(listener->protocol, m_rotator, m_clock), m_rotator, m_clock, m_parent);
         if (const Result<> listening = server->listen(); !listening) {
             failed << listening.error().text;

@@ -19,7 +19,7 @@ class StationListeners
 public:
     // All of them outlive this.
     StationListeners(AlarmBoard& alarms, const profile::InForce& profile, EventLog& log, rotctld::Rotator& rotator,
-                     const Clock& clock, QObject* parent);
+                     const Clock& clock, std::shared_ptr<std::uint64_t> newestClient, QObject* parent);
 
     // Those that cannot be opened are named by one alarm.
     void open();
@@ -36,6 +36,7 @@ private:
     EventLog& m_log;
     rotctld::Rotator& m_rotator;
     const Clock& m_clock;
+    std::shared_ptr<std::uint64_t> m_newestClient;
     QObject* m_parent;
     std::vector<std::unique_ptr<rotctld::Server>> m_servers;
 };

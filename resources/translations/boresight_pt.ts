@@ -9395,10 +9395,6 @@ até %1</translation>
         <translation>a sua pasta não existe ou não se pode escrever nela</translation>
     </message>
     <message>
-        <source>there is a file of this name, which is no link</source>
-        <translation>há um ficheiro com este nome, que não é uma ligação</translation>
-    </message>
-    <message>
         <source>%1 listens on %2</source>
         <translation>%1 escuta em %2</translation>
     </message>
@@ -9409,6 +9405,10 @@ até %1</translation>
     <message>
         <source>%1 serves it already</source>
         <translation>%1 já o serve</translation>
+    </message>
+    <message>
+        <source>%1 exists and is no link to a terminal</source>
+        <translation>%1 existe e não é uma ligação a um terminal</translation>
     </message>
 </context>
 <context>

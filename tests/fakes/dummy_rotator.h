@@ -27,7 +27,7 @@ public:
         if (fault) {
             return tl::unexpected(*fault);
         }
-        return SkyPointing{.azimuth = m_azimuth.at(m_clock.now()), .elevation = m_elevation.at(m_clock.now())};
+        return SkyPointing{.azimuth = m_azimuth.at(m_clock.now()), .elevation = m_elevation.at(m_clock.now()) - sag};
     }
     [[nodiscard]] rotctld::MotionFlags motion() const override
     {
@@ -92,6 +92,7 @@ public:
     }
 
     std::optional<Error> fault;
+    Angle sag{};     // by which it stands below its target
     QString became;  // an accepted target, in words
     std::optional<rotctld::PointRequest> lastRequest;
     int lastSpeed = 0;

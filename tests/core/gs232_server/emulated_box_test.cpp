@@ -68,6 +68,23 @@ TEST_F(EmulatedBoxOnALine, TheAzimuthAloneLeavesTheElevation)
     EXPECT_EQ(place(), "AZ=090  EL=030\r\n");
 }
 
+// Story: each M pointed to the measured elevation, so a mount that sags went down a little with each.
+TEST_F(EmulatedBoxOnALine, ManyAzimuthsDoNotLowerTheElevation)
+{
+    static_cast<void>(say("W060 030\r"));
+    clock.advance(20s);
+    rotator.sag = 0.4_deg;
+    for (const char* const azimuth : {"M070\r", "M080\r", "M090\r", "M100\r"}) {
+        EXPECT_EQ(say(azimuth), "\r");
+        clock.advance(10s);
+    }
+    EXPECT_NEAR(rotator.lastRequest->elevation.degrees(), 29.6, 1e-9);
+    static_cast<void>(say("W100 000\r"));
+    clock.advance(20s);
+    EXPECT_EQ(say("M110\r"), "\r") << "noise below the limit is no elevation to go to";
+    EXPECT_EQ(rotator.lastRequest->elevation, 0_deg);
+}
+
 TEST_F(EmulatedBoxOnALine, EachStopStops)
 {
     for (const char* const stop : {"S\r", "A\r", "E\r", "s\r"}) {
@@ -180,18 +197,18 @@ TEST(Gs232Port, ServesAsTheRotctldPortDoes)
 {
     fakes::ManualClock clock;
     fakes::DummyRotator rotator{clock};
-    rotctld::Server server({.port = 0, .protocol = "GS-232A", .firstId = 5000}, talkGs232(rotator, clock, Dialect::A),
-                           rotator, clock);
+    rotctld::Server server({.port = 0, .protocol = "GS-232A", .newestClient = std::make_shared<std::uint64_t>(5000)},
+                           talkGs232(rotator, clock, Dialect::A), rotator, clock);
     ASSERT_TRUE(server.listen());
     const auto turn = [] { QCoreApplication::processEvents(QEventLoop::AllEvents); };
     fakes::TcpPeer peer("127.0.0.1", server.port(), turn);
     EXPECT_EQ(peer.ask("C2\r"), "+0000+0000\r\n");
     ASSERT_EQ(server.clients().size(), 1U);
-    EXPECT_EQ(server.clients().front().id, 5000U);
+    EXPECT_EQ(server.clients().front().id, 5001U);
     EXPECT_EQ(server.clients().front().program, "GS-232A");
     static_cast<void>(peer.send("R\rC2\r"));
     EXPECT_EQ(peer.receiveLines(1), "\r+0000+0000\r\n");
-    EXPECT_EQ(rotator.mover, 5000U);
+    EXPECT_EQ(rotator.mover, 5001U);
     peer.reset();
     while (rotator.gone.empty()) {
         turn();

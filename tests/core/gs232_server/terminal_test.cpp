@@ -172,6 +172,13 @@ TEST_F(Terminal, AFileOfSomebodyElseIsLeftAlone)
     EXPECT_TRUE(nowhere.error().text.contains(QStringLiteral("folder")));
 }
 
+TEST_F(Terminal, ALinkToSomethingElseIsLeftAlone)
+{
+    ASSERT_TRUE(QFile::link(folder.path(), QString::fromStdString(path)));
+    EXPECT_FALSE(serve()->listen());
+    EXPECT_EQ(QFileInfo(QString::fromStdString(path)).symLinkTarget(), folder.path());
+}
+
 // Anybody may make one in /tmp, and whoever opens it to read waits for a writer.
 TEST_F(Terminal, APipeInPlaceOfTheLockHoldsUpNobody)
 {
