@@ -11002,7 +11002,7 @@ velocidade %1</translation>
     </message>
     <message>
         <source>REGISTER MAP</source>
-        <translation>REGISTOS</translation>
+        <translation>MAPA REGISTROS</translation>
     </message>
     <message>
         <source>%1 of the %2 drive</source>
@@ -12051,11 +12051,11 @@ trocar os motores</translation>
     </message>
     <message>
         <source>Latitude (north +)</source>
-        <translation>Latitude (N +)</translation>
+        <translation>Latitude (norte +)</translation>
     </message>
     <message>
         <source>Longitude (east +)</source>
-        <translation>Longitude (E +)</translation>
+        <translation>Longitude (leste +)</translation>
     </message>
     <message>
         <source>Locator</source>
@@ -12193,8 +12193,8 @@ trocar os motores</translation>
         <translation>Para o fim superior de %1 enquanto premido</translation>
     </message>
     <message>
-        <source>Here</source>
-        <translation>Aqui</translation>
+        <source>Set here</source>
+        <translation>Marcar</translation>
     </message>
     <message>
         <source>Set the %1 end of %2 here</source>

@@ -30,9 +30,6 @@ public:
 
     void showStatus(const StationStatus& status);
 
-protected:
-    void resizeEvent(QResizeEvent* event) override;
-
 private:
     void build();
     void connectButtons();

@@ -15,7 +15,6 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QGridLayout>
-#include <QLabel>
 #include <QSignalBlocker>
 
 #include <cmath>
@@ -67,9 +66,7 @@ void TermsBox::build()
     for (const calibration::Term term : calibration::kAllTerms) {
         addField(term);
         const int place = static_cast<int>(calibration::indexOf(term));
-        QLabel* const caption = makeCaption(termName(keyOf(term)), *field(term).box);
-        caption->setWordWrap(true);  // beside the field there is room for two lines, not for a long name
-        grid->addWidget(caption, place % kRows, 2 * (place / kRows));
+        grid->addWidget(makeCaption(termName(keyOf(term)), *field(term).box), place % kRows, 2 * (place / kRows));
         grid->addWidget(field(term).box, place % kRows, 2 * (place / kRows) + 1);
     }
     grid->addLayout(makeButtons(), kRows, 0, 1, 4);
