@@ -79,13 +79,35 @@ protected:
         const QStringList lines = QString::fromStdString(client->ask("p\n", 2)).split(QLatin1Char('\n'));
         return {.azimuth = lines.value(0).toDouble(), .elevation = lines.value(1).toDouble()};
     }
-    [[nodiscard]] bool comesTo(AzEl place) const
+    [[nodiscard]] bool isAt(AzEl place) const
     {
-        return fakes::waitUntil([&] {
-            const AzEl now = position();
-            return std::abs(std::remainder(now.azimuth - place.azimuth, 360.0)) < 0.1 &&
-                   std::abs(now.elevation - place.elevation) < 0.1;
-        });
+        const AzEl now = position();
+        return std::abs(std::remainder(now.azimuth - place.azimuth, 360.0)) < 0.1 &&
+               std::abs(now.elevation - place.elevation) < 0.1;
+    }
+    // Where a busy machine starves the simulated drives, their watchdog ends the motion. Then it is re-armed.
+    [[nodiscard]] bool wantsReArm()
+    {
+        log += boresightd->complaints();
+        return log.find("Then press Re-arm", armed) != std::string::npos;
+    }
+    void reArm()
+    {
+        armed = log.size();
+        EXPECT_TRUE(fakes::waitUntil([&] { return client->ask("R 1\n") == "RPRT 0\n"; }));
+    }
+    [[nodiscard]] bool points(const QString& model, const QString& where, AzEl place)
+    {
+        constexpr int kPatience = 5;
+        for (int i = 0; i < kPatience; ++i) {
+            expectAccepted(model, where, QStringLiteral("P %1 %2").arg(place.azimuth).arg(place.elevation));
+            static_cast<void>(fakes::waitUntil([&] { return isAt(place) || wantsReArm(); }));
+            if (isAt(place)) {
+                return true;
+            }
+            reArm();
+        }
+        return false;
     }
     // Where it is, as Hamlib's driver reads it.
     static void expectRead(const QString& model, const QString& where, AzEl place)
@@ -98,12 +120,11 @@ protected:
         EXPECT_NEAR(lines.value(1).toDouble(), place.elevation, 1e-6);
     }
     // Points twice, reads, and stops on the way to a third place.
-    void drive(const QString& model, const QString& where) const
+    void drive(const QString& model, const QString& where)
     {
         SCOPED_TRACE(model.toStdString() + " " + where.toStdString());
         for (const AzEl place : {AzEl{20.0, 15.0}, AzEl{35.0, 22.0}}) {
-            expectAccepted(model, where, QStringLiteral("P %1 %2").arg(place.azimuth).arg(place.elevation));
-            EXPECT_TRUE(comesTo(place));
+            EXPECT_TRUE(points(model, where, place)) << log;
             expectRead(model, where, place);
         }
         expectAccepted(model, where, QStringLiteral("P 180 60"));
@@ -119,6 +140,8 @@ protected:
     QString tcp = QStringLiteral("127.0.0.1:%1").arg(fakes::freePort());
     std::unique_ptr<BoresightdProcess> boresightd;
     std::unique_ptr<fakes::TcpPeer> client;
+    std::string log;
+    std::size_t armed = 0;  // what of the log is older than the last re-arm
 };
 
 // REQ-GS232SERVER-06 (HamlibSerial.Gs232*): Hamlib's own drivers 601, 602, 603 and 606 point, read and stop the mount
@@ -128,8 +151,7 @@ TEST_F(HamlibSerial, Gs232AIsDriven)
     drive(QStringLiteral("601"), a);
     drive(QStringLiteral("602"), a);
     drive(QStringLiteral("606"), a);
-    expectAccepted(QStringLiteral("604"), a, QStringLiteral("P 10 12"));
-    EXPECT_TRUE(comesTo({10.0, 12.0}));
+    EXPECT_TRUE(points(QStringLiteral("604"), a, {10.0, 12.0})) << log;
 }
 
 TEST_F(HamlibSerial, Gs232BIsDriven)
@@ -156,7 +178,7 @@ TEST_F(HamlibSerial, Gs232ThatOnlyReadsIsRefused)
     static_cast<void>(rotctl(QStringLiteral("603"), reading, QStringLiteral("P 90 45")));
     static_cast<void>(rotctl(QStringLiteral("603"), reading, QStringLiteral("M 2 100")));
     expectRead(QStringLiteral("603"), reading, {std::round(before.azimuth), std::round(before.elevation)});
-    EXPECT_TRUE(comesTo(before));
+    EXPECT_TRUE(fakes::waitUntil([&] { return isAt(before); }));
 }
 
 }  // namespace
