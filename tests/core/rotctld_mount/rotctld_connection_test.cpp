@@ -4,8 +4,8 @@
 #include "core/rotator_box/tcp_box_line.h"
 #include "core/rotctld_mount/rotctld_mount.h"
 #include "tests/core/rotctld_mount/rotctld_bench.h"
-#include "tests/fakes/free_port.h"
 #include "tests/fakes/program.h"
+#include "tests/fakes/unused_port.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QStandardPaths>
@@ -119,7 +119,7 @@ protected:
         if (path.isEmpty()) {
             GTEST_SKIP() << name << " is not installed (Debian package libhamlib-utils)";
         }
-        port = fakes::freePort();
+        port = fakes::unusedPort();
         ASSERT_NE(port, 0);
         server = std::make_unique<fakes::Program>(
             path, QStringList{QStringLiteral("-m"), QStringLiteral("1"), QStringLiteral("-T"),

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Gpredict's bytes -> boresightd -> rotctld of Hamlib -> its dummy rotator: programs from end to end.
 #include "core/profile/profile.h"
-#include "tests/fakes/free_port.h"
 #include "tests/fakes/program.h"
 #include "tests/fakes/real_mount.h"
+#include "tests/fakes/unused_port.h"
 #include "tests/fakes/wait_until.h"
 #include "tests/system/programs/boresightd_process.h"
 
@@ -49,7 +49,7 @@ protected:
         if (path.isEmpty()) {
             GTEST_SKIP() << "rotctld is not installed (Debian package libhamlib-utils)";
         }
-        const quint16 port = fakes::freePort();
+        const quint16 port = fakes::unusedPort();
         rotctld = std::make_unique<fakes::Program>(
             path, QStringList{QStringLiteral("-m"), QStringLiteral("1"), QStringLiteral("-T"),
                               QStringLiteral("127.0.0.1"), QStringLiteral("-t"), QString::number(port)});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/fakes/free_port.h"
+#include "tests/fakes/unused_port.h"
 #include "tests/fakes/wait_until.h"
 #include "tests/system/programs/boresightd_process.h"
 
@@ -137,7 +137,7 @@ protected:
     QString a = folder.filePath(QStringLiteral("a"));
     QString b = folder.filePath(QStringLiteral("b"));
     QString reading = folder.filePath(QStringLiteral("reading"));
-    QString tcp = QStringLiteral("127.0.0.1:%1").arg(fakes::freePort());
+    QString tcp = QStringLiteral("127.0.0.1:%1").arg(fakes::unusedPort());
     std::unique_ptr<BoresightdProcess> boresightd;
     std::unique_ptr<fakes::TcpPeer> client;
     std::string log;

@@ -7,7 +7,7 @@
 // A port of this computer that nobody has now.
 namespace boresight::fakes {
 
-[[nodiscard]] inline quint16 freePort()
+[[nodiscard]] inline quint16 unusedPort()
 {
     QTcpServer server;
     return server.listen(QHostAddress::LocalHost) ? server.serverPort() : quint16{0};
