@@ -241,7 +241,7 @@ Result<> ClientLead::setReadOnly(std::uint64_t clientId, bool readOnly)
     if (found == m_clients.end()) {
         return failure(ErrorCode::NotAvailable, Text::tr("this client has disconnected"));
     }
-    if (const Result<> may = mayMove(found->second); !readOnly && !may) {
+    if (Result<> may = mayMove(found->second); !readOnly && !may) {
         return may;
     }
     found->second.readOnly = readOnly;
