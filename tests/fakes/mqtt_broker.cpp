@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/fakes/mqtt_broker.h"
 
+#include "tests/fakes/unused_port.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QDir>
 #include <QFile>
 #include <QStandardPaths>
-#include <QTcpServer>
 
 #include <gtest/gtest.h>
 
@@ -49,13 +49,6 @@ void run(const QString& program, const QStringList& arguments)
     EXPECT_EQ(running.waitForEnd(), 0) << running.errors().toStdString();
 }
 
-std::uint16_t freePort()
-{
-    QTcpServer server;
-    EXPECT_TRUE(server.listen(QHostAddress::LocalHost));
-    return server.serverPort();
-}
-
 }  // namespace
 
 bool MqttBroker::isInstalled()
@@ -71,7 +64,7 @@ bool MqttBroker::canBeGuarded()
     return !guard().isEmpty();
 }
 
-MqttBroker::MqttBroker(Door door) : m_door(door), m_port(freePort())
+MqttBroker::MqttBroker(Door door) : m_door(door), m_port(unusedPort())
 {
     if (m_door == Door::Tls || m_door == Door::TlsOther) {
         makeCertificates();
@@ -163,7 +156,7 @@ bool MqttBroker::start()
             return true;
         }
         if (first) {
-            m_port = freePort();
+            m_port = unusedPort();
             configure();
         }
     }

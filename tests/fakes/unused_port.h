@@ -3,14 +3,21 @@
 
 #include <QHostAddress>
 #include <QTcpServer>
+#include <QUdpSocket>
 
-// A port of this computer that nobody has now.
+// A port of this computer that nobody has now. 0: there is none.
 namespace boresight::fakes {
 
 [[nodiscard]] inline quint16 unusedPort()
 {
     QTcpServer server;
     return server.listen(QHostAddress::LocalHost) ? server.serverPort() : quint16{0};
+}
+
+[[nodiscard]] inline quint16 unusedUdpPort()
+{
+    QUdpSocket udp;
+    return udp.bind(QHostAddress::LocalHost, 0) ? udp.localPort() : quint16{0};
 }
 
 }  // namespace boresight::fakes

@@ -6,6 +6,7 @@
 #include "core/station/station.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/text_of.h"
+#include "tests/fakes/unused_port.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QDir>
@@ -305,13 +306,6 @@ profile::Profile withReceiver(std::uint16_t port)
     return profile;
 }
 
-std::uint16_t freePort()
-{
-    QUdpSocket udp;
-    EXPECT_TRUE(udp.bind(QHostAddress::LocalHost, 0));
-    return udp.localPort();
-}
-
 class Receiver
 {
 public:
@@ -374,7 +368,7 @@ void scanTheSun(CalibratedStation& rig)
 // REQ-NORTH-38d
 TEST(StationCalibration, ACrossScanHearsTheReceiverAndFindsTheSun)
 {
-    const std::uint16_t port = freePort();
+    const std::uint16_t port = fakes::unusedUdpPort();
     CalibratedStation rig(withReceiver(port));
     Receiver receiver(rig, port,
                       {.azimuthOffset = 37.4_deg, .elevationOffset = 0.8_deg, .tiltNorth = 0.5_deg, .tiltEast = {}});
@@ -403,7 +397,7 @@ TEST(StationCalibration, ACrossScanHearsTheReceiverAndFindsTheSun)
 // REQ-NORTH-38d
 TEST(StationCalibration, ASilentReceiverEndsTheScanWithTheReason)
 {
-    const std::uint16_t port = freePort();
+    const std::uint16_t port = fakes::unusedUdpPort();
     CalibratedStation rig(withReceiver(port));
     Receiver receiver(rig, port, {});
     scanTheSun(rig);

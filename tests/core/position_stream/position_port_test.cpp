@@ -2,7 +2,7 @@
 // With real sockets.
 #include "core/position_stream/position_port.h"
 
-#include "tests/core/power/free_port.h"
+#include "tests/fakes/unused_port.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QUdpSocket>
@@ -41,7 +41,7 @@ protected:
         });
     }
 
-    std::uint16_t number = power::freePort();
+    std::uint16_t number = fakes::unusedUdpPort();
     QUdpSocket sender;
     std::unique_ptr<PositionPort> port;
     std::vector<Result<PositionText>> all;

@@ -2,7 +2,7 @@
 // Real sockets on loopback; the clock is turned by hand.
 #include "core/power/power_line.h"
 
-#include "tests/core/power/free_port.h"
+#include "tests/fakes/unused_port.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/program.h"
 #include "tests/fakes/wait_until.h"
@@ -72,7 +72,7 @@ LineSettings tcpSettings(std::uint16_t port)
 
 struct UdpEar : Ear
 {
-    UdpEar() : UdpEar(freePort()) {}
+    UdpEar() : UdpEar(fakes::unusedUdpPort()) {}
     explicit UdpEar(std::uint16_t at) : Ear(udpSettings(at)), port(at) {}
     void send(const QByteArray& datagram)
     {
@@ -283,7 +283,7 @@ TEST(PowerLine, AFloodByTcpIsReadInSmallHelpingsAndHeldUp)
 // REQ-POWER-05
 TEST(PowerLine, TcpConnectsAgain)
 {
-    const std::uint16_t port = freePort();
+    const std::uint16_t port = fakes::unusedUdpPort();
     Ear ear(tcpSettings(port));
     ASSERT_TRUE(waitUntil([&] { return !ear.problem().empty(); }));
     EXPECT_NE(std::string::npos, ear.problem().find("No connection to the program of the receiver")) << ear.problem();

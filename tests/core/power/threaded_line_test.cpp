@@ -3,7 +3,7 @@
 
 #include "core/base/file_descriptor.h"
 #include "core/power/line_worker.h"
-#include "tests/core/power/free_port.h"
+#include "tests/fakes/unused_port.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/wait_until.h"
 
@@ -57,7 +57,7 @@ TEST(ThreadedLine, IsServedWhileItsOwnerDoesNotRun)
 TEST(ThreadedLine, TellsItsTroubles)
 {
     const fakes::ManualClock clock;
-    const ThreadedLine line(settingsOf(Transport::Tcp, freePort()), clock);
+    const ThreadedLine line(settingsOf(Transport::Tcp, fakes::unusedPort()), clock);
     EXPECT_TRUE(line.problem().isEmpty());
     ASSERT_TRUE(fakes::waitUntil([&] { return !line.problem().isEmpty(); }));
     EXPECT_TRUE(line.problem().contains(QStringLiteral("No connection to the program of the receiver")));
@@ -66,7 +66,7 @@ TEST(ThreadedLine, TellsItsTroubles)
 // Its owner takes no report meanwhile.
 TEST(ThreadedLine, OfAFloodTheNewestValuesAreReportedInOneReport)
 {
-    const std::uint16_t port = freePort();
+    const std::uint16_t port = fakes::unusedUdpPort();
     const fakes::ManualClock clock;
     LineWorker worker(settingsOf(Transport::Udp, port), clock);
     std::vector<LineReport> reports;
