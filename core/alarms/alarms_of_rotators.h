@@ -51,10 +51,9 @@ inline constexpr std::array kRotatorAlarms{
                .source = "rotator",
                .severity = Severity::Alarm,
                .what = QT_TRANSLATE_NOOP("Text", "The rotator fell silent in motion"),
-               .action = QT_TRANSLATE_NOOP(
-                   "Text",
-                   "Boresight sent a stop. It stops the rotator again as soon as an answer comes. Until then the "
-                   "rotator may run to where it was sent last"),
+               .action = QT_TRANSLATE_NOOP("Text",
+                                           "Boresight sent a stop. Boresight sends another one as soon as an answer "
+                                           "comes. Until then the rotator may run to where it was sent last"),
                .remedy = QT_TRANSLATE_NOOP("Text", "Look at the mount. Check the power of the box and the cable."),
                .thenRearm = true,
                .help = AlarmHelp::Rearm,

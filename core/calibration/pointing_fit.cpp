@@ -140,7 +140,7 @@ private:
             }
             const auto& leftOut = m_fit.points[i].leftOut;
             if (choice.chances[place++] < kUnlikely && leftOut) {
-                say(Text::tr("Point %1 is %2 away from its place by the other points.")
+                say(Text::tr("Point %1 is %2 away from where the other points put it.")
                         .arg(i + 1)
                         .arg(inWords(leftOut->size(), 2)));
             }

@@ -194,7 +194,7 @@ Result<> Arming::rearm(const Source& source)
     if (Result<> may = mayRearm(source); !may) {
         return may;
     }
-    m_log.add(Severity::Advisory, source.name, Text::tr("re-arms, and first stops drives in fault or time-out"));
+    m_log.add(Severity::Advisory, source.name, Text::tr("re-arms. Drives in fault or time-out are stopped first"));
     if (source.kind == SourceKind::Operator) {
         takeAuthority(Taking::ByAct);  // clients still sending must not move the mount at once
     }

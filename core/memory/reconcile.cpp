@@ -205,7 +205,8 @@ private:
             return;
         }
         if (!agrees(*place)) {
-            all.push_back(Text::tr("The nearest place is %1 from the journal. The axis was moved in between")
+            all.push_back(Text::tr("The nearest possible position is %1 from the one in the journal. The axis was "
+                                   "moved while Boresight did not watch it")
                               .arg(inWords(abs(*place - m_evidence.record->angle))));
         } else if (journalIsVague()) {
             all.push_back(Text::tr("The axis may have moved after that. Places %1 apart look the same to the drive, so "

@@ -210,9 +210,9 @@ void addJudgement(std::vector<Setting>& list)
     list.push_back(number(
         "sensor.latency_s", "s", {0.0, 10.0}, kNow,
         {QT_TRANSLATE_NOOP("Text", "Latency"),
-         QT_TRANSLATE_NOOP(
-             "Text",
-             "Age of the sensor's azimuth on arrival. It counts from the middle of the averaging in the firmware.")},
+         QT_TRANSLATE_NOOP("Text",
+                           "Age of the sensor's azimuth when Boresight receives it. The age counts from the middle of "
+                           "the firmware's averaging time.")},
         [](auto& p) -> auto& { return p.sensor.latency; }));
     list.push_back(number(
         "sensor.averaging_s", "s", {0.0, 10.0}, kNow,

@@ -36,9 +36,10 @@ QString TcpBoxLine::name() const
 
 QString TcpBoxLine::lost(const QString& reason) const
 {
-    const QString text = m_bus.kind == BusKind::Rotctld
-                             ? Text::tr("%1: %2. Check that rotctld runs there, its address, its port and the network")
-                             : Text::tr("%1: %2. Check its power, its address and its network");
+    const QString text =
+        m_bus.kind == BusKind::Rotctld
+            ? Text::tr("%1: %2. Check that rotctld runs there. Check its address, its port and the network")
+            : Text::tr("%1: %2. Check its power, its address and its network");
     return text.arg(name(), reason);
 }
 

@@ -575,8 +575,8 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>O Boresight desenrola-o aí 360° e perde %1 da passagem.</translation>
     </message>
     <message>
-        <source>Over the top nothing is lost. Only a client that sends elevations above 90° goes there.</source>
-        <translation>Pelo outro lado do zénite nada se perde. Só vai por aí um cliente que envie elevações acima de 90°.</translation>
+        <source>A way over the top loses nothing. Boresight takes it only for a client that sends elevations above 90°.</source>
+        <translation>Um caminho pelo outro lado do zénite não perde nada. O Boresight só o toma para um cliente que envie elevações acima de 90°.</translation>
     </message>
     <message>
         <source>The azimuth turns less than 360°, so the mount does not follow all of the pass.</source>
@@ -3523,8 +3523,8 @@ até %1</translation>
         <translation>O operador tem o controlo. Só o operador pode rearmar.</translation>
     </message>
     <message>
-        <source>re-arms, and first stops drives in fault or time-out</source>
-        <translation>rearma, e primeiro para os acionamentos em falha ou tempo excedido</translation>
+        <source>re-arms. Drives in fault or time-out are stopped first</source>
+        <translation>rearma. Os acionamentos em falha ou tempo excedido são parados primeiro</translation>
     </message>
     <message>
         <source>re-arms by the recovery policy of the profile, and nothing moves by itself</source>
@@ -4847,8 +4847,8 @@ até %1</translation>
         <translation>Latência</translation>
     </message>
     <message>
-        <source>Age of the sensor&apos;s azimuth on arrival. It counts from the middle of the averaging in the firmware.</source>
-        <translation>Idade do azimute do sensor à chegada. Conta desde o meio da média feita no firmware.</translation>
+        <source>Age of the sensor&apos;s azimuth when Boresight receives it. The age counts from the middle of the firmware&apos;s averaging time.</source>
+        <translation>Idade do azimute do sensor quando o Boresight o recebe. A idade conta desde o meio do tempo de média do firmware.</translation>
     </message>
     <message>
         <source>Averaging time</source>
@@ -5995,8 +5995,8 @@ até %1</translation>
         <translation>os pontos não o pedem</translation>
     </message>
     <message>
-        <source>Point %1 is %2 away from its place by the other points.</source>
-        <translation>o ponto %1 está a %2 de onde os outros pontos dizem que deveria estar</translation>
+        <source>Point %1 is %2 away from where the other points put it.</source>
+        <translation>O ponto %1 está a %2 de onde os outros pontos o colocam.</translation>
     </message>
     <message>
         <source>The points scatter %1 times more than their sigmas.</source>
@@ -6359,8 +6359,8 @@ até %1</translation>
         <translation>O diário diz %1, escrito em repouso há %2</translation>
     </message>
     <message>
-        <source>The nearest place is %1 from the journal. The axis was moved in between</source>
-        <translation>O mais próximo deles fica a %1 do diário: o eixo foi movido entretanto</translation>
+        <source>The nearest possible position is %1 from the one in the journal. The axis was moved while Boresight did not watch it</source>
+        <translation>A posição possível mais próxima fica a %1 da do diário. O eixo foi movido enquanto o Boresight não o vigiava</translation>
     </message>
     <message>
         <source>The axis may have moved after that. Places %1 apart look the same to the drive, so the journal does not show which is right</source>
@@ -8903,8 +8903,8 @@ até %1</translation>
         <translation>O rotor deixou de responder em movimento</translation>
     </message>
     <message>
-        <source>Boresight sent a stop. It stops the rotator again as soon as an answer comes. Until then the rotator may run to where it was sent last</source>
-        <translation>O Boresight enviou uma paragem. Volta a parar o rotor assim que vier uma resposta. Até lá, o rotor pode continuar até ao último destino enviado</translation>
+        <source>Boresight sent a stop. Boresight sends another one as soon as an answer comes. Until then the rotator may run to where it was sent last</source>
+        <translation>O Boresight enviou uma paragem. O Boresight envia outra assim que vier uma resposta. Até lá, o rotor pode continuar até ao último destino enviado</translation>
     </message>
     <message>
         <source>Look at the mount. Check the power of the box and the cable.</source>
@@ -9219,8 +9219,8 @@ até %1</translation>
         <translation>Como o Boresight chega aos acionamentos: &quot;fdcanusb:PATH&quot; ou &quot;socketcan:INTERFACE&quot; para moteus, &quot;serial:PATH&quot; ou &quot;tcp:HOST:PORT&quot; para um rotor GS-232, &quot;rotctld:HOST:PORT&quot; para um rotador do Hamlib, ou &quot;simulated&quot;.</translation>
     </message>
     <message>
-        <source>%1: %2. Check that rotctld runs there, its address, its port and the network</source>
-        <translation>%1: %2. Verifique se o rotctld corre lá, o seu endereço, a sua porta e a rede</translation>
+        <source>%1: %2. Check that rotctld runs there. Check its address, its port and the network</source>
+        <translation>%1: %2. Verifique se o rotctld corre lá. Verifique o seu endereço, a sua porta e a rede</translation>
     </message>
     <message>
         <source>no answer</source>

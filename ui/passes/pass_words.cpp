@@ -198,8 +198,7 @@ QString cableText(const targets::CableTurns& cable)
         PassWords::tr("Boresight unwraps it by 360° there and loses %1 of the pass.").arg(lengthText(cable.lost))};
     if (cable.fitsOverTheTop) {
         sentences << PassWords::tr(
-            "Over the top nothing is lost. Only a client that sends elevations above 90° goes "
-            "there.");
+            "A way over the top loses nothing. Boresight takes it only for a client that sends elevations above 90°.");
     }
     return sentences.join(QLatin1Char(' '));
 }

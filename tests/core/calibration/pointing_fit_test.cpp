@@ -262,7 +262,7 @@ TEST(PointingFit, AccusesNoGoodPoint)
             ASSERT_TRUE(fit.has_value());
             accused += std::any_of(fit->hints.begin(), fit->hints.end(),
                                    [](const QString& hint) {
-                                       return hint.contains(QLatin1String("its place by the other points"));
+                                       return hint.contains(QLatin1String("where the other points put it"));
                                    })
                            ? 1
                            : 0;

@@ -39,8 +39,8 @@ TEST(ReconcileQuestion, MovedByHandHasNoDefault)
     scene.powerCycledAt(100.0);
     EXPECT_EQ(scene.question().proposed, std::nullopt);
     EXPECT_THAT(inDegrees(scene.question().candidates), ElementsAre(-260.0, 100.0, 460.0));
-    EXPECT_THAT(scene.sentences(),
-                Contains("The nearest place is 55.0° from the journal. The axis was moved in between"));
+    EXPECT_THAT(scene.sentences(), Contains("The nearest possible position is 55.0° from the one in the journal. The "
+                                            "axis was moved while Boresight did not"));
     EXPECT_THAT(scene.sentences(), Contains("There is no sensor to compare with"));
 }
 

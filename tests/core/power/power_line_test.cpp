@@ -2,9 +2,9 @@
 // Real sockets on loopback; the clock is turned by hand.
 #include "core/power/power_line.h"
 
-#include "tests/fakes/unused_port.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/program.h"
+#include "tests/fakes/unused_port.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QTcpServer>

@@ -3,8 +3,8 @@
 
 #include "core/base/file_descriptor.h"
 #include "core/power/line_worker.h"
-#include "tests/fakes/unused_port.h"
 #include "tests/fakes/manual_clock.h"
+#include "tests/fakes/unused_port.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QTcpServer>
