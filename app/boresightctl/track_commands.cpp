@@ -50,9 +50,9 @@ ExitStatus runTrack(Arguments arguments)
     if (!text) {
         return usageError(kTrackCommand, text.error().text);
     }
-    const auto answer = askLocally(options->station.value_or(profile::ListenAddress{}),
-                                   {.command = local::LocalCommand::Track, .target = *text},
-                                   targets::tableFile(target) ? kFilePatience : kPatience);
+    const auto answer = askLocally(
+        options->station.value_or(profile::ListenAddress{}), {.command = local::LocalCommand::Track, .target = *text},
+        targets::tableFile(target) || targets::otherRotator(target) ? kFilePatience : kPatience);
     if (!answer) {
         return failedBy(kTrackCommand, answer.error());
     }
@@ -109,6 +109,7 @@ TARGET is one of these. Capital and small letters are the same.
   table FILE, oem FILE        the way that a file describes: a tracking table with a time, an azimuth and an elevation in each
                               line, or a CCSDS OEM as KVN or XML. The station reads the file, as the user that it runs as.
                               "ephemeris --table FILE" shows where it leads
+  rotctld:HOST:PORT           where another rotator points, as its rotctld reports
   position                    the balloon or rocket whose positions the station receives (settings of position)
 )" + kLocalSocket +
                                           R"(

@@ -4,6 +4,7 @@
 #include "core/azel/azel_feed.h"
 #include "core/control/helm.h"
 #include "core/messages/request.h"
+#include "core/messages/rotator_reading.h"
 #include "core/position/position_text.h"
 
 #include <cstdint>
@@ -30,10 +31,10 @@ struct RequestList
 using MotionRequests =
     RequestList<request::PointSky, request::PointAxes, request::PointAxis, request::Jog, request::Move, request::Step,
                 request::Follow, request::Track, request::Nudge, request::Horizon, request::Park, request::Home,
-                request::Unwind, request::Trial, request::FollowAzel, request::FollowPosition>;
+                request::Unwind, request::Trial, request::FollowAzel, request::FollowPosition, request::FollowRotator>;
 
-// What reaches a source from outside: a look at azel.dat, a report of what flies.
-using SourceReport = std::variant<azel::AzelReading, Result<position::PositionText>>;
+// What reaches a source from outside: a look at azel.dat, a report of what flies, where another rotator points.
+using SourceReport = std::variant<azel::AzelReading, Result<position::PositionText>, RotatorReading>;
 
 class MotionSource
 {

@@ -73,6 +73,10 @@ struct FollowAzel  // keep the beam on the Moon of WSJT-X's azel.dat; below the 
 {};
 struct FollowPosition  // keep the beam on what reports its position
 {};
+struct FollowRotator  // point where another rotator points, once the station knows where that is. Answered then
+{
+    QString name;  // "rotctld:10.0.0.7:4533"
+};
 struct Nudge  // while a stream is followed: shifts it, see StationStatus::trim; else as Step
 {
     Angle azimuth;
@@ -305,8 +309,8 @@ using AnyRequest =
                  request::FixDrives, request::AssignBoard, request::SetGear, request::SwitchOff, request::ReleaseBus,
                  request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof, request::ReadGains,
                  request::SetGain, request::PutGainsBack, request::StoreGains, request::Trial, request::FollowAzel,
-                 request::FollowPosition, request::Rehearse, request::TrackFile, request::UseAntenna, TuningRequest,
-                 CalibrationRequest, ScheduleRequest>;
+                 request::FollowPosition, request::FollowRotator, request::Rehearse, request::TrackFile,
+                 request::UseAntenna, TuningRequest, CalibrationRequest, ScheduleRequest>;
 
 // Every source that includes this header would compile the copying of so many alternatives again. It is compiled once.
 struct Request : AnyRequest

@@ -291,6 +291,16 @@ Result<ListenAddress> parseListenAddress(std::string_view text)
     return ListenAddress{.host = std::string(host), .port = static_cast<std::uint16_t>(*port)};
 }
 
+bool isOwnServer(const BusName& rotctld, const ListenAddress& own)
+{
+    const auto isHere = [](const std::string& host) {
+        return host == "localhost" || host == "::1" || host.starts_with("127.");
+    };
+    const bool takesAll = own.host == "0.0.0.0" || own.host == "::";
+    const bool here = isHere(rotctld.target) && (isHere(own.host) || takesAll);
+    return rotctld.kind == BusKind::Rotctld && rotctld.port == own.port && (here || rotctld.target == own.host);
+}
+
 std::string toText(const ListenAddress& address)
 {
     const bool isIpv6 = address.host.find(':') != std::string::npos;

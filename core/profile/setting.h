@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/bus_name.h"
 #include "core/base/result.h"
 #include "core/base/text.h"
 #include "core/profile/profile.h"
@@ -112,6 +113,8 @@ struct Problem
 // The text of rotctld.listen, also for the command line that overrides it.
 [[nodiscard]] Result<ListenAddress> parseListenAddress(std::string_view text);  // "127.0.0.1:4533", "[::1]:4533"
 [[nodiscard]] std::string toText(const ListenAddress& address);
+// This rotctld is the server of this station, which would ask itself.
+[[nodiscard]] bool isOwnServer(const BusName& rotctld, const ListenAddress& own);
 // What the setting would look like in the file, without its key.
 [[nodiscard]] std::string toText(const SettingValue& value);
 // What a secret that is set looks like where it must not be read.

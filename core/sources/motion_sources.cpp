@@ -10,6 +10,7 @@
 #include "core/sources/known_places.h"
 #include "core/sources/park.h"
 #include "core/sources/position_follow.h"
+#include "core/sources/rotator_follow.h"
 #include "core/sources/step.h"
 #include "core/sources/target_track.h"
 #include "core/sources/trial_run.h"
@@ -52,6 +53,7 @@ MotionSources motionSources(Helm& helm)
                   sources::TargetTrack,     //
                   sources::AzelFollow,      //
                   sources::PositionFollow,  //
+                  sources::RotatorFollow,   //
                   sources::TrialRun         //
                   >(helm);
 }

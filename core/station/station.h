@@ -6,6 +6,7 @@
 #include "core/alarms/event_log.h"
 #include "core/base/clock.h"
 #include "core/control/station_control.h"
+#include "core/followed_rotctld/followed_rotctld.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
 #include "core/mount/mount_connection.h"
@@ -114,6 +115,7 @@ private:
     [[nodiscard]] Result<> askNow(const Request& request, const Source& by);
     void hurry(const Request& request);
     [[nodiscard]] Result<> carryOut(const Request& request, const Source& by);
+    void findRotator(const QString& name, rotctl::FollowedRotctld::Then then);
     [[nodiscard]] Result<> rehearse(const request::Rehearse& wanted);
     [[nodiscard]] std::optional<DrivesStatus> drives() const;
     void openServer();
@@ -139,6 +141,7 @@ private:
     StationElements m_elements;
     StationAzel m_azel;
     StationTables m_tables{this};
+    rotctl::FollowedRotctld m_followed{this};
     StationPosition m_position;
     CalibrationFile m_calibrationFile;
     CalibrationDesk m_calibration;

@@ -156,7 +156,7 @@ Result<> StationShell::mayTrack() const
     });
 }
 
-// A file is read first, beside this thread. Who has the control is asked again then.
+// A file is read first, and another rotator is asked first. Who has the control is asked again then.
 void StationShell::track(const QByteArray& text, const local::Reply& reply)
 {
     const Result<> may = mayTrack();
@@ -174,6 +174,12 @@ void StationShell::track(const QByteArray& text, const local::Reply& reply)
         });
         return;
     }
+    if (const auto other = targets::otherRotator(text.toStdString())) {
+        m_station.findRotator(*other, [this, reply](const Result<RotatorReading>& first) {
+            reply(first.and_then([this](const RotatorReading& rotator) { return follow(rotator); }));
+        });
+        return;
+    }
     reply(targets::parseTarget(text.toStdString(), *m_station.satellites())
               .and_then([this](const targets::Target& target) { return track(target); }));
 }
@@ -184,6 +190,13 @@ local::LocalAnswer StationShell::track(const targets::Target& target)
     return mayTrack().and_then([&] { return m_station.ask(request::Track{target}, shellSource()); }).map([&] {
         return QByteArray(target.name.simplified().toUtf8() + '\n');
     });
+}
+
+local::LocalAnswer StationShell::follow(const RotatorReading& rotator)
+{
+    return mayTrack()
+        .and_then([&] { return m_station.ask(request::FollowRotator{rotator.name}, shellSource()); })
+        .map([&] { return QByteArray(rotator.name.toUtf8() + '\n'); });
 }
 
 QByteArray StationShell::satelliteLines() const

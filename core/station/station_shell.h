@@ -3,6 +3,7 @@
 
 #include "core/alarms/log_throttle.h"
 #include "core/elements/element_set.h"
+#include "core/followed_rotctld/followed_rotctld.h"
 #include "core/local_socket/local_server.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
@@ -27,6 +28,7 @@ public:
         std::function<Result<>(const Request&, const Source&)> ask;
         std::function<Result<>()> mayShellCommand;
         std::function<void(const QString& path, StationTables::Then then)> readTable;
+        std::function<void(const QString& name, rotctl::FollowedRotctld::Then then)> findRotator;
         std::function<std::shared_ptr<const std::vector<orbit::ElementSet>>()> satellites;
         std::function<std::vector<local::KnownAntenna>()> antennas;
         std::function<std::shared_ptr<const ScheduleStatus>()> schedule;
@@ -52,6 +54,7 @@ private:
     [[nodiscard]] Result<> mayTrack() const;
     void track(const QByteArray& text, const local::Reply& reply);
     [[nodiscard]] local::LocalAnswer track(const targets::Target& target);
+    [[nodiscard]] local::LocalAnswer follow(const RotatorReading& rotator);
     [[nodiscard]] local::LocalAnswer told(const local::LocalRequest& asked, local::LocalAnswer answer);
     [[nodiscard]] QByteArray satelliteLines() const;
     [[nodiscard]] QByteArray antennaLines() const;

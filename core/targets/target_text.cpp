@@ -227,6 +227,12 @@ std::optional<QString> tableFile(std::string_view text)
     return std::nullopt;
 }
 
+std::optional<QString> otherRotator(std::string_view text)
+{
+    const std::string_view typed = orbit::trimmed(text);
+    return lowered(typed).starts_with("rotctld:") ? std::optional(toQString(typed)) : std::nullopt;
+}
+
 Result<Target> parseTarget(std::string_view text, std::span<const orbit::ElementSet> satellites)
 {
     const std::string_view typed = orbit::trimmed(text);

@@ -17,7 +17,8 @@
 //   place 38.757,-9.117,1200          degrees north, degrees east, metres above the ellipsoid, which may be left out
 //   IM58kr, IM58kr long               a locator; by the long path
 //
-// "table FILE" and "oem FILE" name a file that somebody has to read first (core/table_file).
+// "table FILE" and "oem FILE" name a file that somebody has to read first (core/table_file), and "rotctld:HOST:PORT" a
+// rotator that somebody has to ask (core/followed_rotctld).
 //
 // Capital and small letters are the same. Pure.
 namespace boresight::targets {
@@ -27,6 +28,9 @@ namespace boresight::targets {
 
 // The file of "table FILE" or "oem FILE". What it is, its text decides. Empty: the text is another target.
 [[nodiscard]] std::optional<QString> tableFile(std::string_view text);
+
+// The text itself where it begins with "rotctld:", without blanks around it. Empty: the text is another target.
+[[nodiscard]] std::optional<QString> otherRotator(std::string_view text);
 
 // "12:30:49.4,12:23:28" or "12.514,12.391". Empty for all else.
 [[nodiscard]] std::optional<ephemeris::StarPlace> parseStarPlace(std::string_view text);

@@ -9406,6 +9406,46 @@ até %1</translation>
         <source>%1 exists and is no link to a terminal</source>
         <translation>%1 existe e não é uma ligação a um terminal</translation>
     </message>
+    <message>
+        <source>The mount no longer follows %1: %2</source>
+        <translation>A montagem já não segue %1: %2</translation>
+    </message>
+    <message>
+        <source>Check that rotctld and its rotator. Then follow it again</source>
+        <translation>Verifique esse rotctld e o seu rotor. Depois volte a segui-lo</translation>
+    </message>
+    <message>
+        <source>Another command came before the rotctld had answered. Track it again.</source>
+        <translation>Outro comando chegou antes de o rotctld responder. Siga-o outra vez.</translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation>%1 não responde</translation>
+    </message>
+    <message>
+        <source>The answer &quot;%1&quot; is not that of a rotctld</source>
+        <translation>A resposta &quot;%1&quot; não é a de um rotctld</translation>
+    </message>
+    <message>
+        <source>the mount does not follow %1</source>
+        <translation>a montagem não segue %1</translation>
+    </message>
+    <message>
+        <source>No position of %1 was received</source>
+        <translation>Não foi recebida nenhuma posição de %1</translation>
+    </message>
+    <message>
+        <source>follow %1</source>
+        <translation>seguir %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names no rotctld. Write rotctld:HOST:PORT, for example rotctld:10.0.0.7:4533.</source>
+        <translation>&quot;%1&quot; não designa um rotctld. Escreva rotctld:HOST:PORT, por exemplo rotctld:10.0.0.7:4533.</translation>
+    </message>
+    <message>
+        <source>%1 is the server of Boresight itself. Name the rotctld of another rotator.</source>
+        <translation>%1 é o servidor do próprio Boresight. Indique o rotctld de outro rotor.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -16938,20 +16978,6 @@ Em comparação com a montagem em uso:
         <translation>Seguir ficheiro…</translation>
     </message>
     <message>
-        <source>A satellite: 25544, iss
-A locator, by the short or the long path: IM58kr, IM58kr long
-A direction: azel 120.5,30
-A place among the stars, J2000: radec 12:30:49.4,12:23:28
-A position, degrees and metres: place 38.757,-9.117,1200
-A file with a table, or with an OEM: table /home/me/pass.csv</source>
-        <translation>Um satélite: 25544, iss
-Um locator, pelo caminho curto ou longo: IM58kr, IM58kr long
-Uma direção: azel 120.5,30
-Um lugar entre as estrelas, J2000: radec 12:30:49.4,12:23:28
-Uma posição, graus e metros: place 38.757,-9.117,1200
-Um ficheiro com uma tabela, ou com um OEM: table /home/me/pass.csv</translation>
-    </message>
-    <message>
         <source>Track the way of a file</source>
         <translation>Seguir o caminho de um ficheiro</translation>
     </message>
@@ -16974,6 +17000,22 @@ Um ficheiro com uma tabela, ou com um OEM: table /home/me/pass.csv</translation>
     <message>
         <source>Track the rows of a file: a table with a time, an azimuth and an elevation in each line, or a CCSDS OEM</source>
         <translation>Seguir as linhas de um ficheiro: uma tabela com uma hora, um azimute e uma elevação em cada linha, ou um OEM do CCSDS</translation>
+    </message>
+    <message>
+        <source>A satellite: 25544, iss
+A locator, by the short or the long path: IM58kr, IM58kr long
+A direction: azel 120.5,30
+A place among the stars, J2000: radec 12:30:49.4,12:23:28
+A position, degrees and metres: place 38.757,-9.117,1200
+A file with a table, or with an OEM: table /home/me/pass.csv
+Where another rotator points, as its rotctld reports: rotctld:10.0.0.7:4533</source>
+        <translation>Um satélite: 25544, iss
+Um locator, pelo caminho curto ou longo: IM58kr, IM58kr long
+Uma direção: azel 120.5,30
+Um lugar entre as estrelas, J2000: radec 12:30:49.4,12:23:28
+Uma posição, graus e metros: place 38.757,-9.117,1200
+Um ficheiro com uma tabela, ou com um OEM: table /home/me/pass.csv
+Para onde outro rotor aponta, segundo o seu rotctld: rotctld:10.0.0.7:4533</translation>
     </message>
 </context>
 <context>

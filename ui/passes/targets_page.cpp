@@ -60,7 +60,8 @@ void TargetsPage::build()
            "A direction: azel 120.5,30\n"
            "A place among the stars, J2000: radec 12:30:49.4,12:23:28\n"
            "A position, degrees and metres: place 38.757,-9.117,1200\n"
-           "A file with a table, or with an OEM: table /home/me/pass.csv"));
+           "A file with a table, or with an OEM: table /home/me/pass.csv\n"
+           "Where another rotator points, as its rotctld reports: rotctld:10.0.0.7:4533"));
     m_typed->setClearButtonEnabled(true);
     m_typed->setMinimumHeight(kRowHeight);
     m_refused->setLines(2);
@@ -98,6 +99,8 @@ void TargetsPage::trackTyped()
     }
     if (const auto file = targets::tableFile(m_typed->text().toStdString())) {
         m_trackTyped->ask(request::TrackFile{QFileInfo(*file).absoluteFilePath()});
+    } else if (const auto other = targets::otherRotator(m_typed->text().toStdString())) {
+        m_trackTyped->ask(request::FollowRotator{*other});
     } else if (const auto target = targets::parseTarget(m_typed->text().toStdString(), *m_satellites)) {
         m_trackTyped->ask(request::Track{*target});
     } else {

@@ -19,6 +19,7 @@ namespace boresight {
 namespace {
 
 constexpr AxisRates kSlowly{.azimuth = AngularRate::fromDegrees(1.0), .elevation = AngularRate::fromDegrees(1.0)};
+const QString kOtherRotator = QStringLiteral("rotctld:10.0.0.7:4533");
 constexpr SkyPointing kUp{.azimuth = Angle::fromDegrees(20.0), .elevation = Angle::fromDegrees(30.0)};
 
 // One that moves the mount, where the default value does not.
@@ -79,6 +80,11 @@ Request sampleOf<request::Step>()
 {
     return request::Step{.azimuth = kUp.azimuth};
 }
+template <>
+Request sampleOf<request::FollowRotator>()
+{
+    return request::FollowRotator{kOtherRotator};
+}
 
 template <std::size_t... index>
 std::vector<Request> samples(std::index_sequence<index...>)
@@ -105,6 +111,7 @@ struct SourcesRig
         EXPECT_TRUE(rig.control.receive(
             position::PositionText{.site = {.latitude = 0.1_deg, .longitude = 0.2_deg, .heightMetres = 5000.0}}));
         rig.run(Seconds(0.5));
+        (void)rig.control.receive(RotatorReading{.name = kOtherRotator, .direction = kUp});
     }
 
     static profile::Profile parkedElsewhere()

@@ -101,8 +101,9 @@ struct ShellRig : StationRig
 
     static constexpr std::uint16_t kPort = 4533;
     QTemporaryDir runtime;
-    QString asked;  // of a table
+    QString asked;  // a file, or a rotctld
     StationTables::Then answer;
+    rotctl::FollowedRotctld::Then found;
     TransmitStatus transmit;
     std::shared_ptr<const std::vector<orbit::ElementSet>> known =
         std::make_shared<const std::vector<orbit::ElementSet>>(std::vector<orbit::ElementSet>{
@@ -113,6 +114,11 @@ struct ShellRig : StationRig
                             [this](const QString& path, StationTables::Then then) {
                                 asked = path;
                                 answer = std::move(then);
+                            },
+                        .findRotator =
+                            [this](const QString& name, rotctl::FollowedRotctld::Then then) {
+                                asked = name;
+                                found = std::move(then);
                             },
                         .satellites = [this] { return known; },
                         .antennas = [] { return antennas(); },
@@ -263,6 +269,34 @@ TEST(StationShell, HasTheSchedule)
                "ok\n{\"night\":null,\"problem\":\"The watch list of the profile is empty.\",\"progress\":null}\n";
     }));
     EXPECT_EQ(rig.station->status().authority, Authority::Clients) << "nothing was taken";
+}
+
+// REQ-STATION-963: "track rotctld:HOST:PORT" is answered when that rotctld has reported a position. Whether the shell
+// may is asked before and again then.
+TEST(StationShell, FollowsAnotherRotator)
+{
+    ShellRig rig;
+    QLocalSocket socket;
+    socket.connectToServer(local::socketPath(rig.runtime.path(), ShellRig::kPort));
+    socket.write("track rotctld:10.0.0.7:4533\n");
+    ASSERT_TRUE(fakes::waitUntil([&] { return bool(rig.found); }));
+    const RotatorReading first{.name = rig.asked, .direction = {20_deg, 30_deg}};
+    EXPECT_EQ(first.name, QStringLiteral("rotctld:10.0.0.7:4533"));
+    (void)rig.control.receive(first);
+    rig.found(first);
+    ASSERT_TRUE(fakes::waitUntil([&] { return socket.state() == QLocalSocket::UnconnectedState; }));
+    EXPECT_EQ(socket.readAll(), "ok\nrotctld:10.0.0.7:4533\n");
+    ASSERT_EQ(rig.answerTo("release\n"), "ok\n");
+
+    rig.found = {};
+    QLocalSocket other;
+    other.connectToServer(local::socketPath(rig.runtime.path(), ShellRig::kPort));
+    other.write("track rotctld:10.0.0.7:4533\n");
+    ASSERT_TRUE(fakes::waitUntil([&] { return bool(rig.found); }));
+    ASSERT_TRUE(rig.point(30.0, 30.0, kClient));
+    rig.found(first);
+    ASSERT_TRUE(fakes::waitUntil([&] { return other.state() == QLocalSocket::UnconnectedState; }));
+    EXPECT_THAT(other.readAll().toStdString(), HasSubstr("Take the control first.\n"));
 }
 
 // REQ-POSITION-41: "track position" asks for what reports its position, by the rule of any other target.

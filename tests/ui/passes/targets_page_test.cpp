@@ -113,7 +113,8 @@ TEST_F(TargetsPageTest, TracksWhatIsTyped)
     EXPECT_TRUE(isTold);
 }
 
-// REQ-TARGETS-952: The way of a file is tracked by a button that asks for the file, or by its path in the field.
+// REQ-TARGETS-952: The way of a file is tracked by a button that asks for the file, or by its path in the field. The
+// field also takes another rotator to follow.
 TEST_F(TargetsPageTest, TracksTheWayOfAFile)
 {
     const QString path = QStringLiteral("/tmp/way.csv");
@@ -131,6 +132,13 @@ TEST_F(TargetsPageTest, TracksTheWayOfAFile)
     QTest::keyClick(named<QLineEdit>("Another target"), Qt::Key_Return);
     ASSERT_EQ(asked<request::TrackFile>().size(), 2U);
     EXPECT_EQ(asked<request::TrackFile>().back().path, path);
+
+    named<QLineEdit>("Another target")->clear();
+    QTest::keyClicks(named<QLineEdit>("Another target"), QStringLiteral(" rotctld:10.0.0.7:4533"));
+    show(atSite());
+    QTest::keyClick(named<QLineEdit>("Another target"), Qt::Key_Return);
+    ASSERT_EQ(asked<request::FollowRotator>().size(), 1U);
+    EXPECT_EQ(asked<request::FollowRotator>().back().name, QStringLiteral("rotctld:10.0.0.7:4533"));
 
     StationStatus status = atSite();
     status.permissions.refuse(Action::Track, QStringLiteral("STOP is latched."));

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/control/motion_source.h"
+#include "core/messages/rotator_reading.h"
+
+#include <optional>
+
+// Another rotator whose position arrives: the beam goes where that one points, within all limits of this mount. Without
+// a position for too long it ends, and the mount holds. It is a source of its own beside the operator's hand, which
+// ends it. Station thread only.
+namespace boresight::sources {
+
+class RotatorFollow : public SourceOf<RotatorFollow, request::FollowRotator>
+{
+public:
+    // The other side gives up somewhat earlier, and knows the reason.
+    static constexpr Seconds kStale{6.0};
+
+    using SourceOf::SourceOf;
+
+    Result<> ask(const request::FollowRotator& wanted, const Source& by);
+    void step(SteadyTime now) override;
+    void describe(StationStatus& status) const override;
+    // NotAvailable: it is followed no more.
+    Result<> receive(const SourceReport& report) override;
+
+private:
+    struct Reading
+    {
+        RotatorReading read;
+        SteadyTime when;
+    };
+    struct Followed
+    {
+        QString name;
+        std::uint64_t errand = 0;
+        SteadyTime reached;  // of the reading to which the mount was sent
+    };
+
+    Result<> follow(bool anew);
+    void end(const QString& why);
+
+    std::optional<Reading> m_reading;
+    std::optional<Followed> m_followed;
+};
+
+}  // namespace boresight::sources
