@@ -110,6 +110,7 @@ TARGET is one of these. Capital and small letters are the same.
                               line, or a CCSDS OEM as KVN or XML. The station reads the file, as the user that it runs as.
                               "ephemeris --table FILE" shows where it leads
   rotctld:HOST:PORT           where another rotator points, as its rotctld reports
+  azel.dat                    the Moon of WSJT-X, MAP65 or QMAP (settings of azel)
   position                    the balloon or rocket whose positions the station receives (settings of position)
 )" + kLocalSocket +
                                           R"(

@@ -286,10 +286,12 @@ void TargetTrack::renewWay(UtcTime utc)
     }
 }
 
-// A direction is where it is at any time.
+// A direction and a place on the Earth are where they are at any time.
 void TargetTrack::watchClock()
 {
-    const bool needsTime = !std::holds_alternative<SkyPointing>(m_tracked->target.kind);
+    const targets::TargetKind& kind = m_tracked->target.kind;
+    const bool needsTime =
+        !std::holds_alternative<SkyPointing>(kind) && !std::holds_alternative<targets::EarthPosition>(kind);
     if (!needsTime || helm().view().clock.synchronised()) {
         helm().clearAlarm(alarmEntry("track.clock"));
     } else {

@@ -14,7 +14,9 @@ namespace boresight {
 namespace {
 
 constexpr int kShellLinesPerSecond = 4;
-const QByteArray kPositionWord = "position";  // in place of a target
+// In place of a target.
+const QByteArray kPositionWord = "position";
+const QByteArray kAzelWord = "azel.dat";
 
 Source shellSource()
 {
@@ -166,6 +168,10 @@ void StationShell::track(const QByteArray& text, const local::Reply& reply)
     }
     if (text == kPositionWord) {
         reply(m_station.ask(request::FollowPosition{}, shellSource()).map([] { return QByteArray("position\n"); }));
+        return;
+    }
+    if (text == kAzelWord) {
+        reply(m_station.ask(request::FollowAzel{}, shellSource()).map([] { return QByteArray("azel.dat\n"); }));
         return;
     }
     if (const auto file = targets::tableFile(text.toStdString())) {

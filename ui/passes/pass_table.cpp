@@ -147,6 +147,13 @@ std::optional<int> PassTable::rowOf(std::int64_t number, UtcTime highest) const
     return std::nullopt;
 }
 
+std::optional<int> PassTable::nextOf(std::int64_t number) const
+{
+    const auto isOf = [&](std::size_t row) { return m_book->elementsOf(m_book->passes[row]).number == number; };
+    const auto found = std::ranges::find_if(m_rows, isOf);
+    return found == m_rows.end() ? std::nullopt : std::optional(static_cast<int>(found - m_rows.begin()));
+}
+
 bool PassTable::isFavourite(const BookedPass& one) const
 {
     return orbit::isFavourite(m_marks, m_book->elementsOf(one).number);

@@ -61,6 +61,8 @@ public:
     [[nodiscard]] const PassCount& count() const { return m_count; }
     // Of the same satellite, at nearly the same time: a new search finds it a little different.
     [[nodiscard]] std::optional<int> rowOf(std::int64_t number, UtcTime highest) const;
+    // The first one of this satellite.
+    [[nodiscard]] std::optional<int> nextOf(std::int64_t number) const;
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;

@@ -183,6 +183,23 @@ void PassesPanel::toggleFavourite(int row)
     m_selection->toggleFavourite(static_cast<int>(m_passes->book()->elementsOf(m_passes->pass(row)).number));
 }
 
+// When the selected pass is over, the next one of its satellite is selected. Track never changes to another satellite
+// by itself.
+void PassesPanel::dropPassesThatAreOver()
+{
+    const auto number = m_selected ? std::optional(m_selected->number) : std::nullopt;
+    m_passes->tick(m_now);
+    if (!number || (m_selected && m_selected->number == *number)) {
+        return;
+    }
+    if (const auto row = m_passes->nextOf(*number)) {
+        m_table->selectRow(*row);
+    } else {
+        m_table->setCurrentIndex({});
+        m_table->clearSelection();
+    }
+}
+
 void PassesPanel::showStatus(const StationStatus& status)
 {
     const bool isNextSecond =
@@ -190,7 +207,7 @@ void PassesPanel::showStatus(const StationStatus& status)
     m_now = status.utc;
     searchAgain(status);
     if (isNextSecond) {
-        m_passes->tick(m_now);
+        dropPassesThatAreOver();
         m_views->showStatus(status);
         showFavourites(status);
     }

@@ -84,6 +84,7 @@ private:
     void searchAgain(const StationStatus& status);
     void showBook(const std::shared_ptr<const PassBook>& book);
     void showRows();
+    void dropPassesThatAreOver();
     void select(int row);
     void toggleFavourite(int row);
     void tellWay();

@@ -245,7 +245,7 @@ TEST_F(StationSatellitePass, EverythingElseEndsIt)
 }
 
 // REQ-TRACK-912: While something is tracked by a clock that nothing sets, an alarm says so. It is over with the
-// tracking.
+// tracking. A place on the Earth and a direction need no clock.
 TEST_F(StationSatellite, AClockThatNothingSetsIsAnAlarm)
 {
     follow();
@@ -255,6 +255,9 @@ TEST_F(StationSatellite, AClockThatNothingSetsIsAnAlarm)
     rig.run(Seconds(0.2));
     EXPECT_TRUE(rig.alarms.active(alarmEntry("track.clock")));
     ASSERT_TRUE(rig.ask(request::Hold{}));
+    rig.run(Seconds(0.2));
+    EXPECT_FALSE(rig.alarms.active(alarmEntry("track.clock")));
+    ASSERT_TRUE(rig.ask(request::Track{{.name = QStringLiteral("IM58kr"), .kind = targets::EarthPosition{}}}));
     rig.run(Seconds(0.2));
     EXPECT_FALSE(rig.alarms.active(alarmEntry("track.clock")));
 }

@@ -5,6 +5,7 @@
 #include "core/elements/julian_date.h"
 #include "tests/core/control/station_rig.h"
 #include "tests/core/station/linked_station.h"
+#include "tests/fakes/azel_writer.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QLocalSocket>
@@ -269,6 +270,23 @@ TEST(StationShell, HasTheSchedule)
                "ok\n{\"night\":null,\"problem\":\"The watch list of the profile is empty.\",\"progress\":null}\n";
     }));
     EXPECT_EQ(rig.station->status().authority, Authority::Clients) << "nothing was taken";
+}
+
+// REQ-AZEL-923: "track azel.dat" follows the Moon of WSJT-X, by the rule of any other target.
+TEST(StationShell, TracksTheMoonOfWsjtx)
+{
+    ShellRig rig;
+    EXPECT_THAT(rig.answerTo("track azel.dat\n"), HasSubstr("error: azel.dat cannot be used: "));
+    ASSERT_EQ(rig.answerTo("stop\n"), "ok\n");
+    EXPECT_THAT(rig.answerTo("track azel.dat\n"), HasSubstr("error: STOP is latched"));
+    ASSERT_TRUE(rig.ask(request::ResetStop{}));
+    fakes::AzelWriter writer(Site{});
+    for (int second = 0; second < 2; ++second) {
+        (void)rig.control.receive(writer.readingAt(rig.clock.utc() + std::chrono::seconds(second)));
+    }
+    EXPECT_EQ(rig.answerTo("track azel.dat\n"), "ok\nazel.dat\n");
+    rig.run(Seconds(0.1));
+    EXPECT_NE(rig.control.status().azel.phase, AzelPhase::Off);
 }
 
 // REQ-STATION-963: "track rotctld:HOST:PORT" is answered when that rotctld has reported a position. Whether the shell

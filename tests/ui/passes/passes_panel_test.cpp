@@ -310,6 +310,27 @@ TEST_F(PassesPanelTest, APassThatIsOverLeavesTheTable)
     EXPECT_GT(model.pass(0).pass.los.utc, status.utc);
 }
 
+// REQ-PASSES-989: When the selected pass is over, the next pass of the same satellite is selected: Track never changes
+// to another satellite by itself.
+TEST_F(PassesPanelTest, TheSelectionStaysWithItsSatellite)
+{
+    StationStatus status = withSatellites();
+    giveFound(status);
+    const auto& model = *qobject_cast<PassTable*>(table().model());
+    const auto numberAt = [&](int row) { return model.book()->elementsOf(model.pass(row)).number; };
+    const std::int64_t number = numberAt(0);
+    ASSERT_NE(numberAt(1), number) << "else this shows nothing";
+    table().selectRow(0);
+    status.utc = model.pass(0).pass.los.utc + std::chrono::seconds(1);
+    give(samples::update(status));
+    ASSERT_TRUE(table().currentIndex().isValid());
+    EXPECT_EQ(numberAt(table().currentIndex().row()), number);
+    EXPECT_GT(model.pass(table().currentIndex().row()).pass.los.utc, status.utc);
+    QTest::mouseClick(named<CommandButton>("Track"), Qt::LeftButton);
+    ASSERT_EQ(asked<request::Track>().size(), 1U);
+    EXPECT_EQ(std::get<orbit::ElementSet>(asked<request::Track>().back().target.kind).number, number);
+}
+
 // REQ-SCHEDULE-953: The satellite of the selected pass is added to the watched ones of the profile, and removed again.
 TEST_F(PassesPanelTest, AddsTheSatelliteToTheScheduleAndRemovesIt)
 {
