@@ -13,6 +13,8 @@ SatelliteAntenna::SatelliteAntenna(ProfileDraft& draft, ValueLabel& notice, QWid
       m_draft(draft),
       m_notice(notice)
 {
+    constexpr int kNameLength = 16;  // characters
+    setMinimumContentsLength(kNameLength);
     connect(this, &QComboBox::activated, this, &SatelliteAntenna::store);
     hide();
 }

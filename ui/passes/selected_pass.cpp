@@ -111,8 +111,12 @@ std::optional<int> SelectedPass::satellite() const
 
 void SelectedPass::select(const std::shared_ptr<const PassBook>& book, const std::optional<BookedPass>& pass)
 {
+    const std::optional<int> before = satellite();
     m_book = book;
     m_pass = pass;
+    if (satellite() != before) {
+        m_refused->setValue({});  // it was about the other one
+    }
     m_cable = pass ? cableLine(cableOf(*pass, *book)) : QString();
     m_light = pass ? lightText(passes::lightOf(pass->pass, book->elementsOf(*pass), book->site)) : QString();
     showFacts();

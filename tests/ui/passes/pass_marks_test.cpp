@@ -116,6 +116,8 @@ TEST_F(MarkedPassesTest, AnAntennaIsChosenForASatellite)
     ASSERT_TRUE(antenna->isVisible());
     EXPECT_EQ(antenna->count(), 3);
     EXPECT_EQ(antenna->currentText(), QStringLiteral("as chosen by hand"));
+    settle();
+    EXPECT_GT(antenna->width(), antenna->fontMetrics().horizontalAdvance(QStringLiteral("as chosen by hand")));
     antenna->setCurrentIndex(2);
     Q_EMIT antenna->activated(2);
     EXPECT_EQ(askedMarks(), (orbit::SatelliteMarks{{.number = numberOf(0), .note = {}, .antenna = "70 cm"}}));

@@ -6,6 +6,7 @@
 #include "ui/guide/guide_page.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
+#include "ui/kit/value_label.h"
 #include "ui/passes/note_line.h"
 #include "ui/passes/pass_details.h"
 #include "ui/passes/pass_views.h"
@@ -227,6 +228,20 @@ TEST_F(PassesPanelTest, TrackAsksForTheSelectedSatellite)
     QTest::mouseClick(named<CommandButton>("Track"), Qt::LeftButton);
     ASSERT_EQ(asked<request::Track>().size(), 1U);
     EXPECT_EQ(std::get<orbit::ElementSet>(asked<request::Track>().front().target.kind).number, number);
+
+    StationUpdate refused = samples::update(withSatellites());
+    refused.answers.push_back(
+        {.requestId = requests.back().id, .error = Error{ErrorCode::Refused, QStringLiteral("It rises later.")}});
+    give(refused);
+    const auto isShown = [this] {
+        return std::ranges::any_of(window.findChildren<ValueLabel*>(), [](const ValueLabel* label) {
+            return label->isVisible() && label->text() == QStringLiteral("It rises later.");
+        });
+    };
+    EXPECT_TRUE(isShown());
+    table().selectRow(row + 1);
+    give(samples::update(withSatellites()));
+    EXPECT_FALSE(isShown()) << "it was about another satellite";
 }
 
 // REQ-PASSES-979: In a low window the table of the passes has the room: the facts of the selected pass fold to what the
