@@ -21,7 +21,10 @@ struct ProtocolWord
     Protocol protocol;
 };
 constexpr std::array kProtocols{ProtocolWord{"gs232a", "GS-232A", Protocol::Gs232A},
-                                ProtocolWord{"gs232b", "GS-232B", Protocol::Gs232B}};
+                                ProtocolWord{"gs232b", "GS-232B", Protocol::Gs232B},
+                                ProtocolWord{"easycomm1", "EasyComm I", Protocol::Easycomm1},
+                                ProtocolWord{"easycomm2", "EasyComm II", Protocol::Easycomm2},
+                                ProtocolWord{"easycomm3", "EasyComm III", Protocol::Easycomm3}};
 
 constexpr std::string_view kTcp = "tcp:";
 constexpr std::string_view kPty = "pty:";
@@ -29,6 +32,15 @@ constexpr std::string_view kPty = "pty:";
 QHostAddress addressOf(const std::string& host)
 {
     return host == "localhost" ? QHostAddress(QHostAddress::LocalHost) : QHostAddress(QString::fromStdString(host));
+}
+
+QString knownProtocols()
+{
+    QStringList words;
+    for (const ProtocolWord& protocol : kProtocols) {
+        words << toQString(protocol.word);
+    }
+    return words.join(QStringLiteral(", "));
 }
 
 std::vector<std::string_view> wordsOf(std::string_view text)
@@ -101,8 +113,9 @@ Result<Listener> parseListener(std::string_view text)
     }
     const auto* const protocol = std::ranges::find(kProtocols, words[0], &ProtocolWord::word);
     if (protocol == kProtocols.end()) {
-        return failure(ErrorCode::InvalidInput, Text::tr("the protocol \"%1\" is unknown. Known are: %2")
-                                                    .arg(toQString(words[0]), QStringLiteral("gs232a, gs232b")));
+        return failure(
+            ErrorCode::InvalidInput,
+            Text::tr("the protocol \"%1\" is unknown. Known are: %2").arg(toQString(words[0]), knownProtocols()));
     }
     if (words[1] != "drive" && words[1] != "read") {
         return failure(ErrorCode::InvalidInput,

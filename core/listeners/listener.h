@@ -15,7 +15,10 @@ namespace boresight::listeners {
 enum class Protocol
 {
     Gs232A,
-    Gs232B
+    Gs232B,
+    Easycomm1,
+    Easycomm2,
+    Easycomm3
 };
 
 enum class Rights

@@ -3,6 +3,7 @@
 
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
+#include "core/easycomm_server/easycomm_controller.h"
 #include "core/gs232_server/emulated_box.h"
 #include "core/listeners/listener.h"
 
@@ -36,6 +37,12 @@ rotctld::StartConversation talkOf(Protocol protocol, rotctld::Rotator& rotator, 
     switch (protocol) {
         case Protocol::Gs232A:
             return gs232::talkGs232(rotator, clock, gs232::Dialect::A);
+        case Protocol::Easycomm1:
+            return easycomm::talkEasycomm(rotator, clock, easycomm::Version::One);
+        case Protocol::Easycomm2:
+            return easycomm::talkEasycomm(rotator, clock, easycomm::Version::Two);
+        case Protocol::Easycomm3:
+            return easycomm::talkEasycomm(rotator, clock, easycomm::Version::Three);
         case Protocol::Gs232B:
             break;
     }

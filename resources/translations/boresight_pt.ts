@@ -9371,10 +9371,6 @@ até %1</translation>
         <translation>Outras escutas</translation>
     </message>
     <message>
-        <source>Listeners for programs that do not speak rotctld. Each has a protocol (&quot;gs232a&quot; or &quot;gs232b&quot;), the right to &quot;drive&quot; or only to &quot;read&quot;, and a place: &quot;gs232b drive tcp:127.0.0.1:4534&quot; or &quot;gs232a read pty:/tmp/rotator&quot;. Addresses and networks that may connect by TCP can follow. Empty: none.</source>
-        <translation>Escutas para programas que não falam rotctld. Cada uma tem um protocolo (&quot;gs232a&quot; ou &quot;gs232b&quot;), o direito de mover (&quot;drive&quot;) ou só de ler (&quot;read&quot;), e um lugar: &quot;gs232b drive tcp:127.0.0.1:4534&quot; ou &quot;gs232a read pty:/tmp/rotator&quot;. Podem seguir-se endereços e redes que se podem ligar por TCP. Vazio: nenhuma.</translation>
-    </message>
-    <message>
         <source>is no program for rotators (%1)</source>
         <translation>não é um programa para rotores (%1)</translation>
     </message>
@@ -9405,6 +9401,42 @@ até %1</translation>
     <message>
         <source>%1 exists and is no link to a terminal</source>
         <translation>%1 existe e não é uma ligação a um terminal</translation>
+    </message>
+    <message>
+        <source>nothing for a rotator</source>
+        <translation>nada para um rotor</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no EasyComm command</source>
+        <translation>&quot;%1&quot; não é um comando EasyComm</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is outside -3600°…3600°</source>
+        <translation>&quot;%1&quot; está fora de -3600°…3600°</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is outside -90°…180°</source>
+        <translation>&quot;%1&quot; está fora de -90°…180°</translation>
+    </message>
+    <message>
+        <source>registers and inputs are not supported</source>
+        <translation>os registos e as entradas não são suportados</translation>
+    </message>
+    <message>
+        <source>a line has more than %1 words</source>
+        <translation>uma linha tem mais de %1 palavras</translation>
+    </message>
+    <message>
+        <source>a line asks for two motions</source>
+        <translation>uma linha pede dois movimentos</translation>
+    </message>
+    <message>
+        <source>Listeners for programs that do not speak rotctld. Each has a protocol (&quot;gs232a&quot;, &quot;gs232b&quot;, &quot;easycomm1&quot;, &quot;easycomm2&quot; or &quot;easycomm3&quot;), the right to &quot;drive&quot; or only to &quot;read&quot;, and a place: &quot;gs232b drive tcp:127.0.0.1:4534&quot; or &quot;gs232a read pty:/tmp/rotator&quot;. Addresses and networks that may connect by TCP can follow. Empty: none.</source>
+        <translation>Escutas para programas que não falam rotctld. Cada uma tem um protocolo (&quot;gs232a&quot;, &quot;gs232b&quot;, &quot;easycomm1&quot;, &quot;easycomm2&quot; ou &quot;easycomm3&quot;), o direito de mover (&quot;drive&quot;) ou só de ler (&quot;read&quot;), e um lugar: &quot;gs232b drive tcp:127.0.0.1:4534&quot; ou &quot;gs232a read pty:/tmp/rotator&quot;. Podem seguir-se endereços e redes que se podem ligar por TCP. Vazio: nenhuma.</translation>
+    </message>
+    <message>
+        <source>turns at %1°/s, the fastest jog rate</source>
+        <translation>roda a %1°/s, a velocidade manual mais rápida</translation>
     </message>
 </context>
 <context>

@@ -43,6 +43,11 @@ public:
         require(speed == -1, "the speed is that of the level");
         return outcome();
     }
+    Result<QString> moveAt(const rotctld::Client&, rotctld::MoveDirection, AngularRate) override
+    {
+        require(false, "GS-232 has no word for a rate");
+        return QString();
+    }
     Result<> stop(const rotctld::Client&) override { return outcome(); }
     Result<> park(const rotctld::Client&) override
     {

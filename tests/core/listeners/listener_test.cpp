@@ -26,6 +26,14 @@ TEST(Listener, IsReadFromALineOfTheProfile)
                         .allow = {"192.168.1.0/24", "fe80::1"}}));
     EXPECT_EQ(parseListener("gs232a read pty:/tmp/rotator"),
               (Listener{.protocol = Protocol::Gs232A, .rights = Rights::Read, .pty = "/tmp/rotator", .host = {}}));
+    for (const auto& [word, protocol, name] : {std::tuple("easycomm1", Protocol::Easycomm1, "EasyComm I"),
+                                               std::tuple("easycomm2", Protocol::Easycomm2, "EasyComm II"),
+                                               std::tuple("easycomm3", Protocol::Easycomm3, "EasyComm III")}) {
+        const auto listener = parseListener(std::string(word) + " drive pty:/tmp/rotator");
+        ASSERT_TRUE(listener) << word;
+        EXPECT_EQ(listener->protocol, protocol);
+        EXPECT_EQ(nameOf(listener->protocol), name);
+    }
 }
 
 TEST(Listener, NamesTheWordThatIsWrong)
@@ -33,6 +41,7 @@ TEST(Listener, NamesTheWordThatIsWrong)
     EXPECT_TRUE(refusalOf("").contains(QStringLiteral("protocol, rights and place")));
     EXPECT_TRUE(refusalOf("gs232b drive").contains(QStringLiteral("protocol, rights and place")));
     EXPECT_TRUE(refusalOf("gs233 drive tcp:127.0.0.1:1").contains(QStringLiteral("\"gs233\"")));
+    EXPECT_TRUE(refusalOf("easycomm drive tcp:127.0.0.1:1").contains(QStringLiteral("gs232b, easycomm1, easycomm2")));
     EXPECT_TRUE(refusalOf("gs232a write tcp:127.0.0.1:1").contains(QStringLiteral("\"write\"")));
     for (const char* const place :
          {"tcp:127.0.0.1", "tcp:127.0.0.1:65536", "tcp:127.0.0.1:-1", "tcp:rotator.local:4534", "tcp::4534",

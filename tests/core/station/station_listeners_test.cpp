@@ -103,6 +103,34 @@ TEST(StationListeners, OneThatReadsMovesNothing)
     EXPECT_FALSE(rig.control.followsClient()) << "it has stopped the mount";
 }
 
+// An EasyComm client passes what all clients pass.
+TEST(StationListeners, EasycommIsOneOfThem)
+{
+    ListenersRig rig(
+        {"easycomm3 drive tcp:127.0.0.1:0", "easycomm2 read tcp:127.0.0.1:0", "gs232b drive tcp:127.0.0.1:0"});
+    const auto first = rig.connect(0);
+    const auto reading = rig.connect(1);
+    const auto other = rig.connect(2);
+    static_cast<void>(first->send("AZ40.0 EL30.0\nAZ EL\n"));
+    EXPECT_TRUE(first->receiveLines(1).starts_with("AZ"));
+    EXPECT_EQ(rig.control.status().commander.name.left(24), QStringLiteral("client EasyComm III 127."));
+    EXPECT_EQ(other->ask("W300 010\r"), "?>\r\n") << "another client has control";
+    EXPECT_TRUE(reading->ask("AZ EL\n").starts_with("AZ"));
+    EXPECT_EQ(reading->ask("AZ10.0 EL10.0\n"), "ALrefused\n");
+    static_cast<void>(first->send("VR0500\nGS\n"));
+    EXPECT_TRUE(first->receiveLines(1).starts_with("GS"));
+    rig.run(Seconds(3.0));
+    EXPECT_NEAR(rig.control.status().azimuth.commandedRate->degrees(), 0.5, 1e-6);
+    static_cast<void>(reading->send("SA\nVE\n"));
+    EXPECT_TRUE(reading->receiveLines(1).starts_with("VEBoresight-")) << "everybody may stop";
+    rig.run(Seconds(3.0));
+    EXPECT_FALSE(rig.rotator.motion().movingRight);
+    rig.azimuth.silent = true;
+    rig.run(Seconds(3.0));
+    EXPECT_EQ(first->ask("AZ EL\n"), "ALno-position\n");
+    EXPECT_EQ(first->ask("GS\n"), "GS8\n");
+}
+
 // REQ-LISTENERS-06: A listener that cannot be opened is an alarm with the place and the reason. The others serve. A
 // listener that other computers reach without a list of addresses is an advisory.
 TEST(StationListeners, APlaceThatIsTakenIsAnAlarm)
