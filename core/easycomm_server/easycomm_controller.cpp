@@ -10,16 +10,12 @@ namespace boresight::easycomm {
 namespace {
 
 constexpr int kSpeedOfTheLevel = -1;
-// Programs that send the axes in two lines send them one after the other.
-constexpr Seconds kTogether{10.0};
-// A mount that stands a little beside its target would creep with each further one.
-constexpr Angle kBeside = Angle::fromDegrees(1.5);
 
 }  // namespace
 
 EasycommController::EasycommController(rotctld::Client client, rotctld::Rotator& rotator, const Clock& clock,
                                        Version version)
-    : m_client(std::move(client)), m_rotator(rotator), m_clock(clock), m_version(version)
+    : m_client(std::move(client)), m_rotator(rotator), m_version(version), m_held(rotator, clock)
 {}
 
 rotctld::LineOutcome EasycommController::obey(std::string_view line)
@@ -84,7 +80,7 @@ Result<std::string> EasycommController::carryOut(const Target& target, rotctld::
 {
     outcome.motion = true;
     const auto place = placeOf(target);
-    m_sent.reset();
+    m_held.forget();
     return place
         .and_then([&](const SkyPointing& wanted) {
             outcome.point = wanted;
@@ -92,34 +88,21 @@ Result<std::string> EasycommController::carryOut(const Target& target, rotctld::
         })
         .map([&](const QString& became) {
             outcome.became = became;
-            m_sent = Sent{.place = *place, .when = m_clock.now()};
+            m_held.sent(*place);
             m_reported.reset();
             return std::string();
         });
 }
 
-// A controller has a set-point for each axis, and one of them stays when the other is sent. So does the target here
-// while the mount stands there or goes there. It may have been moved since by others: then it stays where it is.
 Result<SkyPointing> EasycommController::placeOf(const Target& target)
 {
     const rotctld::Limits limits = m_rotator.limits();
     if (target.azimuth && target.elevation) {
         return SkyPointing{.azimuth = limits.turned(*target.azimuth), .elevation = *target.elevation};
     }
-    return m_rotator.position(m_client).map([&](const SkyPointing& now) {
-        SkyPointing place = limits.nearest(now);
-        const rotctld::MotionFlags motion = m_rotator.motion();
-        const bool recent = m_sent && m_clock.now() - m_sent->when < kTogether;
-        if (m_sent && (recent || motion.movingLeft || motion.movingRight ||
-                       abs((m_sent->place.azimuth - now.azimuth).wrapped180()) < kBeside)) {
-            place.azimuth = m_sent->place.azimuth;
-        }
-        if (m_sent && (recent || motion.movingUp || motion.movingDown ||
-                       abs(m_sent->place.elevation - now.elevation) < kBeside)) {
-            place.elevation = m_sent->place.elevation;
-        }
-        return SkyPointing{.azimuth = target.azimuth ? limits.turned(*target.azimuth) : place.azimuth,
-                           .elevation = target.elevation.value_or(place.elevation)};
+    return m_held.place(m_client).map([&](const SkyPointing& held) {
+        return SkyPointing{.azimuth = target.azimuth ? limits.turned(*target.azimuth) : held.azimuth,
+                           .elevation = target.elevation.value_or(held.elevation)};
     });
 }
 
@@ -154,7 +137,7 @@ Result<std::string> EasycommController::carryOut(const Reset&, rotctld::LineOutc
 // Whatever is no target ends that the axis keeps one.
 Result<std::string> EasycommController::done(const Result<>& outcome)
 {
-    m_sent.reset();
+    m_held.forget();
     return outcome.map([&] {
         m_reported.reset();
         return std::string();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/clock.h"
 #include "core/easycomm_server/easycomm_words.h"
+#include "core/rotctld/held_target.h"
 #include "core/rotctld/line_session.h"
 
 #include <optional>
@@ -22,12 +22,6 @@ public:
     [[nodiscard]] rotctld::LineOutcome obey(std::string_view line) override;
 
 private:
-    struct Sent
-    {
-        SkyPointing place;
-        SteadyTime when;
-    };
-
     // Each gives what is answered, perhaps nothing.
     Result<std::string> carryOut(Ask question, rotctld::LineOutcome& outcome);
     Result<std::string> carryOut(const Target& target, rotctld::LineOutcome& outcome);
@@ -43,9 +37,8 @@ private:
 
     rotctld::Client m_client;
     rotctld::Rotator& m_rotator;
-    const Clock& m_clock;
     Version m_version;
-    std::optional<Sent> m_sent;           // the last target, while nothing else was commanded
+    rotctld::HeldTarget m_held;
     std::optional<ErrorCode> m_reported;  // the alarm of the last command, while none is accepted
 };
 

@@ -9339,10 +9339,6 @@ até %1</translation>
         <translation>&quot;tcp:%1&quot; não indica um endereço IP e uma porta. Um exemplo: tcp:127.0.0.1:4534</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no place to listen. tcp:ADDRESS:PORT or pty:/PATH is expected</source>
-        <translation>&quot;%1&quot; não é um lugar de escuta. Espera-se tcp:ENDEREÇO:PORTA ou pty:/CAMINHO</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is no IP address and no network</source>
         <translation>&quot;%1&quot; não é um endereço IP nem uma rede</translation>
     </message>
@@ -9357,10 +9353,6 @@ até %1</translation>
     <message>
         <source>the rights &quot;%1&quot; are neither &quot;drive&quot; nor &quot;read&quot;</source>
         <translation>os direitos &quot;%1&quot; não são &quot;drive&quot; nem &quot;read&quot;</translation>
-    </message>
-    <message>
-        <source>a pseudo-terminal takes no addresses, here &quot;%1&quot;. Only programs of this computer reach it</source>
-        <translation>um pseudoterminal não aceita endereços, aqui &quot;%1&quot;. Só os programas deste computador o alcançam</translation>
     </message>
     <message>
         <source>Two listeners have the place %1. Each needs its own.</source>
@@ -9431,12 +9423,52 @@ até %1</translation>
         <translation>uma linha pede dois movimentos</translation>
     </message>
     <message>
-        <source>Listeners for programs that do not speak rotctld. Each has a protocol (&quot;gs232a&quot;, &quot;gs232b&quot;, &quot;easycomm1&quot;, &quot;easycomm2&quot; or &quot;easycomm3&quot;), the right to &quot;drive&quot; or only to &quot;read&quot;, and a place: &quot;gs232b drive tcp:127.0.0.1:4534&quot; or &quot;gs232a read pty:/tmp/rotator&quot;. Addresses and networks that may connect by TCP can follow. Empty: none.</source>
-        <translation>Escutas para programas que não falam rotctld. Cada uma tem um protocolo (&quot;gs232a&quot;, &quot;gs232b&quot;, &quot;easycomm1&quot;, &quot;easycomm2&quot; ou &quot;easycomm3&quot;), o direito de mover (&quot;drive&quot;) ou só de ler (&quot;read&quot;), e um lugar: &quot;gs232b drive tcp:127.0.0.1:4534&quot; ou &quot;gs232a read pty:/tmp/rotator&quot;. Podem seguir-se endereços e redes que se podem ligar por TCP. Vazio: nenhuma.</translation>
-    </message>
-    <message>
         <source>turns at %1°/s, the fastest jog rate</source>
         <translation>roda a %1°/s, a velocidade manual mais rápida</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no place to listen. tcp:ADDRESS:PORT, pty:/PATH or unix:/PATH is expected</source>
+        <translation>&quot;%1&quot; não é um lugar de escuta. Espera-se tcp:ENDEREÇO:PORTA, pty:/CAMINHO ou unix:/CAMINHO</translation>
+    </message>
+    <message>
+        <source>a path takes no addresses, here &quot;%1&quot;. Only programs of this computer reach it</source>
+        <translation>um caminho não aceita endereços, aqui &quot;%1&quot;. Só programas deste computador lhe chegam</translation>
+    </message>
+    <message>
+        <source>The site of the mount is unknown. Enter it on the page Profile.</source>
+        <translation>O local da montagem é desconhecido. Introduza-o na página Perfil.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no command. Known are: ELEVATION, AZIMUTH ELEVATION, +AZIMUTH +ELEVATION, bearing LOCATOR, bearing LOCATOR long, stop, park, ?</source>
+        <translation>&quot;%1&quot; não é um comando. São conhecidos: ELEVAÇÃO, AZIMUTE ELEVAÇÃO, +AZIMUTE +ELEVAÇÃO, bearing LOCATOR, bearing LOCATOR long, stop, park, ?</translation>
+    </message>
+    <message>
+        <source>azimuth %1 is outside -3600°…3600°</source>
+        <translation>o azimute %1 está fora de -3600°…3600°</translation>
+    </message>
+    <message>
+        <source>elevation %1 is outside -90°…180°</source>
+        <translation>a elevação %1 está fora de -90°…180°</translation>
+    </message>
+    <message>
+        <source>Listeners for programs that do not speak rotctld. Each has a protocol (&quot;gs232a&quot;, &quot;gs232b&quot;, &quot;easycomm1&quot;, &quot;easycomm2&quot;, &quot;easycomm3&quot; or &quot;pairs&quot;), the right to &quot;drive&quot; or only to &quot;read&quot;, and a place: &quot;gs232b drive tcp:127.0.0.1:4534&quot;, &quot;gs232a read pty:/tmp/rotator&quot; or &quot;pairs drive unix:/tmp/pairs&quot;. Addresses and networks that may connect by TCP can follow. Empty: none.</source>
+        <translation>Escutas para programas que não falam rotctld. Cada uma tem um protocolo (&quot;gs232a&quot;, &quot;gs232b&quot;, &quot;easycomm1&quot;, &quot;easycomm2&quot;, &quot;easycomm3&quot; ou &quot;pairs&quot;), o direito de mover (&quot;drive&quot;) ou só de ler (&quot;read&quot;), e um lugar: &quot;gs232b drive tcp:127.0.0.1:4534&quot;, &quot;gs232a read pty:/tmp/rotator&quot; ou &quot;pairs drive unix:/tmp/pairs&quot;. Podem seguir-se endereços e redes que se podem ligar por TCP. Vazio: nenhuma.</translation>
+    </message>
+    <message>
+        <source>cannot serve the socket %1: %2</source>
+        <translation>não é possível servir o socket %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 exists and is no socket</source>
+        <translation>%1 existe e não é um socket</translation>
+    </message>
+    <message>
+        <source>another program listens there</source>
+        <translation>outro programa escuta aí</translation>
+    </message>
+    <message>
+        <source>a path has at most %1 bytes</source>
+        <translation>um caminho tem no máximo %1 bytes</translation>
     </message>
 </context>
 <context>

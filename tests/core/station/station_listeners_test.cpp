@@ -5,8 +5,11 @@
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/tcp_peer.h"
 #include "tests/fakes/text_of.h"
+#include "tests/fakes/wait_until.h"
 
 #include <QCoreApplication>
+#include <QLocalSocket>
+#include <QTemporaryDir>
 
 #include <gtest/gtest.h>
 
@@ -129,6 +132,34 @@ TEST(StationListeners, EasycommIsOneOfThem)
     rig.run(Seconds(3.0));
     EXPECT_EQ(first->ask("AZ EL\n"), "ALno-position\n");
     EXPECT_EQ(first->ask("GS\n"), "GS8\n");
+}
+
+// A path as place, and the bearing from the site of the profile.
+TEST(StationListeners, PairsComeByASocketInTheFileSystem)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("pairs"));
+    ListenersRig rig({"pairs drive unix:" + path.toStdString()});
+    ASSERT_EQ(rig.further.addresses(), std::vector<std::string>{path.toStdString()});
+    QLocalSocket program;
+    const auto ask = [&](const char* line) {
+        program.write(line);
+        program.flush();
+        EXPECT_TRUE(fakes::waitUntil([&] { return program.canReadLine(); }));
+        return program.readLine().toStdString();
+    };
+    program.connectToServer(path);
+    EXPECT_EQ(ask("?\n"), "0.0 0.0\n");
+    EXPECT_EQ(ask("40 30\n"), "OK\n");
+    EXPECT_TRUE(rig.control.followsClient());
+    EXPECT_TRUE(rig.control.status().commander.name.startsWith(QStringLiteral("client Pairs ") + path));
+    EXPECT_TRUE(ask("bearing JN58td\n").starts_with("error: The site of the mount is unknown."));
+    profile::Profile withSite = rig.inForce.wanted();
+    withSite.site = {.known = true, .latitude = 38.72_deg, .longitude = -9.14_deg};
+    rig.inForce.apply(withSite);
+    EXPECT_EQ(ask("bearing JN58td\n"), "OK\n");
+    ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
+    EXPECT_TRUE(ask("60\n").starts_with("error: "));
 }
 
 // REQ-LISTENERS-06: A listener that cannot be opened is an alarm with the place and the reason. The others serve. A
