@@ -123,9 +123,10 @@ Result<Command> parseVelocity(std::string_view word, MoveDirection direction)
     constexpr std::size_t kMostDigits = 6;
     constexpr double kMillidegrees = 1000.0;
     const std::string_view digits = word.substr(2);
-    const auto value = digits.size() > kMostDigits || digits.find_first_not_of("0123456789") != std::string_view::npos
-                           ? std::nullopt
-                           : parseInteger(digits);
+    std::optional<std::int64_t> value;
+    if (digits.size() <= kMostDigits && digits.find_first_not_of("0123456789") == std::string_view::npos) {
+        value = parseInteger(digits);
+    }
     if (!value) {
         return unknown(word);
     }

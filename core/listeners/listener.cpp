@@ -67,7 +67,10 @@ bool isTcp(const Listener& listener)
 Result<> readTcp(std::string_view place, Listener& listener)
 {
     const std::size_t colon = place.rfind(':');
-    const auto port = colon == std::string_view::npos ? std::nullopt : parseInteger(place.substr(colon + 1));
+    std::optional<std::int64_t> port;
+    if (colon != std::string_view::npos) {
+        port = parseInteger(place.substr(colon + 1));
+    }
     std::string_view host = place.substr(0, colon);
     if (host.starts_with('[') && host.ends_with(']')) {
         host = host.substr(1, host.size() - 2);

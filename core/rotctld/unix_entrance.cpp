@@ -118,8 +118,8 @@ Result<> UnixEntrance::open()
         return cannotListen(m_path, lock.error().code, lock.error().text);
     }
     m_lock = std::move(*lock);
-    if (const Result<> free = removeStale(); !free) {
-        return free;
+    if (Result<> cleared = removeStale(); !cleared) {
+        return cleared;
     }
     m_listener = newSocket();
     const sockaddr_un address = addressOf(m_path);
