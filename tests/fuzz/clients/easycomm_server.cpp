@@ -3,7 +3,7 @@
 #include "core/base/version.h"
 #include "core/easycomm_server/easycomm_controller.h"
 #include "tests/fakes/manual_clock.h"
-#include "tests/fuzz/harness.h"
+#include "tests/fuzz/clients/strict_rotator.h"
 
 #include <algorithm>
 #include <array>
@@ -16,26 +16,12 @@ using namespace boresight::easycomm;
 
 constexpr std::size_t kMaxInput = 600;
 
-// Only what the protocol has words for comes through.
-class StrictRotator final : public rotctld::Rotator
+// Turns at no level and at any rate, parks and re-arms.
+class EasycommRotator final : public StrictRotator
 {
 public:
-    [[nodiscard]] std::string info() const override { return "strict rotator"; }
-    [[nodiscard]] rotctld::Limits limits() const override { return {-180_deg, 180_deg, 0_deg, 90_deg}; }
-    [[nodiscard]] Result<SkyPointing> position(const rotctld::Client&) override
-    {
-        if (refuses) {
-            return failure(ErrorCode::NoAnswer, QStringLiteral("the drives are silent"));
-        }
-        return SkyPointing{123.45_deg, -0.31_deg};
-    }
-    [[nodiscard]] rotctld::MotionFlags motion() const override { return {}; }
-    Result<QString> pointTo(const rotctld::Client&, const rotctld::PointRequest& request) override
-    {
-        require(abs(request.azimuth) <= 3600_deg, "an azimuth is within -3600°…3600°");
-        require(request.elevation >= -90_deg && request.elevation <= 180_deg, "an elevation is within -90°…180°");
-        return moved().map([] { return QString(); });
-    }
+    EasycommRotator() : StrictRotator({.azimuth = 123.45_deg, .elevation = -0.31_deg}) {}
+
     Result<> move(const rotctld::Client&, rotctld::MoveDirection, int speed) override
     {
         require(speed == -1, "the speed is that of the level");
@@ -46,39 +32,11 @@ public:
         require(rate > AngularRate{} && rate < 1000.0_deg_s, "a rate has at most six digits and is above zero");
         return moved().map([] { return QString(); });
     }
-    Result<> stop(const rotctld::Client&) override { return outcome(); }
     Result<> park(const rotctld::Client&) override { return moved(); }
     Result<> reset(const rotctld::Client&, int kind) override
     {
         require(kind == 1, "a reset is of all");
         return moved();
-    }
-    [[nodiscard]] int speedLevel() const override { return 2; }
-    Result<> setSpeedLevel(const rotctld::Client&, int) override
-    {
-        require(false, "EasyComm has no word for a level");
-        return {};
-    }
-    void clientConnected(const rotctld::Client&) override {}
-    void clientGone(const rotctld::Client&, const QString&) override {}
-    void clientRemark(const rotctld::Client&, const QString& text) override
-    {
-        require(text.toUtf8().size() < 512, "a remark fits a line of the log");
-        require(std::ranges::all_of(text, [](QChar one) { return one.isPrint(); }), "a remark is printable");
-    }
-
-    bool refuses = false;
-    int motions = 0;
-
-private:
-    [[nodiscard]] Result<> outcome() const
-    {
-        return refuses ? Result<>(failure(ErrorCode::Refused, QStringLiteral("STOP is latched"))) : Result<>();
-    }
-    [[nodiscard]] Result<> moved()
-    {
-        ++motions;
-        return outcome();
     }
 };
 
@@ -140,7 +98,7 @@ struct Talk
     }
 
     fakes::ManualClock clock;
-    StrictRotator rotator;
+    EasycommRotator rotator;
     std::unique_ptr<rotctld::Conversation> session;
     bool refused = false;
     bool answered = false;

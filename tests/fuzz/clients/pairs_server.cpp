@@ -3,7 +3,7 @@
 // believes nothing.
 #include "core/pairs_server/pairs_talk.h"
 #include "tests/fakes/manual_clock.h"
-#include "tests/fuzz/harness.h"
+#include "tests/fuzz/clients/strict_rotator.h"
 
 #include <algorithm>
 #include <string>
@@ -15,62 +15,13 @@ using namespace boresight::pairs;
 
 constexpr std::size_t kMaxInput = 600;
 
-// Only what the protocol has words for comes through.
-class StrictRotator final : public rotctld::Rotator
+// Points and parks.
+class PairsRotator final : public StrictRotator
 {
 public:
-    [[nodiscard]] std::string info() const override { return "strict rotator"; }
-    [[nodiscard]] rotctld::Limits limits() const override { return {-180_deg, 180_deg, 0_deg, 90_deg}; }
-    [[nodiscard]] Result<SkyPointing> position(const rotctld::Client&) override
-    {
-        if (refuses) {
-            return failure(ErrorCode::NoAnswer, QStringLiteral("the drives are silent"));
-        }
-        return SkyPointing{123.45_deg, 67.89_deg};
-    }
-    [[nodiscard]] rotctld::MotionFlags motion() const override { return {}; }
-    Result<QString> pointTo(const rotctld::Client&, const rotctld::PointRequest& request) override
-    {
-        ++motions;
-        require(abs(request.azimuth) <= 3600_deg, "an azimuth is within -3600°…3600°");
-        require(request.elevation >= -90_deg && request.elevation <= 180_deg, "an elevation is within -90°…180°");
-        return outcome().map([] { return QString(); });
-    }
-    Result<> move(const rotctld::Client&, rotctld::MoveDirection, int) override { return unspoken(); }
-    Result<QString> moveAt(const rotctld::Client&, rotctld::MoveDirection, AngularRate) override
-    {
-        return unspoken().map([] { return QString(); });
-    }
-    Result<> stop(const rotctld::Client&) override { return outcome(); }
-    Result<> park(const rotctld::Client&) override
-    {
-        ++motions;
-        return outcome();
-    }
-    Result<> reset(const rotctld::Client&, int) override { return unspoken(); }
-    [[nodiscard]] int speedLevel() const override { return 2; }
-    Result<> setSpeedLevel(const rotctld::Client&, int) override { return unspoken(); }
-    void clientConnected(const rotctld::Client&) override {}
-    void clientGone(const rotctld::Client&, const QString&) override {}
-    void clientRemark(const rotctld::Client&, const QString& text) override
-    {
-        require(text.toUtf8().size() < 512, "a remark fits a line of the log");
-        require(std::ranges::all_of(text, [](QChar one) { return one.isPrint(); }), "a remark is printable");
-    }
+    PairsRotator() : StrictRotator({.azimuth = 123.45_deg, .elevation = 67.89_deg}) {}
 
-    bool refuses = false;
-    int motions = 0;
-
-private:
-    [[nodiscard]] Result<> outcome() const
-    {
-        return refuses ? Result<>(failure(ErrorCode::Refused, QStringLiteral("STOP is latched"))) : Result<>();
-    }
-    static Result<> unspoken()
-    {
-        require(false, "there are no words for turning, re-arming and speeds");
-        return {};
-    }
+    Result<> park(const rotctld::Client&) override { return moved(); }
 };
 
 bool isAnswer(std::string_view reply)
@@ -104,7 +55,7 @@ struct Talk
     }
 
     fakes::ManualClock clock;
-    StrictRotator rotator;
+    PairsRotator rotator;
     std::unique_ptr<rotctld::Conversation> session = talkPairs(rotator, clock, [] {
         return std::optional(Site{.latitude = 38.72_deg, .longitude = -9.14_deg});
     })({.id = 7, .address = "/tmp/pairs:5", .protocol = "Pairs"});
