@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/gs232_server/emulated_box.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace boresight::gs232 {
@@ -46,7 +45,7 @@ void EmulatedBox::carryOut(const PointTo& place, rotctld::LineOutcome& outcome)
     const Result<Angle> elevation = place.elevation ? Result<Angle>(*place.elevation) : keptElevation();
     outcome.result = elevation
                          .and_then([&](Angle wanted) {
-                             const Angle azimuth = asLimited(place.azimuth);
+                             const Angle azimuth = m_rotator.limits().turned(place.azimuth);
                              outcome.point = SkyPointing{.azimuth = azimuth, .elevation = wanted};
                              return m_rotator.pointTo(m_client, {.azimuth = azimuth, .elevation = wanted});
                          })
@@ -59,20 +58,11 @@ Result<Angle> EmulatedBox::keptElevation()
 {
     constexpr Angle kBeside = Angle::fromDegrees(1.5);
     return m_rotator.position(m_client).map([&](const SkyPointing& now) {
-        const rotctld::Limits limits = m_rotator.limits();
         if (!m_kept || abs(*m_kept - now.elevation) > kBeside) {
-            m_kept = std::max(limits.minElevation, std::min(now.elevation, limits.maxElevation));
+            m_kept = m_rotator.limits().nearest(now).elevation;
         }
         return *m_kept;
     });
-}
-
-// A program counts 0…450°, the mount perhaps -180…180°.
-Angle EmulatedBox::asLimited(Angle azimuth) const
-{
-    const rotctld::Limits limits = m_rotator.limits();
-    const Angle other = azimuth - 360_deg;
-    return azimuth > limits.maxAzimuth && other >= limits.minAzimuth ? other : azimuth;
 }
 
 void EmulatedBox::carryOut(const Turn& turn, rotctld::LineOutcome& outcome)

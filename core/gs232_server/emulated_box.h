@@ -23,7 +23,6 @@ private:
     void carryOut(const StopTurning& stop, rotctld::LineOutcome& outcome);
     void carryOut(const Speed& speed, rotctld::LineOutcome& outcome);
     [[nodiscard]] Result<Angle> keptElevation();
-    [[nodiscard]] Angle asLimited(Angle azimuth) const;
 
     rotctld::Client m_client;
     rotctld::Rotator& m_rotator;

@@ -21,14 +21,28 @@ struct ProtocolWord
     Protocol protocol;
 };
 constexpr std::array kProtocols{ProtocolWord{"gs232a", "GS-232A", Protocol::Gs232A},
-                                ProtocolWord{"gs232b", "GS-232B", Protocol::Gs232B}};
+                                ProtocolWord{"gs232b", "GS-232B", Protocol::Gs232B},
+                                ProtocolWord{"easycomm1", "EasyComm I", Protocol::Easycomm1},
+                                ProtocolWord{"easycomm2", "EasyComm II", Protocol::Easycomm2},
+                                ProtocolWord{"easycomm3", "EasyComm III", Protocol::Easycomm3},
+                                ProtocolWord{"pairs", "Pairs", Protocol::Pairs}};
 
 constexpr std::string_view kTcp = "tcp:";
 constexpr std::string_view kPty = "pty:";
+constexpr std::string_view kUnix = "unix:";
 
 QHostAddress addressOf(const std::string& host)
 {
     return host == "localhost" ? QHostAddress(QHostAddress::LocalHost) : QHostAddress(QString::fromStdString(host));
+}
+
+QString knownProtocols()
+{
+    QStringList words;
+    for (const ProtocolWord& protocol : kProtocols) {
+        words << toQString(protocol.word);
+    }
+    return words.join(QStringLiteral(", "));
 }
 
 std::vector<std::string_view> wordsOf(std::string_view text)
@@ -45,10 +59,18 @@ std::vector<std::string_view> wordsOf(std::string_view text)
     }
 }
 
+bool isTcp(const Listener& listener)
+{
+    return listener.pty.empty() && listener.unixPath.empty();
+}
+
 Result<> readTcp(std::string_view place, Listener& listener)
 {
     const std::size_t colon = place.rfind(':');
-    const auto port = colon == std::string_view::npos ? std::nullopt : parseInteger(place.substr(colon + 1));
+    std::optional<std::int64_t> port;
+    if (colon != std::string_view::npos) {
+        port = parseInteger(place.substr(colon + 1));
+    }
     std::string_view host = place.substr(0, colon);
     if (host.starts_with('[') && host.ends_with(']')) {
         host = host.substr(1, host.size() - 2);
@@ -68,13 +90,16 @@ Result<> readPlace(std::string_view word, Listener& listener)
     if (word.starts_with(kTcp)) {
         return readTcp(word.substr(kTcp.size()), listener);
     }
-    const std::string_view path = word.starts_with(kPty) ? word.substr(kPty.size()) : std::string_view();
+    const bool terminal = word.starts_with(kPty);
+    const std::string_view path = terminal                  ? word.substr(kPty.size())
+                                  : word.starts_with(kUnix) ? word.substr(kUnix.size())
+                                                            : std::string_view();
     if (!path.starts_with('/') || path.ends_with('/')) {
-        return failure(
-            ErrorCode::InvalidInput,
-            Text::tr("\"%1\" is no place to listen. tcp:ADDRESS:PORT or pty:/PATH is expected").arg(toQString(word)));
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("\"%1\" is no place to listen. tcp:ADDRESS:PORT, pty:/PATH or unix:/PATH is expected")
+                           .arg(toQString(word)));
     }
-    listener.pty = std::string(path);
+    (terminal ? listener.pty : listener.unixPath) = std::string(path);
     return {};
 }
 
@@ -101,8 +126,9 @@ Result<Listener> parseListener(std::string_view text)
     }
     const auto* const protocol = std::ranges::find(kProtocols, words[0], &ProtocolWord::word);
     if (protocol == kProtocols.end()) {
-        return failure(ErrorCode::InvalidInput, Text::tr("the protocol \"%1\" is unknown. Known are: %2")
-                                                    .arg(toQString(words[0]), QStringLiteral("gs232a, gs232b")));
+        return failure(
+            ErrorCode::InvalidInput,
+            Text::tr("the protocol \"%1\" is unknown. Known are: %2").arg(toQString(words[0]), knownProtocols()));
     }
     if (words[1] != "drive" && words[1] != "read") {
         return failure(ErrorCode::InvalidInput,
@@ -115,10 +141,9 @@ Result<Listener> parseListener(std::string_view text)
     if (const auto place = readPlace(words[2], listener); !place) {
         return tl::unexpected(place.error());
     }
-    if (!listener.pty.empty() && words.size() > 3) {
+    if (!isTcp(listener) && words.size() > 3) {
         return failure(ErrorCode::InvalidInput,
-                       Text::tr("a pseudo-terminal takes no addresses, here \"%1\". Only programs of this computer "
-                                "reach it")
+                       Text::tr("a path takes no addresses, here \"%1\". Only programs of this computer reach it")
                            .arg(toQString(words[3])));
     }
     for (std::size_t i = 3; i < words.size(); ++i) {
@@ -136,8 +161,8 @@ std::string_view nameOf(Protocol protocol)
 
 std::string placeOf(const Listener& listener)
 {
-    if (!listener.pty.empty()) {
-        return listener.pty;
+    if (!isTcp(listener)) {
+        return listener.pty + listener.unixPath;
     }
     const bool sixth = listener.host.find(':') != std::string::npos;
     return (sixth ? "[" + listener.host + "]" : listener.host) + ":" + std::to_string(listener.port);
@@ -145,13 +170,13 @@ std::string placeOf(const Listener& listener)
 
 bool isOpenToAll(const Listener& listener)
 {
-    return listener.pty.empty() && listener.allow.empty() && listener.rights == Rights::Drive &&
+    return isTcp(listener) && listener.allow.empty() && listener.rights == Rights::Drive &&
            !addressOf(listener.host).isLoopback();
 }
 
 bool collide(const Listener& one, const Listener& other)
 {
-    return placeOf(one) == placeOf(other) && (!one.pty.empty() || one.port != 0);
+    return placeOf(one) == placeOf(other) && (!isTcp(one) || one.port != 0);
 }
 
 }  // namespace boresight::listeners

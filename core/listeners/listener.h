@@ -15,7 +15,11 @@ namespace boresight::listeners {
 enum class Protocol
 {
     Gs232A,
-    Gs232B
+    Gs232B,
+    Easycomm1,
+    Easycomm2,
+    Easycomm3,
+    Pairs
 };
 
 enum class Rights
@@ -28,7 +32,8 @@ struct Listener
 {
     Protocol protocol = Protocol::Gs232A;
     Rights rights = Rights::Drive;
-    std::string pty;                      // path of the link to the pseudo-terminal; empty: TCP
+    std::string pty;                      // path of the link to a pseudo-terminal; empty: there is none
+    std::string unixPath = {};            // of a socket in the file system; both empty: TCP
     std::string host;                     // of TCP: an address or "localhost"
     std::uint16_t port = 0;               // of TCP; 0 takes any free port
     std::vector<std::string> allow = {};  // of TCP: addresses and networks; empty: whoever can reach the port

@@ -304,9 +304,10 @@ void addClients(std::vector<Setting>& list)
         {QT_TRANSLATE_NOOP("Text", "Further listeners"),
          QT_TRANSLATE_NOOP(
              "Text",
-             "Listeners for programs that do not speak rotctld. Each has a protocol (\"gs232a\" or \"gs232b\"), the "
-             "right to \"drive\" or only to \"read\", and a place: \"gs232b drive tcp:127.0.0.1:4534\" or \"gs232a "
-             "read pty:/tmp/rotator\". Addresses and networks that may connect by TCP can follow. Empty: none.")},
+             "Listeners for programs that do not speak rotctld. Each has a protocol (\"gs232a\", \"gs232b\", "
+             "\"easycomm1\", \"easycomm2\", \"easycomm3\" or \"pairs\"), the right to \"drive\" or only to \"read\", "
+             "and a place: \"gs232b drive tcp:127.0.0.1:4534\", \"gs232a read pty:/tmp/rotator\" or \"pairs drive "
+             "unix:/tmp/pairs\". Addresses and networks that may connect by TCP can follow. Empty: none.")},
         [](auto& p) -> auto& { return p.listeners; },
         [](const std::string& text) { return listeners::parseListener(text).map([](const auto&) {}); }));
 }

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/rotctld/entrance.h"
 
+#include "core/base/text.h"
+
 #include <sys/epoll.h>
+
+#include <utility>
 
 namespace boresight::rotctld {
 namespace {
@@ -18,15 +22,7 @@ public:
 
     bool watch(const Descriptor& epoll, std::uint64_t number, bool on) override
     {
-        if (on == m_watched) {
-            return false;
-        }
-        epoll_event event{};
-        event.events = EPOLLIN;
-        event.data.u64 = number;
-        ::epoll_ctl(epoll.get(), on ? EPOLL_CTL_ADD : EPOLL_CTL_DEL, m_listener.get(), &event);
-        m_watched = on;
-        return true;
+        return watchListener(epoll, m_listener, number, std::exchange(m_watched, on), on);
     }
 
 private:
@@ -35,6 +31,27 @@ private:
 };
 
 }  // namespace
+
+Result<ProgramLock> lockPlace(const std::string& path)
+{
+    return ProgramLock::take(QString::fromStdString(path) + QStringLiteral(".lock")).map_error([](const Error& error) {
+        return Error{.code = error.code,
+                     .text = error.code == ErrorCode::Busy ? Text::tr("%1 serves it already").arg(error.text)
+                                                           : Text::tr("its folder is missing or cannot be written")};
+    });
+}
+
+bool watchListener(const Descriptor& epoll, const Descriptor& listener, std::uint64_t number, bool was, bool on)
+{
+    if (on == was) {
+        return false;
+    }
+    epoll_event event{};
+    event.events = EPOLLIN;
+    event.data.u64 = number;
+    ::epoll_ctl(epoll.get(), on ? EPOLL_CTL_ADD : EPOLL_CTL_DEL, listener.get(), &event);
+    return true;
+}
 
 Result<std::unique_ptr<Entrance>> openTcp(const std::string& host, std::uint16_t port)
 {

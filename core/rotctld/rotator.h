@@ -6,6 +6,7 @@
 
 #include <QString>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <string>
@@ -46,6 +47,19 @@ struct Limits
     Angle maxAzimuth;
     Angle minElevation;
     Angle maxElevation;
+
+    // A program counts 0…360° or 0…450°, the mount perhaps -180…180°.
+    [[nodiscard]] Angle turned(Angle azimuth) const
+    {
+        const Angle other = azimuth - 360_deg;
+        return azimuth > maxAzimuth && other >= minAzimuth ? other : azimuth;
+    }
+    // Of a measured place: its noise is no place to go to.
+    [[nodiscard]] SkyPointing nearest(const SkyPointing& place) const
+    {
+        return {.azimuth = std::max(minAzimuth, std::min(place.azimuth, maxAzimuth)),
+                .elevation = std::max(minElevation, std::min(place.elevation, maxElevation))};
+    }
 };
 
 // One answer to get_status: what moves which way, and which limits are reached.
@@ -78,6 +92,8 @@ public:
     // Runs until stop, a limit or the end of that client's connection. Speed in percent of the fastest jog rate as
     // the client wrote it, -1 for "default".
     virtual Result<> move(const Client& client, MoveDirection direction, int speed) = 0;
+    // As move, at a rate above zero. Accepted: what became of the rate, in words, where that is not what was asked.
+    virtual Result<QString> moveAt(const Client& client, MoveDirection direction, AngularRate rate) = 0;
     virtual Result<> stop(const Client& client) = 0;
     virtual Result<> park(const Client& client) = 0;
     virtual Result<> reset(const Client& client, int kind) = 0;

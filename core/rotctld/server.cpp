@@ -93,7 +93,9 @@ Server::~Server()
 
 Result<> Server::listen()
 {
-    auto entrance = m_settings.pty.empty() ? openTcp(m_settings.host, m_settings.port) : openTerminal(m_settings.pty);
+    auto entrance = !m_settings.pty.empty()        ? openTerminal(m_settings.pty)
+                    : !m_settings.unixPath.empty() ? openUnix(m_settings.unixPath)
+                                                   : openTcp(m_settings.host, m_settings.port);
     if (!entrance) {
         return tl::unexpected(entrance.error());
     }

@@ -34,6 +34,7 @@ struct ServerSettings
     std::size_t maxClients = 900;            // below the usual limit of 1024 descriptors
     std::vector<std::string> allow;          // addresses and networks; empty: whoever can reach the port
     std::string pty = {};                    // the link to a pseudo-terminal, instead of host and port
+    std::string unixPath = {};               // a socket in the file system, instead of host and port
     std::string protocol = "rotctld";        // its clients speak it
     const char* allowKey = "rotctld.allow";  // where the operator wrote `allow`
     bool readsOnly = false;                  // its clients may not move the mount

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/program_lock.h"
 #include "core/base/text.h"
 #include "core/rotctld/entrance.h"
 
@@ -77,12 +76,9 @@ TerminalEntrance::~TerminalEntrance()
 
 Result<> TerminalEntrance::open()
 {
-    Result<ProgramLock> lock = ProgramLock::take(QString::fromStdString(m_path) + QStringLiteral(".lock"));
+    Result<ProgramLock> lock = lockPlace(m_path);
     if (!lock) {
-        const bool held = lock.error().code == ErrorCode::Busy;
-        return cannotServe(m_path, lock.error().code,
-                           held ? Text::tr("%1 serves it already").arg(lock.error().text)
-                                : Text::tr("its folder is missing or cannot be written"));
+        return cannotServe(m_path, lock.error().code, lock.error().text);
     }
     m_lock = std::move(*lock);
     return make();

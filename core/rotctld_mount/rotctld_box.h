@@ -97,6 +97,11 @@ private:
     [[nodiscard]] rotctld::MotionFlags motion() const override;
     Result<QString> pointTo(const rotctld::Client& client, const rotctld::PointRequest& request) override;
     Result<> move(const rotctld::Client& client, rotctld::MoveDirection direction, int speed) override;
+    Result<QString> moveAt(const rotctld::Client& client, rotctld::MoveDirection direction,
+                           AngularRate /*rate*/) override
+    {
+        return move(client, direction, 0).map([] { return QString(); });
+    }
     Result<> stop(const rotctld::Client& client) override;
     Result<> park(const rotctld::Client& client) override;
     Result<> reset(const rotctld::Client& /*client*/, int /*kind*/) override { return {}; }

@@ -3,11 +3,14 @@
 
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
+#include "core/easycomm_server/easycomm_controller.h"
 #include "core/gs232_server/emulated_box.h"
 #include "core/listeners/listener.h"
+#include "core/pairs_server/pairs_talk.h"
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace boresight {
@@ -24,6 +27,7 @@ rotctld::ServerSettings serverSettings(const Listener& listener, const std::shar
             .maxClients = maxClients,
             .allow = listener.allow,
             .pty = listener.pty,
+            .unixPath = listener.unixPath,
             .protocol = std::string(listeners::nameOf(listener.protocol)),
             .allowKey = "listeners.list",
             .readsOnly = listener.rights == listeners::Rights::Read,
@@ -31,11 +35,22 @@ rotctld::ServerSettings serverSettings(const Listener& listener, const std::shar
 }
 
 // The line to add for a protocol of another kind.
-rotctld::StartConversation talkOf(Protocol protocol, rotctld::Rotator& rotator, const Clock& clock)
+rotctld::StartConversation talkOf(Protocol protocol, rotctld::Rotator& rotator, const Clock& clock,
+                                  const profile::InForce& profile)
 {
     switch (protocol) {
         case Protocol::Gs232A:
             return gs232::talkGs232(rotator, clock, gs232::Dialect::A);
+        case Protocol::Easycomm1:
+            return easycomm::talkEasycomm(rotator, clock, easycomm::Version::One);
+        case Protocol::Easycomm2:
+            return easycomm::talkEasycomm(rotator, clock, easycomm::Version::Two);
+        case Protocol::Easycomm3:
+            return easycomm::talkEasycomm(rotator, clock, easycomm::Version::Three);
+        case Protocol::Pairs:
+            return pairs::talkPairs(rotator, clock, [&profile] {
+                return profile->site.known ? std::optional(profile->site.place()) : std::nullopt;
+            });
         case Protocol::Gs232B:
             break;
     }
@@ -67,7 +82,7 @@ void StationListeners::open()
         }
         auto server = std::make_unique<rotctld::Server>(
             serverSettings(*listener, m_newestClient, static_cast<std::size_t>(m_profile->rotctld.maxClients)),
-            talkOf(listener->protocol, m_rotator, m_clock), m_rotator, m_clock, m_parent);
+            talkOf(listener->protocol, m_rotator, m_clock, m_profile), m_rotator, m_clock, m_parent);
         if (const Result<> listening = server->listen(); !listening) {
             failed << listening.error().text;
             continue;

@@ -213,6 +213,21 @@ Result<> StationRotator::move(const rotctld::Client& client, rotctld::MoveDirect
     const AngularRate fastest = m_profile->jog.fast;
     const AngularRate rate = speed > 0 ? fastest * (std::min(speed, kFastestSpeed) / double{kFastestSpeed})
                                        : fastest * (m_speedLevel / double{kFastestLevel});
+    return turn(client, direction, rate);
+}
+
+Result<QString> StationRotator::moveAt(const rotctld::Client& client, rotctld::MoveDirection direction,
+                                       AngularRate rate)
+{
+    const AngularRate fastest = m_profile->jog.fast;
+    return turn(client, direction, std::min(rate, fastest)).map([&] {
+        return rate > fastest ? Text::tr("turns at %1°/s, the fastest jog rate").arg(fastest.degrees(), 0, 'f', 1)
+                              : QString();
+    });
+}
+
+Result<> StationRotator::turn(const rotctld::Client& client, rotctld::MoveDirection direction, AngularRate rate)
+{
     AxisRates rates;
     switch (direction) {
         case rotctld::MoveDirection::Up:

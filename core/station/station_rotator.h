@@ -25,6 +25,7 @@ public:
 
     Result<QString> pointTo(const rotctld::Client& client, const rotctld::PointRequest& request) override;
     Result<> move(const rotctld::Client& client, rotctld::MoveDirection direction, int speed) override;
+    Result<QString> moveAt(const rotctld::Client& client, rotctld::MoveDirection direction, AngularRate rate) override;
     Result<> stop(const rotctld::Client& client) override;
     Result<> park(const rotctld::Client& client) override;
     Result<> reset(const rotctld::Client& client, int kind) override;
@@ -42,6 +43,7 @@ private:
     [[nodiscard]] QString becameOf(const rotctld::PointRequest& request) const;
     [[nodiscard]] std::optional<AxisPosition> placeOf(const SkyPointing& continuous) const;
     Result<> ask(const rotctld::Client& client, const Request& request, const QString& command);
+    Result<> turn(const rotctld::Client& client, rotctld::MoveDirection direction, AngularRate rate);
     [[nodiscard]] Result<> permitted(const rotctld::PointRequest& request) const;
     void logRefusal(const rotctld::Client& client, const QString& command, const Error& error);
 

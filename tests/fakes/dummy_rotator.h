@@ -63,6 +63,11 @@ public:
         }
         return drive(m_limits.maxAzimuth, m_elevation.at(m_clock.now()));
     }
+    Result<QString> moveAt(const rotctld::Client& client, rotctld::MoveDirection direction, AngularRate rate) override
+    {
+        lastRate = rate;
+        return move(client, direction, -1).map([this] { return became; });
+    }
     Result<> stop(const rotctld::Client& /*client*/) override
     {
         mover = 0;
@@ -96,8 +101,9 @@ public:
     QString became;  // an accepted target, in words
     std::optional<rotctld::PointRequest> lastRequest;
     int lastSpeed = 0;
-    int actions = 0;    // accepted or refused: calls that would move or stop a mount
-    int questions = 0;  // for the position
+    std::optional<AngularRate> lastRate;  // of the last moveAt
+    int actions = 0;                      // accepted or refused: calls that would move or stop a mount
+    int questions = 0;                    // for the position
     std::uint64_t mover = 0;
     std::map<std::uint64_t, std::string> connected;
     std::map<std::uint64_t, std::string> gone;

@@ -59,6 +59,11 @@ public:
         requireInteger(2, speed);
         return outcome();
     }
+    Result<QString> moveAt(const Client&, MoveDirection, AngularRate) override
+    {
+        require(false, "rotctld has no word for a rate");
+        return QString();
+    }
     Result<> stop(const Client&) override { return outcome(); }
     Result<> park(const Client&) override { return outcome(); }
     Result<> reset(const Client&, int kind) override

@@ -5,8 +5,11 @@
 #include "tests/core/control/station_rig.h"
 #include "tests/fakes/tcp_peer.h"
 #include "tests/fakes/text_of.h"
+#include "tests/fakes/wait_until.h"
 
 #include <QCoreApplication>
+#include <QLocalSocket>
+#include <QTemporaryDir>
 
 #include <gtest/gtest.h>
 
@@ -101,6 +104,62 @@ TEST(StationListeners, OneThatReadsMovesNothing)
     static_cast<void>(peer->send("S\rC\r"));
     EXPECT_TRUE(peer->receiveLines(1).starts_with("\rAZ="));
     EXPECT_FALSE(rig.control.followsClient()) << "it has stopped the mount";
+}
+
+// An EasyComm client passes what all clients pass.
+TEST(StationListeners, EasycommIsOneOfThem)
+{
+    ListenersRig rig(
+        {"easycomm3 drive tcp:127.0.0.1:0", "easycomm2 read tcp:127.0.0.1:0", "gs232b drive tcp:127.0.0.1:0"});
+    const auto first = rig.connect(0);
+    const auto reading = rig.connect(1);
+    const auto other = rig.connect(2);
+    static_cast<void>(first->send("AZ40.0 EL30.0\nAZ EL\n"));
+    EXPECT_TRUE(first->receiveLines(1).starts_with("AZ"));
+    EXPECT_EQ(rig.control.status().commander.name.left(24), QStringLiteral("client EasyComm III 127."));
+    EXPECT_EQ(other->ask("W300 010\r"), "?>\r\n") << "another client has control";
+    EXPECT_TRUE(reading->ask("AZ EL\n").starts_with("AZ"));
+    EXPECT_EQ(reading->ask("AZ10.0 EL10.0\n"), "ALrefused\n");
+    static_cast<void>(first->send("VR0500\nGS\n"));
+    EXPECT_TRUE(first->receiveLines(1).starts_with("GS"));
+    rig.run(Seconds(3.0));
+    EXPECT_NEAR(rig.control.status().azimuth.commandedRate->degrees(), 0.5, 1e-6);
+    static_cast<void>(reading->send("SA\nVE\n"));
+    EXPECT_TRUE(reading->receiveLines(1).starts_with("VEBoresight-")) << "everybody may stop";
+    rig.run(Seconds(3.0));
+    EXPECT_FALSE(rig.rotator.motion().movingRight);
+    rig.azimuth.silent = true;
+    rig.run(Seconds(3.0));
+    EXPECT_EQ(first->ask("AZ EL\n"), "ALno-position\n");
+    EXPECT_EQ(first->ask("GS\n"), "GS8\n");
+}
+
+// A path as place, and the bearing from the site of the profile.
+TEST(StationListeners, PairsComeByASocketInTheFileSystem)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("pairs"));
+    ListenersRig rig({"pairs drive unix:" + path.toStdString()});
+    ASSERT_EQ(rig.further.addresses(), std::vector<std::string>{path.toStdString()});
+    QLocalSocket program;
+    const auto ask = [&](const char* line) {
+        program.write(line);
+        program.flush();
+        EXPECT_TRUE(fakes::waitUntil([&] { return program.canReadLine(); }));
+        return program.readLine().toStdString();
+    };
+    program.connectToServer(path);
+    EXPECT_EQ(ask("?\n"), "0.0 0.0\n");
+    EXPECT_EQ(ask("40 30\n"), "OK\n");
+    EXPECT_TRUE(rig.control.followsClient());
+    EXPECT_TRUE(rig.control.status().commander.name.startsWith(QStringLiteral("client Pairs ") + path));
+    EXPECT_TRUE(ask("bearing JN58td\n").starts_with("error: The site of the mount is unknown."));
+    profile::Profile withSite = rig.inForce.wanted();
+    withSite.site = {.known = true, .latitude = 38.72_deg, .longitude = -9.14_deg};
+    rig.inForce.apply(withSite);
+    EXPECT_EQ(ask("bearing JN58td\n"), "OK\n");
+    ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
+    EXPECT_TRUE(ask("60\n").starts_with("error: "));
 }
 
 // REQ-LISTENERS-06: A listener that cannot be opened is an alarm with the place and the reason. The others serve. A

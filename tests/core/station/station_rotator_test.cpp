@@ -91,6 +91,23 @@ TEST(StationRotator, MoveRunsAtAShareOfTheFastestJogRate)
     EXPECT_FALSE(rig.rotator.motion().movingRight);
 }
 
+// REQ-EASYCOMMSERVER-07: A client that turns at a rate of its own turns at no more than the fastest jog rate, and the
+// list of clients says so.
+TEST(StationRotator, MoveAtARateIsNoFasterThanTheJog)
+{
+    RotatorRig rig;
+    const auto slow = rig.rotator.moveAt(kRotatorGpredict, rotctld::MoveDirection::Left, 0.25_deg_s);
+    ASSERT_TRUE(slow);
+    EXPECT_TRUE(slow->isEmpty());
+    rig.run(Seconds(5.0));
+    EXPECT_NEAR(rig.control.status().azimuth.commandedRate->degrees(), -0.25, 1e-6);
+    const auto fast = rig.rotator.moveAt(kRotatorGpredict, rotctld::MoveDirection::Right, 99.0_deg_s);
+    ASSERT_TRUE(fast);
+    EXPECT_TRUE(fast->startsWith(QStringLiteral("turns at ")));
+    rig.run(Seconds(10.0));
+    EXPECT_NEAR(rig.control.status().azimuth.commandedRate->degrees(), rig.profile.jog.fast.degrees(), 1e-6);
+}
+
 // Story: a client that the operator had made read-only still chose how fast the other one moved.
 // REQ-CONTROL-23a
 TEST(StationRotator, OnlyWhoMayMoveSetsTheSpeed)

@@ -19,6 +19,10 @@
 namespace boresight::system_test {
 namespace {
 
+// How near a place is read that the mount has reached, by the digits of the protocol.
+constexpr double kWholeDegrees = 1e-6;
+constexpr double kTenths = 0.15;
+
 struct Outcome
 {
     int exitCode = -1;
@@ -43,8 +47,10 @@ protected:
         ASSERT_TRUE(profile.open(QIODevice::WriteOnly));
         profile.write(QStringLiteral("version = 1\n[listeners]\nlist = [\n"
                                      "\"gs232a drive pty:%1\", \"gs232b drive pty:%2\", \"gs232b read pty:%3\",\n"
-                                     "\"gs232b drive tcp:%4\"]\n")
-                          .arg(a, b, reading, tcp)
+                                     "\"gs232b drive tcp:%4\", \"easycomm1 drive pty:%5\", "
+                                     "\"easycomm2 drive pty:%6\", \"easycomm3 drive pty:%7\",\n"
+                                     "\"easycomm3 drive tcp:%8\"]\n")
+                          .arg(a, b, reading, tcp, easycomm1, easycomm2, easycomm3, easycommTcp)
                           .toUtf8());
         profile.close();
         boresightd = std::make_unique<BoresightdProcess>(
@@ -110,7 +116,7 @@ protected:
         return false;
     }
     // Where it is, as Hamlib's driver reads it. It takes what answers late to the program before it for its own answer.
-    static void expectRead(const QString& model, const QString& where, AzEl place)
+    static void expectRead(const QString& model, const QString& where, AzEl place, double within = kWholeDegrees)
     {
         Outcome outcome;
         static_cast<void>(fakes::waitUntil([&] {
@@ -119,17 +125,17 @@ protected:
         }));
         const QStringList lines = outcome.said.split(QLatin1Char('\n'));
         EXPECT_EQ(outcome.exitCode, 0) << outcome.said.toStdString();
-        EXPECT_NEAR(std::remainder(lines.value(0).toDouble() - place.azimuth, 360.0), 0.0, 1e-6)
+        EXPECT_NEAR(std::remainder(lines.value(0).toDouble() - place.azimuth, 360.0), 0.0, within)
             << outcome.said.toStdString();
-        EXPECT_NEAR(lines.value(1).toDouble(), place.elevation, 1e-6);
+        EXPECT_NEAR(lines.value(1).toDouble(), place.elevation, within);
     }
     // Points twice, reads, and stops on the way to a third place.
-    void drive(const QString& model, const QString& where)
+    void drive(const QString& model, const QString& where, double within = kWholeDegrees)
     {
         SCOPED_TRACE(model.toStdString() + " " + where.toStdString());
         for (const AzEl place : {AzEl{20.0, 15.0}, AzEl{35.0, 22.0}}) {
             EXPECT_TRUE(points(model, where, place)) << log;
-            expectRead(model, where, place);
+            expectRead(model, where, place, within);
         }
         expectAccepted(model, where, QStringLiteral("P 180 60"));
         expectAccepted(model, where, QStringLiteral("S"));
@@ -142,6 +148,10 @@ protected:
     QString b = folder.filePath(QStringLiteral("b"));
     QString reading = folder.filePath(QStringLiteral("reading"));
     QString tcp = QStringLiteral("127.0.0.1:%1").arg(fakes::unusedPort());
+    QString easycomm1 = folder.filePath(QStringLiteral("easycomm1"));
+    QString easycomm2 = folder.filePath(QStringLiteral("easycomm2"));
+    QString easycomm3 = folder.filePath(QStringLiteral("easycomm3"));
+    QString easycommTcp = QStringLiteral("127.0.0.1:%1").arg(fakes::unusedPort());
     std::unique_ptr<BoresightdProcess> boresightd;
     std::unique_ptr<fakes::TcpPeer> client;
     std::string log;
@@ -186,6 +196,50 @@ TEST_F(HamlibSerial, Gs232ThatOnlyReadsIsRefused)
     static_cast<void>(rotctl(QStringLiteral("603"), reading, QStringLiteral("M 2 100")));
     expectRead(QStringLiteral("603"), reading, {std::round(before.azimuth), std::round(before.elevation)});
     EXPECT_TRUE(fakes::waitUntil([&] { return isAt(before); }));
+}
+
+// REQ-EASYCOMMSERVER-08 (HamlibSerial.Easycomm*): Hamlib's own drivers 202 and 204 point, read, turn, stop and park the
+// mount, unmodified, by a pseudo-terminal and by TCP. 201 points and stops it.
+TEST_F(HamlibSerial, EasycommIsDriven)
+{
+    drive(QStringLiteral("202"), easycomm2, kTenths);
+    drive(QStringLiteral("204"), easycomm3, kTenths);
+    drive(QStringLiteral("204"), easycommTcp, kTenths);
+}
+
+TEST_F(HamlibSerial, EasycommOfTheFirstVersionIsDriven)
+{
+    EXPECT_TRUE(points(QStringLiteral("201"), easycomm1, {10.0, 12.0})) << log;
+    EXPECT_TRUE(points(QStringLiteral("201"), easycomm1, {25.5, 20.5})) << log;
+    expectAccepted(QStringLiteral("201"), easycomm1, QStringLiteral("P 180 60"));
+    expectAccepted(QStringLiteral("201"), easycomm1, QStringLiteral("S"));
+    EXPECT_GT(std::abs(std::remainder(position().azimuth - 180.0, 360.0)), 20.0) << "S ended the way";
+}
+
+TEST_F(HamlibSerial, EasycommTurnsUntilItsClientLeaves)
+{
+    for (const auto& [model, where] : {std::pair("202", easycomm2), std::pair("204", easycomm3)}) {
+        const AzEl before = position();
+        EXPECT_TRUE(fakes::waitUntil([&] {
+            expectAccepted(QLatin1String(model), where, QStringLiteral("M 16 50 pause 1"));
+            return position().azimuth != before.azimuth;
+        })) << model;
+        EXPECT_TRUE(fakes::waitUntil([&] {
+            const double first = position().azimuth;
+            return first == position().azimuth;
+        })) << model;
+    }
+}
+
+TEST_F(HamlibSerial, EasycommParks)
+{
+    EXPECT_TRUE(points(QStringLiteral("202"), easycomm2, {10.0, 12.0})) << log;
+    const AzEl away = position();
+    EXPECT_TRUE(fakes::waitUntil([&] {
+        expectAccepted(QStringLiteral("202"), easycomm2, QStringLiteral("K"));
+        return std::abs(position().elevation - away.elevation) > 1.0 ||
+               std::abs(std::remainder(position().azimuth - away.azimuth, 360.0)) > 1.0;
+    }));
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include "core/gs232/box_command.h"
 #include "core/gs232_server/emulated_box.h"
 #include "tests/fakes/manual_clock.h"
-#include "tests/fuzz/harness.h"
+#include "tests/fuzz/clients/strict_rotator.h"
 
 #include <algorithm>
 #include <array>
@@ -16,65 +16,28 @@ using namespace boresight::gs232;
 
 constexpr std::size_t kMaxInput = 600;
 
-// Only what the protocol has words for comes through.
-class StrictRotator final : public rotctld::Rotator
+// Points and turns in the numbers of the box, at one of its speeds.
+class BoxRotator final : public StrictRotator
 {
 public:
-    [[nodiscard]] std::string info() const override { return "strict rotator"; }
+    BoxRotator() : StrictRotator({.azimuth = 123.45_deg, .elevation = 67.89_deg}) {}
+
     [[nodiscard]] rotctld::Limits limits() const override { return {0_deg, 450_deg, 0_deg, 180_deg}; }
-    [[nodiscard]] Result<SkyPointing> position(const rotctld::Client&) override
-    {
-        if (refuses) {
-            return failure(ErrorCode::NoAnswer, QStringLiteral("the drives are silent"));
-        }
-        return SkyPointing{123.45_deg, 67.89_deg};
-    }
-    [[nodiscard]] rotctld::MotionFlags motion() const override { return {}; }
     Result<QString> pointTo(const rotctld::Client&, const rotctld::PointRequest& request) override
     {
-        ++motions;
         require(kAzimuthReach.contains(request.azimuth), "an azimuth is within 0°…450°");
         require(kElevationReach.contains(request.elevation), "an elevation is within 0°…180°");
-        return outcome().map([] { return QString(); });
+        return moved().map([] { return QString(); });
     }
     Result<> move(const rotctld::Client&, rotctld::MoveDirection, int speed) override
     {
-        ++motions;
         require(speed == -1, "the speed is that of the level");
-        return outcome();
+        return moved();
     }
-    Result<> stop(const rotctld::Client&) override { return outcome(); }
-    Result<> park(const rotctld::Client&) override
-    {
-        require(false, "GS-232 has no word for park");
-        return {};
-    }
-    Result<> reset(const rotctld::Client&, int) override
-    {
-        require(false, "GS-232 has no word for a reset");
-        return {};
-    }
-    [[nodiscard]] int speedLevel() const override { return 2; }
     Result<> setSpeedLevel(const rotctld::Client&, int level) override
     {
         require(level >= 1 && level <= 4, "a speed is 1 to 4");
         return outcome();
-    }
-    void clientConnected(const rotctld::Client&) override {}
-    void clientGone(const rotctld::Client&, const QString&) override {}
-    void clientRemark(const rotctld::Client&, const QString& text) override
-    {
-        require(text.toUtf8().size() < 512, "a remark fits a line of the log");
-        require(std::ranges::all_of(text, [](QChar one) { return one.isPrint(); }), "a remark is printable");
-    }
-
-    bool refuses = false;
-    int motions = 0;
-
-private:
-    [[nodiscard]] Result<> outcome() const
-    {
-        return refuses ? Result<>(failure(ErrorCode::Refused, QStringLiteral("STOP is latched"))) : Result<>();
     }
 };
 
@@ -111,7 +74,7 @@ struct Talk
     }
 
     fakes::ManualClock clock;
-    StrictRotator rotator;
+    BoxRotator rotator;
     std::unique_ptr<rotctld::Conversation> session;
     bool refused = false;
     bool answered = false;

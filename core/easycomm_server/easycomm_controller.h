@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/easycomm_server/easycomm_words.h"
+#include "core/rotctld/held_target.h"
+#include "core/rotctld/line_session.h"
+
+#include <optional>
+#include <string>
+
+// The mount as an EasyComm controller to one client. Questions are always answered: with an alarm where there is no
+// answer. Commands are not answered. Versions II and III send an alarm for the first of several that are refused.
+// Station thread.
+namespace boresight::easycomm {
+
+class EasycommController final : public rotctld::LineProtocol
+{
+public:
+    // Rotator and clock outlive this.
+    EasycommController(rotctld::Client client, rotctld::Rotator& rotator, const Clock& clock, Version version);
+
+    [[nodiscard]] rotctld::LineOutcome obey(std::string_view line) override;
+
+private:
+    // Each gives what is answered, perhaps nothing.
+    Result<std::string> carryOut(Ask question, rotctld::LineOutcome& outcome);
+    Result<std::string> carryOut(const Target& target, rotctld::LineOutcome& outcome);
+    Result<std::string> carryOut(const Turn& turn, rotctld::LineOutcome& outcome);
+    Result<std::string> carryOut(const StopTurning& stop, rotctld::LineOutcome& outcome);
+    Result<std::string> carryOut(const Park& park, rotctld::LineOutcome& outcome);
+    Result<std::string> carryOut(const Reset& reset, rotctld::LineOutcome& outcome);
+    Result<std::string> carryOut(const NotForARotator& other, rotctld::LineOutcome& outcome);
+    Result<std::string> done(const Result<>& outcome);
+    [[nodiscard]] Result<SkyPointing> placeOf(const Target& target);
+    [[nodiscard]] std::string status();
+    [[nodiscard]] std::string alarmFor(const Error& error, bool asked);
+
+    rotctld::Client m_client;
+    rotctld::Rotator& m_rotator;
+    Version m_version;
+    rotctld::HeldTarget m_held;
+    std::optional<ErrorCode> m_reported;  // the alarm of the last command, while none is accepted
+};
+
+// How a server starts a conversation with each of its clients. Both outlive it.
+[[nodiscard]] rotctld::StartConversation talkEasycomm(rotctld::Rotator& rotator, const Clock& clock, Version version);
+
+}  // namespace boresight::easycomm

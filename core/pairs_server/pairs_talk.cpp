@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pairs_server/pairs_talk.h"
+
+#include "core/base/text.h"
+#include "core/targets/target_path.h"
+
+#include <utility>
+
+namespace boresight::pairs {
+
+PairsTalk::PairsTalk(rotctld::Client client, rotctld::Rotator& rotator, const Clock& clock, SiteNow site)
+    : m_client(std::move(client)), m_rotator(rotator), m_site(std::move(site)), m_held(rotator, clock)
+{}
+
+rotctld::LineOutcome PairsTalk::obey(std::string_view line)
+{
+    rotctld::LineOutcome outcome{.reply = std::string(kDone), .result = {}};
+    if (const auto command = parseLine(line)) {
+        std::visit([&](const auto& wanted) { carryOut(wanted, outcome); }, *command);
+    } else {
+        outcome.result = tl::unexpected(command.error());
+    }
+    if (!outcome.result) {
+        outcome.reply = refusalOf(outcome.result.error());
+    }
+    return outcome;
+}
+
+void PairsTalk::carryOut(const Report&, rotctld::LineOutcome& outcome)
+{
+    outcome.result = m_rotator.position(m_client).map([&](const SkyPointing& now) { outcome.reply = reportOf(now); });
+}
+
+void PairsTalk::carryOut(const Stop&, rotctld::LineOutcome& outcome)
+{
+    m_held.forget();
+    outcome.result = m_rotator.stop(m_client);
+}
+
+void PairsTalk::carryOut(const Park&, rotctld::LineOutcome& outcome)
+{
+    m_held.forget();
+    outcome.motion = true;
+    outcome.result = m_rotator.park(m_client);
+}
+
+void PairsTalk::carryOut(const Place& place, rotctld::LineOutcome& outcome)
+{
+    const SkyPointing both{.azimuth = m_rotator.limits().turned(place.azimuth.value_or(Angle{})),
+                           .elevation = place.elevation};
+    point(place.azimuth ? Result<SkyPointing>(both) : m_held.place(m_client).map([&](const SkyPointing& held) {
+        return SkyPointing{.azimuth = held.azimuth, .elevation = place.elevation};
+    }),
+          outcome);
+}
+
+// From the target, so that several steps one after the other add up.
+void PairsTalk::carryOut(const MoveBy& move, rotctld::LineOutcome& outcome)
+{
+    point(m_held.place(m_client).and_then([&](const SkyPointing& held) { return movedBy(held, move); }), outcome);
+}
+
+void PairsTalk::carryOut(const Bearing& bearing, rotctld::LineOutcome& outcome)
+{
+    point(directionOf(bearing.target), outcome);
+}
+
+void PairsTalk::point(const Result<SkyPointing>& place, rotctld::LineOutcome& outcome)
+{
+    outcome.motion = true;
+    m_held.forget();
+    outcome.result =
+        place
+            .and_then([&](const SkyPointing& wanted) {
+                outcome.point = wanted;
+                return m_rotator.pointTo(m_client, {.azimuth = wanted.azimuth, .elevation = wanted.elevation});
+            })
+            .map([&](const QString& became) {
+                outcome.became = became;
+                outcome.reply = doneAs(became);
+                m_held.sent(*place);
+            });
+}
+
+Result<SkyPointing> PairsTalk::directionOf(const targets::Target& target) const
+{
+    const auto site = m_site();
+    if (!site) {
+        return failure(ErrorCode::NotAvailable,
+                       Text::tr("The site of the mount is unknown. Enter it on the page Profile."));
+    }
+    return targets::TargetPath(target, *site).at({}).map([&](const SkyPointing& direction) {
+        return SkyPointing{.azimuth = m_rotator.limits().turned(direction.azimuth), .elevation = direction.elevation};
+    });
+}
+
+rotctld::StartConversation talkPairs(rotctld::Rotator& rotator, const Clock& clock, SiteNow site)
+{
+    return
+        [&rotator, &clock, site = std::move(site)](rotctld::Client client) -> std::unique_ptr<rotctld::Conversation> {
+            auto talk = std::make_unique<PairsTalk>(client, rotator, clock, site);
+            return std::make_unique<rotctld::LineSession>(std::move(client), std::move(talk), rotator, clock);
+        };
+}
+
+}  // namespace boresight::pairs

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/pairs_server/pairs_words.h"
+#include "core/rotctld/held_target.h"
+#include "core/rotctld/line_session.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+// The mount to one client that writes plain numbers. Each line is answered by "OK", by the position or by the reason
+// why not. Station thread.
+namespace boresight::pairs {
+
+// Where the mount is; empty while the profile does not know.
+using SiteNow = std::function<std::optional<Site>()>;
+
+class PairsTalk final : public rotctld::LineProtocol
+{
+public:
+    // Rotator and clock outlive this.
+    PairsTalk(rotctld::Client client, rotctld::Rotator& rotator, const Clock& clock, SiteNow site);
+
+    [[nodiscard]] rotctld::LineOutcome obey(std::string_view line) override;
+
+private:
+    void carryOut(const Report& report, rotctld::LineOutcome& outcome);
+    void carryOut(const Stop& stop, rotctld::LineOutcome& outcome);
+    void carryOut(const Park& park, rotctld::LineOutcome& outcome);
+    void carryOut(const Place& place, rotctld::LineOutcome& outcome);
+    void carryOut(const MoveBy& move, rotctld::LineOutcome& outcome);
+    void carryOut(const Bearing& bearing, rotctld::LineOutcome& outcome);
+    void point(const Result<SkyPointing>& place, rotctld::LineOutcome& outcome);
+    [[nodiscard]] Result<SkyPointing> directionOf(const targets::Target& target) const;
+
+    rotctld::Client m_client;
+    rotctld::Rotator& m_rotator;
+    SiteNow m_site;
+    rotctld::HeldTarget m_held;
+};
+
+// How a server starts a conversation with each of its clients. Both outlive it.
+[[nodiscard]] rotctld::StartConversation talkPairs(rotctld::Rotator& rotator, const Clock& clock, SiteNow site);
+
+}  // namespace boresight::pairs

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pairs_server/pairs_words.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/profile/locator.h"
+#include "core/rotctld/client_habits.h"
+#include "core/units/degrees_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <vector>
+
+namespace boresight::pairs {
+namespace {
+
+using rotctld::shownText;
+
+std::vector<std::string> wordsOf(std::string_view line)
+{
+    constexpr std::string_view kBlanks = " \t";
+    std::vector<std::string> words;
+    for (std::size_t at = line.find_first_not_of(kBlanks); at != std::string_view::npos;
+         at = line.find_first_not_of(kBlanks, at)) {
+        const std::size_t end = std::min(line.find_first_of(kBlanks, at), line.size());
+        words.emplace_back(line.substr(at, end - at));
+        at = end;
+    }
+    return words;
+}
+
+std::string lowered(std::string text)
+{
+    std::ranges::transform(text, text.begin(),
+                           [](char one) { return static_cast<char>(std::tolower(static_cast<unsigned char>(one))); });
+    return text;
+}
+
+tl::unexpected<Error> unknown(std::string_view line)
+{
+    return failure(ErrorCode::InvalidInput,
+                   Text::tr("\"%1\" is no command. Known are: ELEVATION, AZIMUTH ELEVATION, +AZIMUTH +ELEVATION, "
+                            "bearing LOCATOR, bearing LOCATOR long, stop, park, ?")
+                       .arg(shownText(line)));
+}
+
+std::optional<Angle> angleIn(const std::string& word)
+{
+    if (word.find_first_not_of("+-.0123456789") != std::string::npos) {
+        return std::nullopt;
+    }
+    const auto degrees = parseFinite(word);
+    return degrees ? std::optional(Angle::fromDegrees(*degrees)) : std::nullopt;
+}
+
+Result<> inReach(const SkyPointing& place)
+{
+    constexpr Angle kMostAzimuth = Angle::fromDegrees(3600.0);
+    if (abs(place.azimuth) > kMostAzimuth) {
+        return failure(ErrorCode::OutOfRange,
+                       Text::tr("azimuth %1 is outside -3600°…3600°").arg(degreesText(place.azimuth)));
+    }
+    if (place.elevation < -90_deg || place.elevation > 180_deg) {
+        return failure(ErrorCode::OutOfRange,
+                       Text::tr("elevation %1 is outside -90°…180°").arg(degreesText(place.elevation)));
+    }
+    return {};
+}
+
+Result<Command> parseNumbers(const std::vector<std::string>& words, std::string_view line)
+{
+    const auto last = angleIn(words.back());
+    const auto first = angleIn(words.front());
+    if (words.size() > 2 || !last || !first) {
+        return unknown(line);
+    }
+    const bool both = words.size() == 2;
+    if (line.find('+') != std::string_view::npos) {
+        return Command(MoveBy{.azimuth = both ? *first : Angle{}, .elevation = *last});
+    }
+    return inReach({.azimuth = both ? *first : Angle{}, .elevation = *last}).map([&] {
+        return Command(Place{.azimuth = both ? first : std::nullopt, .elevation = *last});
+    });
+}
+
+Result<Command> parseBearing(const std::vector<std::string>& words, std::string_view line)
+{
+    const bool isLong = words.size() == 3 && lowered(words[2]) == "long";
+    if (words.size() != 2 && !isLong) {
+        return unknown(line);
+    }
+    return profile::fromLocator(words[1]).map([&](const profile::GeoPoint& place) {
+        const targets::EarthPosition position{
+            .site = {.latitude = place.latitude, .longitude = place.longitude},
+            .path = isLong ? targets::GreatCircle::Long : targets::GreatCircle::Short};
+        return Command(Bearing{{.name = toQString(words[1]), .kind = position}});
+    });
+}
+
+}  // namespace
+
+Result<Command> parseLine(std::string_view line)
+{
+    const std::vector<std::string> words = wordsOf(line);
+    const std::string word = words.empty() ? std::string() : lowered(words.front());
+    if (word == "bearing") {
+        return parseBearing(words, line);
+    }
+    if (words.size() == 1 && word == "?") {
+        return Command(Report{});
+    }
+    if (words.size() == 1 && word == "stop") {
+        return Command(Stop{});
+    }
+    if (words.size() == 1 && word == "park") {
+        return Command(Park{});
+    }
+    return words.empty() ? unknown(line) : parseNumbers(words, line);
+}
+
+Result<SkyPointing> movedBy(const SkyPointing& from, const MoveBy& move)
+{
+    const SkyPointing to{.azimuth = from.azimuth + move.azimuth, .elevation = from.elevation + move.elevation};
+    return inReach(to).map([&] { return to; });
+}
+
+std::string doneAs(const QString& became)
+{
+    return became.isEmpty() ? std::string(kDone) : "OK: " + became.simplified().toStdString() + "\n";
+}
+
+std::string reportOf(const SkyPointing& place)
+{
+    return formatFixed(place.azimuth.degrees(), 1) + " " + formatFixed(place.elevation.degrees(), 1) + "\n";
+}
+
+std::string refusalOf(const Error& error)
+{
+    return "error: " + error.text.simplified().toStdString() + "\n";
+}
+
+}  // namespace boresight::pairs
