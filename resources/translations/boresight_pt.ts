@@ -9399,6 +9399,10 @@ até %1</translation>
         <translation>%1 escuta em %2</translation>
     </message>
     <message>
+        <source>At %1 Boresight itself listens for programs (rotctld.listen). Start the rotctld of the rotator on another port, for example rotctld -t 4534.</source>
+        <translation>Em %1 é o próprio Boresight que escuta programas (rotctld.listen). Inicie o rotctld do rotor noutra porta, por exemplo rotctld -t 4534.</translation>
+    </message>
+    <message>
         <source>%1 serves it already</source>
         <translation>%1 já o serve</translation>
     </message>
@@ -11624,6 +11628,10 @@ O Boresight define o id. Verifica se responde a mesma placa. Volta a ler o id e 
         <source>In use. This rotator has no boards that can be listed.</source>
         <translation>Em uso. Este rotor não tem placas que se possam listar.</translation>
     </message>
+    <message>
+        <source>The mount is already connected so.</source>
+        <translation>A montagem já está ligada assim.</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::GuideDirections</name>
@@ -11736,6 +11744,10 @@ trocar os motores</translation>
     <message>
         <source>From now on the mount may move faster and farther</source>
         <translation>A partir de agora a montagem pode mover-se mais depressa e mais longe</translation>
+    </message>
+    <message>
+        <source>A rotator with a box is reversed at its motor or at its box, not here.</source>
+        <translation>O sentido de um rotor com caixa inverte-se no motor ou na caixa, não aqui.</translation>
     </message>
 </context>
 <context>
@@ -12204,6 +12216,10 @@ trocar os motores</translation>
         <source>Write these ends into the profile and connect again. Then fix the limits of the drives (step Protect).</source>
         <translation>Escrever estes fins no perfil e voltar a ligar. Depois corrija os limites dos acionamentos (passo Proteção).</translation>
     </message>
+    <message>
+        <source>Write these ends into the profile and connect again. Nothing moves.</source>
+        <translation>Escrever estes fins no perfil e ligar de novo. Nada se move.</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::GuideZero</name>
@@ -12282,6 +12298,10 @@ trocar os motores</translation>
     <message>
         <source>Then fix the limits of the drives (step Protect).</source>
         <translation>Depois corrija os limites dos acionamentos (passo Proteção).</translation>
+    </message>
+    <message>
+        <source>Bring the antenna level, by a spirit level on it. The box of the rotator must show 0° then. If not, calibrate the box.</source>
+        <translation>Ponha a antena na horizontal, com um nível de bolha. A caixa do rotor tem então de indicar 0°. Se não, calibre a caixa.</translation>
     </message>
 </context>
 <context>
@@ -15444,6 +15464,141 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
     <message>
         <source>after</source>
         <translation>depois</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::RotatorChoice</name>
+    <message>
+        <source>rotctld runs on the computer that has the cable of the rotator. Example: rotctld -m 901 -r /dev/ttyUSB0</source>
+        <translation>O rotctld corre no computador que tem o cabo do rotor. Exemplo: rotctld -m 901 -r /dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>Connect asks rotctld for the limits and for the position. Nothing moves.</source>
+        <translation>Ligar pergunta ao rotctld os limites e a posição. Nada se move.</translation>
+    </message>
+    <message>
+        <source>A server of another kind is asked one question and left alone.</source>
+        <translation>A um servidor de outro tipo é feita uma só pergunta.</translation>
+    </message>
+    <message>
+        <source>The box is a GS-232A, a GS-232B, or one that speaks as they do.</source>
+        <translation>A caixa é uma GS-232A, uma GS-232B ou uma que fala como elas.</translation>
+    </message>
+    <message>
+        <source>Connect asks for the position. Nothing moves.</source>
+        <translation>Ligar pergunta a posição. Nada se move.</translation>
+    </message>
+    <message>
+        <source>A device of another kind is left alone.</source>
+        <translation>Um aparelho de outro tipo é deixado em paz.</translation>
+    </message>
+    <message>
+        <source>1. Check that rotctld runs on that computer, and that its rotator has power.</source>
+        <translation>1. Verifique que o rotctld corre nesse computador e que o rotor tem alimentação.</translation>
+    </message>
+    <message>
+        <source>2. Compare the port with the option -t of rotctld. Without -t it is %1.</source>
+        <translation>2. Compare a porta com a opção -t do rotctld. Sem -t é a %1.</translation>
+    </message>
+    <message>
+        <source>3. From another computer: start rotctld with -T 0.0.0.0, and open its port in the firewall.</source>
+        <translation>3. A partir de outro computador: inicie o rotctld com -T 0.0.0.0 e abra a porta na firewall.</translation>
+    </message>
+    <message>
+        <source>1. Check the power of the box, and the cable.</source>
+        <translation>1. Verifique a alimentação da caixa e o cabo.</translation>
+    </message>
+    <message>
+        <source>2. Compare the speed with the switches of the box.</source>
+        <translation>2. Compare a velocidade com os interruptores da caixa.</translation>
+    </message>
+    <message>
+        <source>3. End other programs that use the port.</source>
+        <translation>3. Termine outros programas que usam a porta.</translation>
+    </message>
+    <message>
+        <source>What turns the mount</source>
+        <translation>O que move a montagem</translation>
+    </message>
+    <message>
+        <source>How the motors of the mount are commanded</source>
+        <translation>Como são comandados os motores da montagem</translation>
+    </message>
+    <message>
+        <source>Port of the rotator</source>
+        <translation>Porta do rotor</translation>
+    </message>
+    <message>
+        <source>A serial port such as /dev/ttyUSB0, or HOST:PORT of a serial server</source>
+        <translation>Uma porta série como /dev/ttyUSB0, ou HOST:PORTA de um servidor de portas série</translation>
+    </message>
+    <message>
+        <source>Speed of the serial port</source>
+        <translation>Velocidade da porta série</translation>
+    </message>
+    <message>
+        <source>As the switches of the box are set</source>
+        <translation>Como estão os interruptores da caixa</translation>
+    </message>
+    <message>
+        <source>moteus drives on a CAN bus, or the simulated mount</source>
+        <translation>Acionamentos moteus num barramento CAN, ou a montagem simulada</translation>
+    </message>
+    <message>
+        <source>GS-232 rotator on a serial port or in the network</source>
+        <translation>Rotor GS-232 numa porta série ou na rede</translation>
+    </message>
+    <message>
+        <source>Rotator of Hamlib, by a rotctld</source>
+        <translation>Rotor do Hamlib, através de um rotctld</translation>
+    </message>
+    <message>
+        <source>Host of rotctld</source>
+        <translation>Computador do rotctld</translation>
+    </message>
+    <message>
+        <source>Name or address of the computer where rotctld runs. 127.0.0.1 is this computer</source>
+        <translation>Nome ou endereço do computador onde corre o rotctld. 127.0.0.1 é este computador</translation>
+    </message>
+    <message>
+        <source>Port of rotctld</source>
+        <translation>Porta do rotctld</translation>
+    </message>
+    <message>
+        <source>As in the option -t of rotctld</source>
+        <translation>Como na opção -t do rotctld</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Computador</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Porta</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidade</translation>
+    </message>
+    <message>
+        <source>Enter the host: the computer where rotctld runs.</source>
+        <translation>Indique o computador onde corre o rotctld.</translation>
+    </message>
+    <message>
+        <source>Enter the serial port, or HOST:PORT of a serial server.</source>
+        <translation>Indique a porta série, ou HOST:PORTA de um servidor de portas série.</translation>
+    </message>
+    <message>
+        <source>In use. No answer yet.</source>
+        <translation>Em uso. Ainda sem resposta.</translation>
+    </message>
+    <message>
+        <source>In use. It answers as: %1.</source>
+        <translation>Em uso. Responde como: %1.</translation>
+    </message>
+    <message>
+        <source>It must not move yet: %1</source>
+        <translation>Ainda não se pode mover: %1</translation>
     </message>
 </context>
 <context>

@@ -119,9 +119,11 @@ void GuideDirections::showStatus(const StationStatus& status)
 void GuideDirections::follow(Axis axis)
 {
     Row& row = m_rows[axisIndex(axis)];
-    for (QWidget* const part : std::initializer_list<QWidget*>{row.arrow, row.hold, row.moved, row.reverse}) {
+    const bool ownCount = profile::kindOf(m_status.profile->axis(axis).driver).countsItself;
+    for (QWidget* const part : std::initializer_list<QWidget*>{row.arrow, row.hold, row.moved}) {
         part->setVisible(m_status.capabilities.has(axis));
     }
+    row.reverse->setVisible(m_status.capabilities.has(axis) && !ownCount);
     const AxisStatus& now = axisOf(m_status, axis);
     row.arrow->setTurning(turningOf(now));
     row.hold->setRate(std::min(kRate, m_status.profile->jog.unwind));
@@ -138,6 +140,8 @@ void GuideDirections::follow(Axis axis)
     }
     const QString hint = axis == Axis::Azimuth ? tr("↻ must turn the antenna clockwise, seen from above")
                                                : tr("↑ must raise the antenna");
+    row.moved->setToolTip(ownCount ? tr("A rotator with a box is reversed at its motor or at its box, not here.")
+                                   : QString());
     row.moved->setValue(row.farthest < kSeen ? hint : tr("%1. Now %2.").arg(hint, signedAngleText(moved, 1)),
                         row.farthest < kSeen ? Tone::Normal : Tone::Secondary);
 }
