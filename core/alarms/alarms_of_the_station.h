@@ -105,7 +105,7 @@ inline constexpr std::array kStationAlarms{
                                            "End the other program, or choose another place (listeners.list on the page "
                                            "Profile). Then press Reconnect"),
                .brief = "%1",
-               .help = AlarmHelp::OpenProfile,
+               .help = AlarmHelp::Reconnect,
                .examples = {"another program already uses port 4534"}},
     AlarmEntry{
         .id = "listener.open",

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/guide/guide_connect.h"
 
-#include "core/base/bus_name.h"
 #include "core/profile/commissioning.h"
 #include "ui/guide/bus_picture.h"
 #include "ui/guide/guide_boards.h"
@@ -67,14 +66,6 @@ QStringList linesOfDrives(const StationStatus& status)
     return lines;
 }
 
-// A rotator with a box of its own is entered above the list.
-bool isOfDrives(const Adapter& adapter)
-{
-    const auto bus = parseBusName(adapter.bus.toStdString());
-    return bus &&
-           (bus->kind == BusKind::SocketCan || bus->kind == BusKind::Fdcanusb || bus->kind == BusKind::Simulated);
-}
-
 // A simulated drive is named so, one by one: it answers as a real one does.
 QStringList tagged(QStringList drives, bool simulated)
 {
@@ -93,7 +84,7 @@ GuideConnect::GuideConnect(ProfileChange& change, RequestDesk& desk, HostDesk& h
       m_change(change),
       m_host(host),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
-      m_choice(new RotatorChoice(this)),
+      m_choice(new RotatorChoice(host.rotators(), this)),
       m_list(new QListWidget(this)),
       m_found(new QPlainTextEdit(this)),
       m_picture(new BusPicture(this)),
@@ -163,7 +154,7 @@ void GuideConnect::showAdapters(const std::vector<Adapter>& adapters)
     const QString selected = isListed ? selectedBus() : busInUse();
     m_choice->showAdapters(adapters);
     m_adapters.clear();
-    std::ranges::copy_if(adapters, std::back_inserter(m_adapters), isOfDrives);
+    std::ranges::copy_if(adapters, std::back_inserter(m_adapters), &Adapter::hasDrives);
     m_list->clear();
     for (const Adapter& adapter : m_adapters) {
         QString text = adapter.recognised ? adapter.name : tr("%1 (unknown to Boresight)").arg(adapter.name);
@@ -223,11 +214,11 @@ void GuideConnect::showButtons()
 {
     const QString bus = selectedBus();
     const bool inUse = bus == busInUse();
-    const bool rotator = m_choice->isRotator();
-    m_list->setVisible(!rotator);
-    m_scan->setVisible(!rotator);
-    m_refresh->setVisible(!rotator || m_choice->needsPorts());
-    const QString none = rotator         ? m_choice->whyIncomplete()
+    const bool listed = m_choice->isListed();
+    m_list->setVisible(listed);
+    m_scan->setVisible(listed);
+    m_refresh->setVisible(listed || m_choice->onSerialPort());
+    const QString none = !listed         ? m_choice->whyIncomplete()
                          : bus.isEmpty() ? tr("Select an adapter first.")
                                          : QString();
     m_scan->setBlocked(!none.isEmpty()         ? none
@@ -236,8 +227,8 @@ void GuideConnect::showButtons()
                                                : QString());
     const auto take = useSelected();
     m_use->setBlocked(!none.isEmpty()            ? none
-                      : m_change.isAlready(take) ? (rotator ? tr("The mount is already connected so.")
-                                                            : tr("The mount is already connected by this adapter."))
+                      : m_change.isAlready(take) ? (listed ? tr("The mount is already connected by this adapter.")
+                                                           : tr("This rotator is already connected."))
                                                  : m_change.whyNot(m_status, take));
     showFound();
     showBoards();
@@ -245,12 +236,12 @@ void GuideConnect::showButtons()
 
 void GuideConnect::showBoards()
 {
-    const bool rotator = m_choice->isRotator();
+    const bool listed = m_choice->isListed();
     const bool here = selectedBus().isEmpty() || selectedBus() == busInUse();
-    const bool needed = m_boards->isAsking() || (here && !rotator && GuideBoards::isNeeded(m_status));
+    const bool needed = m_boards->isAsking() || (here && listed && GuideBoards::isNeeded(m_status));
     m_boards->setVisible(needed);
     m_found->setVisible(!needed);
-    m_picture->setVisible(!needed && !rotator && m_status.drives);
+    m_picture->setVisible(!needed && listed && m_status.drives);
     if (needed) {
         m_boards->showStatus(m_status);
     }
@@ -259,7 +250,7 @@ void GuideConnect::showBoards()
 // The simulated mount in use leaves the bus that its profile names.
 ProfileChange::Edit GuideConnect::useSelected() const
 {
-    if (m_choice->isRotator()) {
+    if (!m_choice->isListed()) {
         return m_choice->edit();
     }
     const std::string bus = selectedBus() == busInUse() ? m_status.profile->bus : selectedBus().toStdString();
@@ -284,7 +275,7 @@ std::vector<int> GuideConnect::idsFound() const
 void GuideConnect::showFound()
 {
     QStringList lines;
-    if (m_choice->isRotator()) {
+    if (!m_choice->isListed()) {
         lines = m_choice->words();
     } else if (selectedBus() == busInUse()) {
         lines << (m_status.drives ? tr("In use. %1.").arg(surveySentence(*m_status.drives).text)

@@ -88,7 +88,7 @@ GuideReady::GuideReady(QWidget* parent)
       m_copy(nullptr)
 {
     for (const GuideStep step : kWorkSteps) {
-        auto* const button = new StepButton(step, static_cast<int>(m_steps.size()) + 1, StepButton::Form::Line, this);
+        auto* const button = new StepButton(step, StepButton::Form::Line, this);
         m_steps[step] = button;
         connect(button, &QAbstractButton::clicked, this, [this, step] { Q_EMIT stepWanted(step); });
     }
@@ -141,6 +141,7 @@ void GuideReady::showSteps(const StationStatus& status, const GuideProgress& pro
 {
     StepCount count;
     for (const auto& [step, button] : m_steps) {
+        button->setNumber(numberOf(step, status));
         button->setVisible(applies(step, status));
         if (applies(step, status)) {
             const StepReport report = reportOf(step, status, progress);

@@ -3,21 +3,20 @@
 
 #include "core/base/result.h"
 #include "core/messages/adapter.h"
+#include "core/messages/rotator_offer.h"
 #include "core/messages/station_status.h"
 #include "ui/link/profile_change.h"
 
 #include <QStringList>
 #include <QWidget>
 
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-class QLineEdit;
-class QSpinBox;
-
-// What turns the mount, in the guide's first step: drives on a bus, or a rotator with a box of its own and where that
-// answers. It says what Connect asks there, what has answered, and what to look at when nothing does.
+// What turns the mount, in the guide's first step: one of the kinds of rotator that there are. A kind is found among
+// the adapters of this computer, or a person enters where it answers. Then this says what Connect asks there, what has
+// answered, and what to look at when nothing does. It knows no kind: their drivers describe them.
 namespace boresight::ui {
 
 class TouchCombo;
@@ -27,13 +26,13 @@ class RotatorChoice : public QWidget
     Q_OBJECT
 
 public:
-    explicit RotatorChoice(QWidget* parent = nullptr);
+    explicit RotatorChoice(const std::vector<RotatorOffer>& offers, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
     void showAdapters(const std::vector<Adapter>& adapters);
 
-    [[nodiscard]] bool isRotator() const;   // else the mount has drives on a bus
-    [[nodiscard]] bool needsPorts() const;  // its serial ports are listed
+    [[nodiscard]] bool isListed() const;      // among the adapters; else it is entered here
+    [[nodiscard]] bool onSerialPort() const;  // those of this computer are offered
     [[nodiscard]] QString whyIncomplete() const;
     [[nodiscard]] ProfileChange::Edit edit() const;  // of what is complete
     [[nodiscard]] QStringList words() const;
@@ -43,21 +42,23 @@ Q_SIGNALS:
 
 private:
     void build();
-    void showFields();
+    void choose(int kind);
     void takeFrom(const profile::Profile& profile);
-    [[nodiscard]] profile::AxisDriver driver() const;
+    void offerPorts();
+    [[nodiscard]] const RotatorOffer& offer() const { return m_offers.at(m_kind); }
     [[nodiscard]] Result<std::string> bus() const;
     [[nodiscard]] bool isInUse() const;
     [[nodiscard]] QStringList wordsInUse() const;
 
+    std::vector<RotatorOffer> m_offers;
+    std::vector<QString> m_entered;  // the place of each kind
+    std::size_t m_kind = 0;
+    QStringList m_ports;
     StationStatus m_status;
-    std::optional<std::pair<profile::AxisDriver, std::string>> m_taken;  // driver and bus in force, as last shown
-    TouchCombo* m_kind;
-    QWidget* m_network;
-    QWidget* m_serial;
-    QLineEdit* m_host;
-    QSpinBox* m_port;
-    TouchCombo* m_line;
+    std::pair<profile::AxisDriver, std::string> m_taken;  // driver and bus in force, as last shown
+    TouchCombo* m_kinds;
+    QWidget* m_fields;
+    TouchCombo* m_place;
     TouchCombo* m_baud;
 };
 

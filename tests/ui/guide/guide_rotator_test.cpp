@@ -4,13 +4,12 @@
 #include "tests/ui/guide/guide_fixture.h"
 #include "ui/guide/guide_connect.h"
 #include "ui/guide/guide_directions.h"
+#include "ui/guide/guide_ready.h"
 #include "ui/guide/guide_zero.h"
 
 #include <QComboBox>
-#include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
-#include <QSpinBox>
 
 // A rotator with a box of its own, connected by the guide.
 namespace boresight::ui {
@@ -32,6 +31,8 @@ protected:
     }
 
     void choose(int kind) { inGuide<QComboBox>("What turns the mount").setCurrentIndex(kind); }
+    QComboBox& place() { return inGuide<QComboBox>("Where the rotator answers"); }
+    void enter(const char* where) { place().setEditText(QString::fromLatin1(where)); }
     QString words() { return inGuide<QPlainTextEdit>("Who answers").toPlainText(); }
     bool isShown(const char* name) { return findNamed<QWidget>(guide(), name)->isVisible(); }
     QString whyNoConnect()
@@ -56,20 +57,21 @@ protected:
                          .product = 0x6001};
 };
 
-// REQ-UI-985: The guide connects a rotator behind a rotctld by host and port, and a GS-232 rotator by its serial port
-// or HOST:PORT. It says what Connect asks and that nothing moves.
-TEST_F(GuideRotatorTest, ARotctldIsConnectedByHostAndPort)
+// REQ-UI-985: The guide lists the kinds of rotator that can be connected, each in the words of its driver, and asks
+// where it answers: an address with a port, or a serial port with its speed. It says what Connect asks and that nothing
+// moves.
+TEST_F(GuideRotatorTest, ARotctldIsConnectedByItsAddress)
 {
-    EXPECT_FALSE(isShown("Host of rotctld"));
+    EXPECT_FALSE(isShown("Where the rotator answers"));
     choose(kRotctld);
     EXPECT_FALSE(isShown("Adapters of this computer"));
     EXPECT_FALSE(isShown("Scan"));
+    EXPECT_FALSE(isShown("Speed of the serial port"));
     EXPECT_TRUE(words().contains(QStringLiteral("rotctld -m 901"))) << words().toStdString();
     EXPECT_TRUE(words().contains(QStringLiteral("Nothing moves")));
-    EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("Enter the host"))) << whyNoConnect().toStdString();
-    EXPECT_EQ(inGuide<QSpinBox>("Port of rotctld").value(), 4533);
-    inGuide<QLineEdit>("Host of rotctld").setText(QStringLiteral("tower.local"));
-    inGuide<QSpinBox>("Port of rotctld").setValue(4534);
+    EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("for example 192.168.1.20:4533")))
+        << whyNoConnect().toStdString();
+    enter("tower.local:4534");
     requests.clear();
     click("Connect");
     const profile::Profile wanted = lastApplied();
@@ -80,11 +82,29 @@ TEST_F(GuideRotatorTest, ARotctldIsConnectedByHostAndPort)
 }
 
 // REQ-UI-985
-TEST_F(GuideRotatorTest, AGs232RotatorIsConnectedByItsPortOrItsHost)
+TEST_F(GuideRotatorTest, AHostAloneHasTheUsualPort)
+{
+    choose(kRotctld);
+    for (const auto& [entered, bus] :
+         {std::pair{"tower.local", "rotctld:tower.local:4533"}, std::pair{" 10.0.0.7 ", "rotctld:10.0.0.7:4533"},
+          std::pair{"fe80::2", "rotctld:[fe80::2]:4533"}, std::pair{"[fe80::3]", "rotctld:[fe80::3]:4533"},
+          std::pair{"[fe80::2]:4600", "rotctld:[fe80::2]:4600"}}) {
+        enter(entered);
+        requests.clear();
+        click("Connect");
+        ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u) << entered;
+        EXPECT_EQ(lastApplied().bus, bus);
+        goThroughWithReconnect();
+    }
+    enter("::1");
+    EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("rotctld -t 4534"))) << "that is this program";
+}
+
+// REQ-UI-985
+TEST_F(GuideRotatorTest, AGs232RotatorIsConnectedByItsPortOrItsAddress)
 {
     choose(kGs232);
-    auto& line = inGuide<QComboBox>("Port of the rotator");
-    EXPECT_EQ(line.currentText(), QStringLiteral("/dev/ttyUSB0")) << "the only port that may be one";
+    EXPECT_EQ(place().currentText(), QStringLiteral("/dev/ttyUSB0")) << "the only port that may be one";
     inGuide<QComboBox>("Speed of the serial port").setCurrentText(QStringLiteral("4800 Bd"));
     requests.clear();
     click("Connect");
@@ -92,7 +112,7 @@ TEST_F(GuideRotatorTest, AGs232RotatorIsConnectedByItsPortOrItsHost)
     EXPECT_EQ(lastApplied().baud, 4800);
     EXPECT_EQ(lastApplied().azimuth.driver, profile::AxisDriver::Gs232);
     goThroughWithReconnect();
-    line.setEditText(QStringLiteral("10.0.0.7:4001"));
+    enter("10.0.0.7:4001");
     requests.clear();
     click("Connect");
     EXPECT_EQ(lastApplied().bus, "tcp:10.0.0.7:4001");
@@ -102,19 +122,32 @@ TEST_F(GuideRotatorTest, AGs232RotatorIsConnectedByItsPortOrItsHost)
 TEST_F(GuideRotatorTest, WhatCannotBeAnAddressIsRefusedWithTheReason)
 {
     choose(kRotctld);
-    for (const char* const host : {"two words", "a/b", "[::1", "x]"}) {
-        inGuide<QLineEdit>("Host of rotctld").setText(QString::fromLatin1(host));
-        EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("is no address"))) << whyNoConnect().toStdString();
+    for (const char* const host : {"two words", "a/b", "[::1", "x]", "tower:", "tower:99999", "tower:port"}) {
+        enter(host);
+        EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("is no address"))) << host;
     }
-    inGuide<QLineEdit>("Host of rotctld").setText(QStringLiteral("::1"));
-    inGuide<QSpinBox>("Port of rotctld").setValue(4600);
-    EXPECT_EQ(whyNoConnect(), QString()) << "an IPv6 address needs no brackets here";
-    inGuide<QLineEdit>("Host of rotctld").setText(QStringLiteral("localhost"));
-    inGuide<QSpinBox>("Port of rotctld").setValue(4533);
+    enter("localhost");
     EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("rotctld -t 4534"))) << whyNoConnect().toStdString();
     choose(kGs232);
-    inGuide<QComboBox>("Port of the rotator").setEditText(QStringLiteral("ttyUSB0"));
-    EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("is no address"))) << whyNoConnect().toStdString();
+    for (const char* const port : {"ttyUSB0", "10.0.0.7"}) {
+        enter(port);
+        EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("is no address"))) << port;
+    }
+}
+
+// REQ-UI-985
+TEST_F(GuideRotatorTest, EachKindKeepsWhatWasEnteredForIt)
+{
+    choose(kRotctld);
+    enter("tower");
+    choose(kGs232);
+    EXPECT_EQ(place().currentText(), QStringLiteral("/dev/ttyUSB0"));
+    enter("/dev/ttyS0");
+    choose(kRotctld);
+    EXPECT_EQ(place().currentText(), QStringLiteral("tower"));
+    EXPECT_EQ(place().count(), 0) << "no serial port is one of these";
+    choose(kGs232);
+    EXPECT_EQ(place().currentText(), QStringLiteral("/dev/ttyS0"));
 }
 
 // REQ-UI-986: When nothing answers, the guide shows the alarm and what to check. What answers is named, with where it
@@ -122,7 +155,7 @@ TEST_F(GuideRotatorTest, WhatCannotBeAnAddressIsRefusedWithTheReason)
 TEST_F(GuideRotatorTest, WhatAnswersAndWhatToCheckIsShown)
 {
     choose(kRotctld);
-    inGuide<QLineEdit>("Host of rotctld").setText(QStringLiteral("tower.local"));
+    enter("tower.local");
     requests.clear();
     click("Connect");
     answerAs(QStringLiteral("rotctld"));
@@ -148,10 +181,10 @@ TEST_F(GuideRotatorTest, WhatAnswersAndWhatToCheckIsShown)
 TEST_F(GuideRotatorTest, WhatIsEnteredStays)
 {
     choose(kRotctld);
-    inGuide<QLineEdit>("Host of rotctld").setText(QStringLiteral("tower"));
+    enter("tower");
     give(samples::update(status));
     Q_EMIT window.host().adaptersFound(adaptersOf({}, {}));
-    EXPECT_EQ(inGuide<QLineEdit>("Host of rotctld").text(), QStringLiteral("tower"));
+    EXPECT_EQ(place().currentText(), QStringLiteral("tower"));
     EXPECT_EQ(inGuide<QComboBox>("What turns the mount").currentIndex(), kRotctld);
 }
 
@@ -160,7 +193,7 @@ TEST_F(GuideRotatorTest, WhatIsEnteredStays)
 TEST_F(GuideRotatorTest, NothingIsOfferedThatTheBoxDecides)
 {
     choose(kRotctld);
-    inGuide<QLineEdit>("Host of rotctld").setText(QStringLiteral("tower"));
+    enter("tower");
     requests.clear();
     click("Connect");
     answerAs(QStringLiteral("rotctld"));
@@ -173,6 +206,22 @@ TEST_F(GuideRotatorTest, NothingIsOfferedThatTheBoxDecides)
     EXPECT_FALSE(isShown("True elevation of the antenna"));
     EXPECT_FALSE(isShown("Set"));
     EXPECT_TRUE(inGuide<ValueLabel>("What to do").text().contains(QStringLiteral("calibrate the box")));
+}
+
+// REQ-UI-1650: The steps of the guide are numbered as they are shown, also where a mount has not all of them.
+TEST_F(GuideRotatorTest, TheStepsAreNumberedAsTheyAreShown)
+{
+    EXPECT_EQ(stepButton(GuideStep::Directions).accessibleName(), QStringLiteral("Step 3: Turning"));
+    choose(kRotctld);
+    enter("tower");
+    requests.clear();
+    click("Connect");
+    answerAs(QStringLiteral("rotctld"));
+    EXPECT_EQ(stepButton(GuideStep::Connect).accessibleName(), QStringLiteral("Step 1: Connect"));
+    EXPECT_EQ(stepButton(GuideStep::Directions).accessibleName(), QStringLiteral("Step 2: Turning"));
+    EXPECT_EQ(stepButton(GuideStep::Ready).accessibleName(), QStringLiteral("Step 8: Ready"));
+    open<GuideReady>(GuideStep::Ready);
+    EXPECT_TRUE(isShown("Go to step 2: Turning"));
 }
 
 }  // namespace
