@@ -36,7 +36,7 @@ MountKind gs232Rotators()
 RotatorOffer gs232Offer()
 {
     return {.driver = profile::AxisDriver::Gs232,
-            .name = Text::tr("GS-232 rotator on a serial port or in the network"),
+            .name = Text::tr("GS-232 rotator (Yaesu and others), by serial port or network"),
             .place = Text::tr("Port"),
             .placeHelp = Text::tr("A serial port such as /dev/ttyUSB0, or HOST:PORT of a serial server"),
             .example = Text::tr("/dev/ttyUSB0 or 192.168.1.20:4001"),

@@ -33,7 +33,7 @@ RotatorOffer rotctldOffer()
     constexpr int kPort = 4533;  // of a rotctld without -t
     return {
         .driver = profile::AxisDriver::Rotctld,
-        .name = Text::tr("Rotator of Hamlib, by a rotctld"),
+        .name = Text::tr("Any rotator that Hamlib drives, by a rotctld"),
         .place = Text::tr("Address"),
         .placeHelp = Text::tr("HOST:PORT of rotctld. 127.0.0.1 is this computer. Without a port it is %1").arg(kPort),
         .example = QStringLiteral("192.168.1.20:%1").arg(kPort),

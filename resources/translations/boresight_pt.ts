@@ -302,10 +302,6 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>Cliente</translation>
     </message>
     <message>
-        <source>Connect: how are the drives reached?</source>
-        <translation>Conexão: como se chega aos acionamentos?</translation>
-    </message>
-    <message>
         <source>Turning: which motor is which, and which way does it turn?</source>
         <translation>Sentido: qual motor é qual, e para que lado gira?</translation>
     </message>
@@ -424,6 +420,10 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <message>
         <source>Client: which program tracks the satellites?</source>
         <translation>Cliente: que programa segue os satélites?</translation>
+    </message>
+    <message>
+        <source>Connect: what turns the mount?</source>
+        <translation>Ligar: o que move a montagem?</translation>
     </message>
 </context>
 <context>
@@ -9410,6 +9410,82 @@ até %1</translation>
         <source>%1 exists and is no link to a terminal</source>
         <translation>%1 existe e não é uma ligação a um terminal</translation>
     </message>
+    <message>
+        <source>A serial port such as /dev/ttyUSB0, or HOST:PORT of a serial server</source>
+        <translation>Uma porta série como /dev/ttyUSB0, ou HOST:PORTA de um servidor de portas série</translation>
+    </message>
+    <message>
+        <source>/dev/ttyUSB0 or 192.168.1.20:4001</source>
+        <translation>/dev/ttyUSB0 ou 192.168.1.20:4001</translation>
+    </message>
+    <message>
+        <source>The box is a GS-232A, a GS-232B, or one that speaks as they do.</source>
+        <translation>A caixa é uma GS-232A, uma GS-232B ou uma que fala como elas.</translation>
+    </message>
+    <message>
+        <source>Connect asks for the position. Nothing moves.</source>
+        <translation>Ligar pergunta a posição. Nada se move.</translation>
+    </message>
+    <message>
+        <source>A device of another kind is left alone.</source>
+        <translation>Um aparelho de outro tipo é deixado em paz.</translation>
+    </message>
+    <message>
+        <source>Check the power of the box, and the cable.</source>
+        <translation>Verifique a alimentação da caixa e o cabo.</translation>
+    </message>
+    <message>
+        <source>Compare the speed with the switches of the box.</source>
+        <translation>Compare a velocidade com os interruptores da caixa.</translation>
+    </message>
+    <message>
+        <source>End other programs that use the port.</source>
+        <translation>Termine outros programas que usam a porta.</translation>
+    </message>
+    <message>
+        <source>moteus drives on a CAN bus, or the simulated mount</source>
+        <translation>Acionamentos moteus num barramento CAN, ou a montagem simulada</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Endereço</translation>
+    </message>
+    <message>
+        <source>HOST:PORT of rotctld. 127.0.0.1 is this computer. Without a port it is %1</source>
+        <translation>HOST:PORTA do rotctld. 127.0.0.1 é este computador. Sem porta é a %1</translation>
+    </message>
+    <message>
+        <source>rotctld runs on the computer that has the cable of the rotator. Example: rotctld -m 901 -r /dev/ttyUSB0</source>
+        <translation>O rotctld corre no computador que tem o cabo do rotor. Exemplo: rotctld -m 901 -r /dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>Connect asks rotctld for the limits and for the position. Nothing moves.</source>
+        <translation>Ligar pergunta ao rotctld os limites e a posição. Nada se move.</translation>
+    </message>
+    <message>
+        <source>A server of another kind is asked one question and left alone.</source>
+        <translation>A um servidor de outro tipo é feita uma só pergunta.</translation>
+    </message>
+    <message>
+        <source>Check that rotctld runs on that computer, and that its rotator has power.</source>
+        <translation>Verifique que o rotctld corre nesse computador e que o rotor tem alimentação.</translation>
+    </message>
+    <message>
+        <source>Compare the port with the option -t of rotctld. Without -t it is %1.</source>
+        <translation>Compare a porta com a opção -t do rotctld. Sem -t é a %1.</translation>
+    </message>
+    <message>
+        <source>From another computer: start rotctld with -T 0.0.0.0, and open its port in the firewall.</source>
+        <translation>A partir de outro computador: inicie o rotctld com -T 0.0.0.0 e abra a porta na firewall.</translation>
+    </message>
+    <message>
+        <source>GS-232 rotator (Yaesu and others), by serial port or network</source>
+        <translation>Rotor GS-232 (Yaesu e outros), por porta série ou rede</translation>
+    </message>
+    <message>
+        <source>Any rotator that Hamlib drives, by a rotctld</source>
+        <translation>Qualquer rotor que o Hamlib comanda, através de um rotctld</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -11629,8 +11705,8 @@ O Boresight define o id. Verifica se responde a mesma placa. Volta a ler o id e 
         <translation>Em uso. Este rotor não tem placas que se possam listar.</translation>
     </message>
     <message>
-        <source>The mount is already connected so.</source>
-        <translation>A montagem já está ligada assim.</translation>
+        <source>This rotator is already connected.</source>
+        <translation>Este rotor já está ligado.</translation>
     </message>
 </context>
 <context>
@@ -11746,8 +11822,12 @@ trocar os motores</translation>
         <translation>A partir de agora a montagem pode mover-se mais depressa e mais longe</translation>
     </message>
     <message>
-        <source>A rotator with a box is reversed at its motor or at its box, not here.</source>
-        <translation>O sentido de um rotor com caixa inverte-se no motor ou na caixa, não aqui.</translation>
+        <source>If a direction is wrong</source>
+        <translation>Se um sentido estiver errado</translation>
+    </message>
+    <message>
+        <source>The box of the rotator decides the direction. If an axis moves the wrong way, reverse it at its motor or at the box.</source>
+        <translation>É a caixa do rotor que decide o sentido. Se um eixo se mover no sentido errado, inverta-o no motor ou na caixa.</translation>
     </message>
 </context>
 <context>
@@ -11888,10 +11968,6 @@ trocar os motores</translation>
         <translation>Terminar</translation>
     </message>
     <message>
-        <source>Nothing may move before step 2, Protect, is done: %1</source>
-        <translation>Nada se pode mover antes do passo 2, Proteção: %1</translation>
-    </message>
-    <message>
         <source>Confirm</source>
         <translation>Confirmar</translation>
     </message>
@@ -11930,6 +12006,10 @@ trocar os motores</translation>
     <message>
         <source>To the previous step (Alt+Left)</source>
         <translation>Para o passo anterior (Alt+Esquerda)</translation>
+    </message>
+    <message>
+        <source>Nothing may move before step %1, %2, is done: %3</source>
+        <translation>Nada se pode mover antes de o passo %1, %2, estar feito: %3</translation>
     </message>
 </context>
 <context>
@@ -12957,6 +13037,10 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <message>
         <source>The rate is at most %1 until the cable wraps are known and the directions are confirmed.</source>
         <translation>A velocidade é no máximo %1 até se conhecerem as voltas do cabo e os sentidos estarem confirmados.</translation>
+    </message>
+    <message>
+        <source>This rotator moves in steps of %1°.</source>
+        <translation>Este rotor move-se em passos de %1°.</translation>
     </message>
 </context>
 <context>
@@ -15469,54 +15553,6 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
 <context>
     <name>boresight::ui::RotatorChoice</name>
     <message>
-        <source>rotctld runs on the computer that has the cable of the rotator. Example: rotctld -m 901 -r /dev/ttyUSB0</source>
-        <translation>O rotctld corre no computador que tem o cabo do rotor. Exemplo: rotctld -m 901 -r /dev/ttyUSB0</translation>
-    </message>
-    <message>
-        <source>Connect asks rotctld for the limits and for the position. Nothing moves.</source>
-        <translation>Ligar pergunta ao rotctld os limites e a posição. Nada se move.</translation>
-    </message>
-    <message>
-        <source>A server of another kind is asked one question and left alone.</source>
-        <translation>A um servidor de outro tipo é feita uma só pergunta.</translation>
-    </message>
-    <message>
-        <source>The box is a GS-232A, a GS-232B, or one that speaks as they do.</source>
-        <translation>A caixa é uma GS-232A, uma GS-232B ou uma que fala como elas.</translation>
-    </message>
-    <message>
-        <source>Connect asks for the position. Nothing moves.</source>
-        <translation>Ligar pergunta a posição. Nada se move.</translation>
-    </message>
-    <message>
-        <source>A device of another kind is left alone.</source>
-        <translation>Um aparelho de outro tipo é deixado em paz.</translation>
-    </message>
-    <message>
-        <source>1. Check that rotctld runs on that computer, and that its rotator has power.</source>
-        <translation>1. Verifique que o rotctld corre nesse computador e que o rotor tem alimentação.</translation>
-    </message>
-    <message>
-        <source>2. Compare the port with the option -t of rotctld. Without -t it is %1.</source>
-        <translation>2. Compare a porta com a opção -t do rotctld. Sem -t é a %1.</translation>
-    </message>
-    <message>
-        <source>3. From another computer: start rotctld with -T 0.0.0.0, and open its port in the firewall.</source>
-        <translation>3. A partir de outro computador: inicie o rotctld com -T 0.0.0.0 e abra a porta na firewall.</translation>
-    </message>
-    <message>
-        <source>1. Check the power of the box, and the cable.</source>
-        <translation>1. Verifique a alimentação da caixa e o cabo.</translation>
-    </message>
-    <message>
-        <source>2. Compare the speed with the switches of the box.</source>
-        <translation>2. Compare a velocidade com os interruptores da caixa.</translation>
-    </message>
-    <message>
-        <source>3. End other programs that use the port.</source>
-        <translation>3. Termine outros programas que usam a porta.</translation>
-    </message>
-    <message>
         <source>What turns the mount</source>
         <translation>O que move a montagem</translation>
     </message>
@@ -15525,68 +15561,12 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
         <translation>Como são comandados os motores da montagem</translation>
     </message>
     <message>
-        <source>Port of the rotator</source>
-        <translation>Porta do rotor</translation>
-    </message>
-    <message>
-        <source>A serial port such as /dev/ttyUSB0, or HOST:PORT of a serial server</source>
-        <translation>Uma porta série como /dev/ttyUSB0, ou HOST:PORTA de um servidor de portas série</translation>
-    </message>
-    <message>
         <source>Speed of the serial port</source>
         <translation>Velocidade da porta série</translation>
     </message>
     <message>
         <source>As the switches of the box are set</source>
         <translation>Como estão os interruptores da caixa</translation>
-    </message>
-    <message>
-        <source>moteus drives on a CAN bus, or the simulated mount</source>
-        <translation>Acionamentos moteus num barramento CAN, ou a montagem simulada</translation>
-    </message>
-    <message>
-        <source>GS-232 rotator on a serial port or in the network</source>
-        <translation>Rotor GS-232 numa porta série ou na rede</translation>
-    </message>
-    <message>
-        <source>Rotator of Hamlib, by a rotctld</source>
-        <translation>Rotor do Hamlib, através de um rotctld</translation>
-    </message>
-    <message>
-        <source>Host of rotctld</source>
-        <translation>Computador do rotctld</translation>
-    </message>
-    <message>
-        <source>Name or address of the computer where rotctld runs. 127.0.0.1 is this computer</source>
-        <translation>Nome ou endereço do computador onde corre o rotctld. 127.0.0.1 é este computador</translation>
-    </message>
-    <message>
-        <source>Port of rotctld</source>
-        <translation>Porta do rotctld</translation>
-    </message>
-    <message>
-        <source>As in the option -t of rotctld</source>
-        <translation>Como na opção -t do rotctld</translation>
-    </message>
-    <message>
-        <source>Host</source>
-        <translation>Computador</translation>
-    </message>
-    <message>
-        <source>Port</source>
-        <translation>Porta</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Velocidade</translation>
-    </message>
-    <message>
-        <source>Enter the host: the computer where rotctld runs.</source>
-        <translation>Indique o computador onde corre o rotctld.</translation>
-    </message>
-    <message>
-        <source>Enter the serial port, or HOST:PORT of a serial server.</source>
-        <translation>Indique a porta série, ou HOST:PORTA de um servidor de portas série.</translation>
     </message>
     <message>
         <source>In use. No answer yet.</source>
@@ -15599,6 +15579,18 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
     <message>
         <source>It must not move yet: %1</source>
         <translation>Ainda não se pode mover: %1</translation>
+    </message>
+    <message>
+        <source>Where the rotator answers</source>
+        <translation>Onde o rotor responde</translation>
+    </message>
+    <message>
+        <source>%1, for example %2</source>
+        <translation>%1, por exemplo %2</translation>
+    </message>
+    <message>
+        <source>Enter where the rotator answers, for example %1.</source>
+        <translation>Indique onde o rotor responde, por exemplo %1.</translation>
     </message>
 </context>
 <context>
