@@ -423,7 +423,7 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     </message>
     <message>
         <source>Connect: what turns the mount?</source>
-        <translation>Ligar: o que move a montagem?</translation>
+        <translation>Conexão: o que move a montagem?</translation>
     </message>
 </context>
 <context>
@@ -9424,7 +9424,7 @@ até %1</translation>
     </message>
     <message>
         <source>Connect asks for the position. Nothing moves.</source>
-        <translation>Ligar pergunta a posição. Nada se move.</translation>
+        <translation>Conectar pergunta a posição. Nada se move.</translation>
     </message>
     <message>
         <source>A device of another kind is left alone.</source>
@@ -9460,7 +9460,7 @@ até %1</translation>
     </message>
     <message>
         <source>Connect asks rotctld for the limits and for the position. Nothing moves.</source>
-        <translation>Ligar pergunta ao rotctld os limites e a posição. Nada se move.</translation>
+        <translation>Conectar pergunta ao rotctld os limites e a posição. Nada se move.</translation>
     </message>
     <message>
         <source>A server of another kind is asked one question and left alone.</source>
