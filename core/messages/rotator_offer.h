@@ -22,6 +22,7 @@ struct RotatorOffer
     QString place;  // what is entered is called so
     QString placeHelp;
     QString example;
+    QStringList usualPlaces;    // offered besides what is found
     bool onSerialPort = false;  // an entered path is a serial port, which has a speed
     std::string network;        // the kind of bus of an entered HOST:PORT
     int usualPort = 0;          // where only a host is entered; 0: none is usual

@@ -30,17 +30,20 @@ MountKind rotctldRotators()
 
 RotatorOffer rotctldOffer()
 {
-    constexpr int kPort = 4533;  // of a rotctld without -t
+    constexpr int kPort = 4533;  // of a rotctld without -t, and usually of Boresight itself
+    constexpr int kBeside = kPort + 1;
     return {
         .driver = profile::AxisDriver::Rotctld,
         .name = Text::tr("Any rotator that Hamlib drives, by a rotctld"),
         .place = Text::tr("Address"),
         .placeHelp = Text::tr("HOST:PORT of rotctld. 127.0.0.1 is this computer. Without a port it is %1").arg(kPort),
         .example = QStringLiteral("192.168.1.20:%1").arg(kPort),
+        .usualPlaces = {QStringLiteral("127.0.0.1:%1").arg(kBeside)},
         .network = "rotctld",
         .usualPort = kPort,
         .promise = {Text::tr("rotctld runs on the computer that has the cable of the rotator. "
                              "Example: rotctld -m 901 -r /dev/ttyUSB0"),
+                    Text::tr("On this computer add -t %1 to it. Boresight itself uses %2.").arg(kBeside).arg(kPort),
                     Text::tr("Connect asks rotctld for the limits and for the position. Nothing moves."),
                     Text::tr("A server of another kind is asked one question and left alone.")},
         .checks = {Text::tr("Check that rotctld runs on that computer, and that its rotator has power."),

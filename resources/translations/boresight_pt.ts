@@ -9486,6 +9486,10 @@ até %1</translation>
         <source>Any rotator that Hamlib drives, by a rotctld</source>
         <translation>Qualquer rotor que o Hamlib comanda, através de um rotctld</translation>
     </message>
+    <message>
+        <source>On this computer add -t %1 to it. Boresight itself uses %2.</source>
+        <translation>Neste computador acrescente-lhe -t %1. O próprio Boresight usa a %2.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -15591,6 +15595,10 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
     <message>
         <source>Enter where the rotator answers, for example %1.</source>
         <translation>Indique onde o rotor responde, por exemplo %1.</translation>
+    </message>
+    <message>
+        <source>Not connected. Something else answers there.</source>
+        <translation>Não está ligado. Outra coisa responde aí.</translation>
     </message>
 </context>
 <context>

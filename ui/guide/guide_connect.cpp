@@ -276,7 +276,7 @@ void GuideConnect::showFound()
 {
     QStringList lines;
     if (!m_choice->isListed()) {
-        lines = m_choice->words();
+        lines = m_choice->words(m_use->obstacle());
     } else if (selectedBus() == busInUse()) {
         lines << (m_status.drives ? tr("In use. %1.").arg(surveySentence(*m_status.drives).text)
                                   : tr("In use. This rotator has no boards that can be listed."));

@@ -127,7 +127,7 @@ void RotatorChoice::choose(int kind)
 
 void RotatorChoice::offerPorts()
 {
-    m_place->setLines(offer().onSerialPort ? m_ports : QStringList());
+    m_place->setLines((offer().onSerialPort ? m_ports : QStringList()) + offer().usualPlaces);
     if (offer().onSerialPort && m_place->currentText().isEmpty() && m_ports.size() == 1) {
         m_place->setEditText(m_ports.front());
     }
@@ -209,18 +209,29 @@ bool RotatorChoice::isInUse() const
     return !m_status.simulated && driverOf(profile) == offer().driver && entered && *entered == profile.bus;
 }
 
-QStringList RotatorChoice::words() const
+// What stands in the way of a place that was entered is read without pointing at the button.
+QStringList RotatorChoice::words(const QString& obstacle) const
 {
-    return isInUse() ? wordsInUse() : offer().promise;
+    if (isInUse()) {
+        return wordsInUse();
+    }
+    const bool isEntered = !obstacle.isEmpty() && !m_place->currentText().isEmpty();
+    return isEntered ? QStringList{sentence(obstacle)} + offer().promise : offer().promise;
 }
 
 QStringList RotatorChoice::wordsInUse() const
 {
     QStringList lines;
+    bool isForeign = false;
     for (const Alarm& alarm : m_status.alarms) {
         if (alarm.active && alarm.name.startsWith(QLatin1String("rotator."))) {
             lines << sentence(alarm.what) + QLatin1Char(' ') + sentence(alarm.remedy);
+            isForeign = isForeign || alarm.name == QLatin1String("rotator.foreign");
         }
+    }
+    if (m_status.state == StationState::Disconnected && isForeign) {
+        lines.prepend(tr("Not connected. Something else answers there."));
+        return lines;
     }
     if (m_status.state == StationState::Disconnected) {
         lines.prepend(tr("In use. No answer yet."));

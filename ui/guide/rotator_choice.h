@@ -34,8 +34,8 @@ public:
     [[nodiscard]] bool isListed() const;      // among the adapters; else it is entered here
     [[nodiscard]] bool onSerialPort() const;  // those of this computer are offered
     [[nodiscard]] QString whyIncomplete() const;
-    [[nodiscard]] ProfileChange::Edit edit() const;  // of what is complete
-    [[nodiscard]] QStringList words() const;
+    [[nodiscard]] ProfileChange::Edit edit() const;                  // of what is complete
+    [[nodiscard]] QStringList words(const QString& obstacle) const;  // why Connect is not offered
 
 Q_SIGNALS:
     void changed();

@@ -128,6 +128,7 @@ TEST_F(GuideRotatorTest, WhatCannotBeAnAddressIsRefusedWithTheReason)
     }
     enter("localhost");
     EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("rotctld -t 4534"))) << whyNoConnect().toStdString();
+    EXPECT_TRUE(words().startsWith(whyNoConnect())) << "it is read without pointing at the button";
     choose(kGs232);
     for (const char* const port : {"ttyUSB0", "10.0.0.7"}) {
         enter(port);
@@ -145,7 +146,8 @@ TEST_F(GuideRotatorTest, EachKindKeepsWhatWasEnteredForIt)
     enter("/dev/ttyS0");
     choose(kRotctld);
     EXPECT_EQ(place().currentText(), QStringLiteral("tower"));
-    EXPECT_EQ(place().count(), 0) << "no serial port is one of these";
+    EXPECT_EQ(place().findText(QStringLiteral("/dev/ttyUSB0")), -1) << "no serial port is one of these";
+    EXPECT_EQ(place().itemText(0), QStringLiteral("127.0.0.1:4534")) << "beside Boresight on this computer";
     choose(kGs232);
     EXPECT_EQ(place().currentText(), QStringLiteral("/dev/ttyS0"));
 }
@@ -175,6 +177,15 @@ TEST_F(GuideRotatorTest, WhatAnswersAndWhatToCheckIsShown)
     EXPECT_TRUE(words().contains(QStringLiteral("firewall")));
     EXPECT_FALSE(words().contains(QStringLiteral("old")));
     EXPECT_EQ(stepButton(GuideStep::Connect).state(), StepState::NeedsYou);
+
+    status.alarms = {{.name = QStringLiteral("rotator.foreign"),
+                      .what = QStringLiteral("The device on rotctld:tower.local:4533 is not a rotctld"),
+                      .remedy = QStringLiteral("Check the port")}};
+    give(samples::update(status));
+    EXPECT_TRUE(words().startsWith(QStringLiteral("Not connected. Something else answers there.\n")))
+        << words().toStdString();
+    EXPECT_TRUE(words().contains(QStringLiteral("is not a rotctld. Check the port.")));
+    EXPECT_FALSE(words().contains(QStringLiteral("has power"))) << "it has answered";
 }
 
 // REQ-UI-986
