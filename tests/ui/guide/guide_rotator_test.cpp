@@ -128,7 +128,7 @@ TEST_F(GuideRotatorTest, WhatCannotBeAnAddressIsRefusedWithTheReason)
     }
     enter("localhost");
     EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("rotctld -t 4534"))) << whyNoConnect().toStdString();
-    EXPECT_TRUE(words().startsWith(whyNoConnect())) << "it is read without pointing at the button";
+    EXPECT_TRUE(words().contains(QStringLiteral("rotctld -t 4534"))) << words().toStdString();
     choose(kGs232);
     for (const char* const port : {"ttyUSB0", "10.0.0.7"}) {
         enter(port);
