@@ -233,6 +233,12 @@ TEST_F(GuideRotatorTest, TheStepsAreNumberedAsTheyAreShown)
     EXPECT_EQ(stepButton(GuideStep::Ready).accessibleName(), QStringLiteral("Step 8: Ready"));
     open<GuideReady>(GuideStep::Ready);
     EXPECT_TRUE(isShown("Go to step 2: Turning"));
+    const auto top = [this](const char* name) { return inGuide<StepButton>(name).geometry().top(); };
+    EXPECT_EQ(top("Go to step 1: Connect"), top("Go to step 5: North")) << "two columns";
+    EXPECT_EQ(top("Go to step 2: Turning"), top("Go to step 6: Site"));
+    EXPECT_GT(top("Go to step 2: Turning"), top("Go to step 1: Connect"));
+    const int height = inGuide<StepButton>("Go to step 1: Connect").height();
+    EXPECT_LT(top("Go to step 2: Turning"), top("Go to step 1: Connect") + 2 * height) << "no gap";
 }
 
 }  // namespace
