@@ -99,6 +99,7 @@ ui::WindowSettings windowSettings(const app::Options& options, const QSettings& 
             .layout = readLayout(layout),
             .stateDir = options.stateDir,
             .configDir = options.configDir,
+            .rotators = rotatorOffers(),
             .onlySimulated = options.simulation != Simulation::Off};
 }
 

@@ -174,7 +174,7 @@ QString StatusReport::axisText(Axis axis, AxisState state, const AxisReport& rep
         const QString what = m_of.motion.obstacle();
         return atTravelEnd(axis) || what.isEmpty() ? Text::tr("at the end of the travel") : Text::tr("at %1").arg(what);
     }
-    if (!report.wrapKnown) {
+    if (!report.wrapKnown && report.place) {
         return Text::tr("wrap unknown");
     }
     if (state != AxisState::Holding && state != AxisState::On) {

@@ -2,6 +2,7 @@
 #include "core/gs232_mount/gs232_rotators.h"
 
 #include "core/base/bus_name.h"
+#include "core/base/text.h"
 #include "core/gs232_mount/gs232_box.h"
 #include "core/gs232_mount/gs232_mount.h"
 #include "core/rotator_box/box_connection.h"
@@ -30,6 +31,23 @@ MountKind gs232Rotators()
         std::unique_ptr<BoxLine> line = start.simulation.on ? std::make_unique<SimulatedBoxLine>(box) : lineOf(profile);
         return rotatorBehind<Gs232Mount>(std::move(line), start);
     };
+}
+
+RotatorOffer gs232Offer()
+{
+    return {.driver = profile::AxisDriver::Gs232,
+            .name = Text::tr("GS-232 rotator (Yaesu and others), by serial port or network"),
+            .place = Text::tr("Port"),
+            .placeHelp = Text::tr("A serial port such as /dev/ttyUSB0, or HOST:PORT of a serial server"),
+            .example = Text::tr("/dev/ttyUSB0 or 192.168.1.20:4001"),
+            .onSerialPort = true,
+            .network = "tcp",
+            .promise = {Text::tr("The box is a GS-232A, a GS-232B, or one that speaks as they do."),
+                        Text::tr("Connect asks for the position. Nothing moves."),
+                        Text::tr("A device of another kind is left alone.")},
+            .checks = {Text::tr("Check the power of the box, and the cable."),
+                       Text::tr("Compare the speed with the switches of the box."),
+                       Text::tr("End other programs that use the port.")}};
 }
 
 }  // namespace boresight::gs232

@@ -16,6 +16,8 @@ struct Adapter
     QString detail;           // serial number, port: what tells two of a kind apart
     bool recognised = false;  // made for these drives; else it may be something else altogether
     bool simulated = false;   // a program answers there, and no real drive
+    bool hasDrives = true;    // may have; else the box of a rotator answers there
+    QString serialPort;       // where the box of a rotator may answer instead; empty: nowhere
 
     bool operator==(const Adapter&) const = default;
 };

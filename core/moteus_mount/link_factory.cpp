@@ -101,4 +101,11 @@ MountKind moteusRotators(const LinkMaker& links)
     };
 }
 
+RotatorOffer moteusOffer()
+{
+    return {.driver = profile::AxisDriver::Moteus,
+            .name = Text::tr("moteus drives on a CAN bus, or the simulated mount"),
+            .isListed = true};
+}
+
 }  // namespace boresight

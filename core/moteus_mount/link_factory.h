@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/can/can_link.h"
+#include "core/messages/rotator_offer.h"
 #include "core/mount/mount_kind.h"
 #include "core/profile/profile.h"
 #include "core/sim/simulated_pair.h"
@@ -45,5 +46,6 @@ private:
 
 // The moteus at the buses that `links` makes.
 [[nodiscard]] MountKind moteusRotators(const LinkMaker& links);
+[[nodiscard]] RotatorOffer moteusOffer();
 
 }  // namespace boresight

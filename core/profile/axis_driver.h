@@ -38,6 +38,7 @@ struct DriverKind
     bool onlySimulated = false;
     bool hasId = false;         // each axis has a controller of its own, with an id on the bus
     bool sensorInside = false;  // two simulated axes carry a simulated orientation sensor
+    bool countsItself = false;  // the angles of the axis are those of its box: a sign or an offset has no effect
 };
 
 // In the order of the enumerators.
@@ -51,11 +52,13 @@ inline constexpr std::array kDriverKinds{
     DriverKind{.driver = AxisDriver::Gs232,
                .name = "gs232",
                .simulated = "a GS-232 box with relays, whole degrees and a coast",
-               .line = DriverLine::Text},
+               .line = DriverLine::Text,
+               .countsItself = true},
     DriverKind{.driver = AxisDriver::Rotctld,
                .name = "rotctld",
                .simulated = "a rotctld with the dummy rotator of Hamlib",
-               .line = DriverLine::Rotctld},
+               .line = DriverLine::Rotctld,
+               .countsItself = true},
     DriverKind{.driver = AxisDriver::Simple,
                .name = "simple",
                .simulated = "a rotator of whole degrees, without rates and watchdog",

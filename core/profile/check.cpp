@@ -153,6 +153,30 @@ std::optional<Problem> wrongBus(const Profile& profile, const DriverKind& kind)
     return Problem{"bus.name", need.arg(toQString(kind.name))};
 }
 
+bool isThisComputer(const std::string& host)
+{
+    return host == "localhost" || host == "::1" || host.starts_with("127.");
+}
+
+// The rotctld that turns the mount would be our own server, which asks the mount.
+std::optional<Problem> ownServer(const Profile& profile)
+{
+    const auto bus = parseBusName(profile.bus);
+    const ListenAddress& own = profile.rotctld.listen;
+    if (!bus || bus->kind != BusKind::Rotctld || bus->port != own.port) {
+        return std::nullopt;
+    }
+    const bool here =
+        isThisComputer(bus->target) && (isThisComputer(own.host) || own.host == "0.0.0.0" || own.host == "::");
+    if (!here && bus->target != own.host) {
+        return std::nullopt;
+    }
+    return Problem{"bus.name",
+                   Text::tr("At %1 Boresight itself listens for programs (rotctld.listen). Start the rotctld of the "
+                            "rotator on another port, for example rotctld -t 4534.")
+                       .arg(toQString(toText(own)))};
+}
+
 // A profile has one bus.
 std::optional<Problem> twoBuses(const Profile& profile)
 {
@@ -245,6 +269,9 @@ std::vector<Problem> problemsOfReal(const Profile& profile)
     std::vector<Problem> problems = problemsOf(profile);
     if (profile.sensor.source == SensorSource::Simulated) {
         problems.push_back({"sensor.source", Text::tr("\"simulated\" needs the simulated mount (bus.name)")});
+    }
+    if (auto own = ownServer(profile)) {
+        problems.push_back(*std::move(own));
     }
     const auto two = twoBuses(profile);
     if (two) {

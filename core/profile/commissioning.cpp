@@ -89,13 +89,8 @@ bool takeIds(Profile& profile, std::span<const int> ids)
     return true;
 }
 
-}  // namespace
-
-void useBus(Profile& profile, const std::string& bus, std::span<const int> ids)
+void takeBus(Profile& profile, const std::string& bus)
 {
-    if (takeIds(profile, ids)) {
-        profile.mount.directions = Directions::Unconfirmed;
-    }
     if (bus != profile.bus) {
         profile.bus = bus;
         profile.mount.directions = Directions::Unconfirmed;
@@ -103,6 +98,62 @@ void useBus(Profile& profile, const std::string& bus, std::span<const int> ids)
             leaveSimulatedSensor(profile);
         }
     }
+}
+
+bool isOfControllers(const std::string& bus)
+{
+    const auto name = parseBusName(bus);
+    return name && (name->kind == BusKind::SocketCan || name->kind == BusKind::Fdcanusb);
+}
+
+void leaveRotator(Profile& profile)
+{
+    for (AxisSettings* const axis : {&profile.azimuth, &profile.elevation}) {
+        if (kindOf(axis->driver).countsItself) {
+            axis->driver = AxisDriver::Moteus;
+            profile.mount.directions = Directions::Unconfirmed;
+        }
+    }
+}
+
+// As common rotators are. The operator enters the real ends and speeds.
+void becomeRotator(Profile& profile, Axis axis, AxisDriver driver)
+{
+    const bool azimuth = axis == Axis::Azimuth;
+    AxisSettings& mine = settingsOf(profile, axis);
+    mine.driver = driver;
+    mine.geometry.sign = 1;
+    mine.geometry.offset = {};
+    mine.limits = {.speed = AngularRate::fromDegrees(azimuth ? 6.0 : 2.5),
+                   .acceleration = AngularAcceleration::fromDegrees(3.0),
+                   .jerk = AngularJerk::fromDegrees(6.0)};
+    setTravel(profile, axis, {.min = 0_deg, .max = azimuth ? 360_deg : 90_deg});
+    profile.mount.directions = Directions::Unconfirmed;
+}
+
+}  // namespace
+
+void useBus(Profile& profile, const std::string& bus, std::span<const int> ids)
+{
+    if (isOfControllers(bus)) {
+        leaveRotator(profile);
+    }
+    if (takeIds(profile, ids)) {
+        profile.mount.directions = Directions::Unconfirmed;
+    }
+    takeBus(profile, bus);
+}
+
+void useRotator(Profile& profile, const RotatorLine& line)
+{
+    for (const Axis axis : kAxes) {
+        const AxisDriver driver = profile.axis(axis).driver;
+        if (driver != line.driver && driver != AxisDriver::None) {
+            becomeRotator(profile, axis, line.driver);
+        }
+    }
+    profile.baud = line.baud;
+    takeBus(profile, line.bus);
 }
 
 bool namesNoBus(const Profile& profile)

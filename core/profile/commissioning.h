@@ -14,8 +14,20 @@ namespace boresight::profile {
 
 // The mount is reached by this bus, whose controllers answer under `ids`. Two ids that are not the profile's become
 // azimuth and elevation in this order; which is which is seen when they move. A mount with one controller takes one id.
-// Another bus is another mount: its directions are not confirmed. A real mount has no simulated sensor.
+// Another bus is another mount: its directions are not confirmed. A real mount has no simulated sensor. Axes that a
+// rotator with a box turned are turned by controllers then, if this is their bus.
 void useBus(Profile& profile, const std::string& bus, std::span<const int> ids);
+
+struct RotatorLine
+{
+    AxisDriver driver = AxisDriver::Rotctld;
+    std::string bus;
+    int baud = 9600;  // of a serial port
+};
+
+// The mount is a rotator that runs to its targets by itself. An axis that another driver turned gets the travel and the
+// speed of a usual rotator, and counts as its box does. A missing axis stays missing.
+void useRotator(Profile& profile, const RotatorLine& line);
 
 // bus.name is "simulated", as in a profile without that key. There is no real mount to be reached, so the simulated one
 // runs in its place.

@@ -2,6 +2,7 @@
 #include "core/rotctld_mount/rotctld_rotators.h"
 
 #include "core/base/bus_name.h"
+#include "core/base/text.h"
 #include "core/rotator_box/box_connection.h"
 #include "core/rotator_box/simulated_box_line.h"
 #include "core/rotator_box/tcp_box_line.h"
@@ -25,6 +26,30 @@ MountKind rotctldRotators()
         std::unique_ptr<BoxLine> line = start.simulation.on ? std::make_unique<SimulatedBoxLine>(box) : lineOf(profile);
         return rotatorBehind<RotctldMount>(std::move(line), start);
     };
+}
+
+RotatorOffer rotctldOffer()
+{
+    constexpr int kPort = 4533;  // of a rotctld without -t, and usually of Boresight itself
+    constexpr int kBeside = kPort + 1;
+    return {
+        .driver = profile::AxisDriver::Rotctld,
+        .name = Text::tr("Any rotator that Hamlib drives, by a rotctld"),
+        .place = Text::tr("Address"),
+        .placeHelp = Text::tr("HOST:PORT of rotctld. 127.0.0.1 is this computer. Without a port it is %1").arg(kPort),
+        .example = QStringLiteral("192.168.1.20:%1").arg(kPort),
+        .usualPlaces = {QStringLiteral("127.0.0.1:%1").arg(kBeside)},
+        .network = "rotctld",
+        .usualPort = kPort,
+        .promise = {Text::tr("rotctld runs on the computer that has the cable of the rotator. "
+                             "Example: rotctld -m 901 -r /dev/ttyUSB0"),
+                    Text::tr("On this computer add -t %1 to it. Boresight itself uses %2.").arg(kBeside).arg(kPort),
+                    Text::tr("Connect asks rotctld for the limits and for the position. Nothing moves."),
+                    Text::tr("A server of another kind is asked one question and left alone.")},
+        .checks = {Text::tr("Check that rotctld runs on that computer, and that its rotator has power."),
+                   Text::tr("Compare the port with the option -t of rotctld. Without -t it is %1.").arg(kPort),
+                   Text::tr("From another computer: start rotctld with -T 0.0.0.0, and open its port in the "
+                            "firewall.")}};
 }
 
 }  // namespace boresight::rotctl

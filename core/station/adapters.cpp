@@ -46,7 +46,18 @@ Adapter serialAdapter(const SerialPortFacts& port)
     return {.bus = QStringLiteral("fdcanusb:") + path,
             .name = name.isEmpty() ? Text::tr("USB serial port") : name,
             .detail = joined({port.serialNumber, port.device}),
-            .recognised = isRecognised(port)};
+            .recognised = isRecognised(port),
+            .serialPort = isRecognised(port) ? QString() : path};
+}
+
+// Soldered to the board: the box of a rotator may be there, drives are not.
+Adapter boxPort(const SerialPortFacts& port)
+{
+    return {.bus = QStringLiteral("serial:") + port.device,
+            .name = Text::tr("Serial port"),
+            .detail = port.device,
+            .hasDrives = false,
+            .serialPort = port.device};
 }
 
 Adapter canAdapter(const CanInterfaceFacts& interface)
@@ -87,21 +98,30 @@ QString fourDigits(std::uint16_t number)
     return QStringLiteral("%1").arg(number, 4, 16, QLatin1Char('0'));
 }
 
+bool leadsToDrives(BusKind kind)
+{
+    return kind == BusKind::Simulated || kind == BusKind::SocketCan || kind == BusKind::Fdcanusb;
+}
+
 }  // namespace
 
 std::vector<Adapter> adaptersOf(const std::vector<SerialPortFacts>& ports,
                                 const std::vector<CanInterfaceFacts>& interfaces)
 {
     std::vector<Adapter> all;
+    std::vector<Adapter> onBoard;
     for (const SerialPortFacts& port : ports) {
         if (port.vendor || isRecognised(port)) {
             all.push_back(serialAdapter(port));
+        } else {
+            onBoard.push_back(boxPort(port));
         }
     }
     const auto others = std::ranges::stable_partition(all, &Adapter::recognised);
     std::vector<Adapter> can;
     std::ranges::transform(interfaces, std::back_inserter(can), canAdapter);
     all.insert(others.begin(), can.begin(), can.end());
+    all.insert(all.end(), onBoard.begin(), onBoard.end());
     all.push_back({.bus = QStringLiteral("simulated"),
                    .name = Text::tr("Simulated mount"),
                    .detail = Text::tr("built in, for trying Boresight without a mount"),
@@ -135,12 +155,14 @@ bool isSimulatedBus(const QString& bus)
 std::vector<Adapter> withNamed(std::vector<Adapter> found, const QString& bus)
 {
     const bool isThere = std::ranges::find(found, bus, &Adapter::bus) != found.end();
-    if (!isThere && parseBusName(bus.toStdString())) {
+    const auto name = parseBusName(bus.toStdString());
+    if (!isThere && name) {
         found.insert(found.begin(), {.bus = bus,
                                      .name = bus.section(QLatin1Char(':'), 1),
                                      .detail = Text::tr("named by the command line or the profile"),
                                      .recognised = true,
-                                     .simulated = isSimulatedBus(bus)});
+                                     .simulated = isSimulatedBus(bus),
+                                     .hasDrives = leadsToDrives(name->kind)});
     }
     return found;
 }

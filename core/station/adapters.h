@@ -31,7 +31,7 @@ struct CanInterfaceFacts
     bool up = false;
 };
 
-// Recognised ones first, then CAN interfaces, then other serial ports of USB, then the simulated mount.
+// Recognised ones first, then CAN interfaces, then other serial ports, those of USB first, then the simulated mount.
 [[nodiscard]] std::vector<Adapter> adaptersOf(const std::vector<SerialPortFacts>& ports,
                                               const std::vector<CanInterfaceFacts>& interfaces);
 

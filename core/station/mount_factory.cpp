@@ -19,13 +19,18 @@ MountFactory::MountFactory(const profile::Profile& profile, const Clock& clock) 
 {
     const LinkMaker links(profile, clock);
     m_sensor = links.simulated();
-    // Every kind of rotator: a new one is a line here, and its name in core/profile/axis_driver.h.
+    // Every kind of rotator: a new one is a line here, its offer below, and its name in core/profile/axis_driver.h.
     m_kinds = {
         {AxisDriver::Moteus, moteusRotators(links)},
         {AxisDriver::Gs232, gs232::gs232Rotators()},
         {AxisDriver::Rotctld, rotctl::rotctldRotators()},
         {AxisDriver::Simple, simpleRotators()},
     };
+}
+
+std::vector<RotatorOffer> rotatorOffers()
+{
+    return {moteusOffer(), gs232::gs232Offer(), rotctl::rotctldOffer()};
 }
 
 MountMaker MountFactory::make(const profile::Profile& profile, const MountStart& start) const

@@ -2,16 +2,21 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/messages/rotator_offer.h"
 #include "core/mount/mount_kind.h"
 #include "core/profile/profile.h"
 #include "core/station/sensor_factory.h"
 
 #include <map>
 #include <memory>
+#include <vector>
 
 // Makes the mounts of one program, one after the other. The simulated ones stay the same: after a reconnect they stand
 // where they stood.
 namespace boresight {
+
+// Those that a person can choose, in the order of the list.
+[[nodiscard]] std::vector<RotatorOffer> rotatorOffers();
 
 class MountFactory
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/station/mount_factory.h"
 #include "tests/fakes/hand_turned_timers.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/ui/find_widget.h"
@@ -38,7 +39,7 @@ protected:
         give(samples::update(samples::idle()));
     }
 
-    static WindowSettings settings() { return {}; }
+    static WindowSettings settings() { return {.rotators = rotatorOffers()}; }
 
     // By its key, Ctrl+digit.
     void openPanel(char digit) { QTest::keyClick(&window, digit, Qt::ControlModifier); }

@@ -198,6 +198,8 @@ void StripCharts::showStatus(const StationStatus& status)
     for (const Axis axis : kAxes) {
         m_turnKnown[axisIndex(axis)] = isTurnKnown(status, axis);
     }
+    strip(Strip::Drive).setVisible(status.drives.has_value());
+    m_quantity->setVisible(status.drives.has_value());
     showNotice();
     refresh();
 }
@@ -267,6 +269,9 @@ void StripCharts::describeOnceASecond()
                                      .arg(name(m_choice.axis), timeText(m_choice.window), clockText(utcOf(*m_pausedAt)))
                                : tr("%1, last %2.").arg(name(m_choice.axis), timeText(m_choice.window));
     for (StripChart* const chart : m_strips) {
+        if (chart->isHidden()) {
+            continue;
+        }
         words += QLatin1Char(' ') + describe(chart->form(), chart->frame()) + QLatin1Char('.');
     }
     setAccessibleDescription(words);

@@ -18,8 +18,9 @@ class QGridLayout;
 
 // The charts of one axis, one above the other: position, error, and a quantity of its drive; with the buttons that
 // choose what is shown. Now is at the right end; paused, the picture stands still and the data are collected on.
-// Where nothing came from the drives, nothing is drawn. They stand in their panel or, in a wide window, beside it.
-// More than 15 members: the widgets that it composes, and what they show.
+// Where nothing came from the drives, nothing is drawn. A mount without drives that report has no third chart. They
+// stand in their panel or, in a wide window, beside it. More than 15 members: the widgets that it composes, and what
+// they show.
 namespace boresight::ui {
 
 class ChoiceButton;

@@ -4,6 +4,7 @@
 #include "core/profile/commissioning.h"
 #include "ui/guide/bus_picture.h"
 #include "ui/guide/guide_boards.h"
+#include "ui/guide/rotator_choice.h"
 #include "ui/kit/axes.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
@@ -83,6 +84,7 @@ GuideConnect::GuideConnect(ProfileChange& change, RequestDesk& desk, HostDesk& h
       m_change(change),
       m_host(host),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_choice(new RotatorChoice(host.rotators(), this)),
       m_list(new QListWidget(this)),
       m_found(new QPlainTextEdit(this)),
       m_picture(new BusPicture(this)),
@@ -97,6 +99,7 @@ GuideConnect::GuideConnect(ProfileChange& change, RequestDesk& desk, HostDesk& h
     connect(m_refresh, &QPushButton::clicked, this, [this] { Q_EMIT m_host.adaptersWanted(busInUse()); });
     connect(m_scan, &QPushButton::clicked, this, &GuideConnect::scan);
     connect(m_use, &QPushButton::clicked, this, &GuideConnect::use);
+    connect(m_choice, &RotatorChoice::changed, this, &GuideConnect::showButtons);
     connect(m_list, &QListWidget::currentRowChanged, this, &GuideConnect::showButtons);
     connect(&m_host, &HostDesk::adaptersFound, this, &GuideConnect::showAdapters);
     connect(&m_host, &HostDesk::scanned, this, &GuideConnect::showResult);
@@ -124,6 +127,7 @@ void GuideConnect::build()
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         row->addWidget(button);
     }
+    column->addWidget(m_choice);
     column->addWidget(m_list, 2);
     auto* const who = new QHBoxLayout;
     who->addWidget(m_found, 1);
@@ -148,7 +152,9 @@ void GuideConnect::showAdapters(const std::vector<Adapter>& adapters)
     // The bus of the command line comes with the first status, which may come after the first list.
     const bool isListed = std::ranges::find(m_adapters, busInUse(), &Adapter::bus) != m_adapters.end();
     const QString selected = isListed ? selectedBus() : busInUse();
-    m_adapters = adapters;
+    m_choice->showAdapters(adapters);
+    m_adapters.clear();
+    std::ranges::copy_if(adapters, std::back_inserter(m_adapters), &Adapter::hasDrives);
     m_list->clear();
     for (const Adapter& adapter : m_adapters) {
         QString text = adapter.recognised ? adapter.name : tr("%1 (unknown to Boresight)").arg(adapter.name);
@@ -189,6 +195,7 @@ void GuideConnect::showStatus(const StationStatus& status)
 {
     const QString before = busInUse();
     m_status = status;
+    m_choice->showStatus(status);
     for (int row = 0; row < m_list->count(); ++row) {
         QFont font = fonts::label();
         font.setBold(m_adapters[static_cast<std::size_t>(row)].bus == busInUse());
@@ -207,14 +214,21 @@ void GuideConnect::showButtons()
 {
     const QString bus = selectedBus();
     const bool inUse = bus == busInUse();
-    const QString none = bus.isEmpty() ? tr("Select an adapter first.") : QString();
+    const bool listed = m_choice->isListed();
+    m_list->setVisible(listed);
+    m_scan->setVisible(listed);
+    m_refresh->setVisible(listed || m_choice->onSerialPort());
+    const QString none = !listed         ? m_choice->whyIncomplete()
+                         : bus.isEmpty() ? tr("Select an adapter first.")
+                                         : QString();
     m_scan->setBlocked(!none.isEmpty()         ? none
                        : !m_scanning.isEmpty() ? tr("Boresight is scanning %1. Wait a moment.").arg(m_scanning)
                        : inUse                 ? m_status.permissions.reason(Action::ReadDrives)
                                                : QString());
     const auto take = useSelected();
     m_use->setBlocked(!none.isEmpty()            ? none
-                      : m_change.isAlready(take) ? tr("The mount is already connected by this adapter.")
+                      : m_change.isAlready(take) ? (listed ? tr("The mount is already connected by this adapter.")
+                                                           : tr("This rotator is already connected."))
                                                  : m_change.whyNot(m_status, take));
     showFound();
     showBoards();
@@ -222,11 +236,12 @@ void GuideConnect::showButtons()
 
 void GuideConnect::showBoards()
 {
+    const bool listed = m_choice->isListed();
     const bool here = selectedBus().isEmpty() || selectedBus() == busInUse();
-    const bool needed = m_boards->isAsking() || (here && GuideBoards::isNeeded(m_status));
+    const bool needed = m_boards->isAsking() || (here && listed && GuideBoards::isNeeded(m_status));
     m_boards->setVisible(needed);
     m_found->setVisible(!needed);
-    m_picture->setVisible(!needed && m_status.drives);
+    m_picture->setVisible(!needed && listed && m_status.drives);
     if (needed) {
         m_boards->showStatus(m_status);
     }
@@ -235,6 +250,9 @@ void GuideConnect::showBoards()
 // The simulated mount in use leaves the bus that its profile names.
 ProfileChange::Edit GuideConnect::useSelected() const
 {
+    if (!m_choice->isListed()) {
+        return m_choice->edit();
+    }
     const std::string bus = selectedBus() == busInUse() ? m_status.profile->bus : selectedBus().toStdString();
     return [bus, ids = idsFound()](profile::Profile& profile) { profile::useBus(profile, bus, ids); };
 }
@@ -257,7 +275,9 @@ std::vector<int> GuideConnect::idsFound() const
 void GuideConnect::showFound()
 {
     QStringList lines;
-    if (selectedBus() == busInUse()) {
+    if (!m_choice->isListed()) {
+        lines = m_choice->words(m_use->obstacle());
+    } else if (selectedBus() == busInUse()) {
         lines << (m_status.drives ? tr("In use. %1.").arg(surveySentence(*m_status.drives).text)
                                   : tr("In use. This rotator has no boards that can be listed."));
         lines << tagged(linesOfDrives(m_status), isSimulated(selectedBus()));

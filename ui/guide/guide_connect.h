@@ -14,14 +14,16 @@ class QListWidget;
 class QPlainTextEdit;
 class QPushButton;
 
-// The guide's first step: the adapters of this computer by the names they call themselves, who answers on the selected
-// one, and taking it for the mount. On the bus that the station works on, the station itself says who is there.
+// The guide's first step: what turns the mount, the adapters of this computer by the names they call themselves, who
+// answers on the selected one, and taking it for the mount. On the bus that the station works on, the station itself
+// says who is there.
 namespace boresight::ui {
 
 class BusPicture;
 class CommandButton;
 class GuideBoards;
 class HostDesk;
+class RotatorChoice;
 class ValueLabel;
 
 class GuideConnect : public QWidget
@@ -58,6 +60,7 @@ private:
     std::optional<ScanResult> m_result;
     QString m_scanning;  // the bus that is being looked at
     ValueLabel* m_notice;
+    RotatorChoice* m_choice;
     QListWidget* m_list;
     QPlainTextEdit* m_found;
     BusPicture* m_picture;

@@ -43,7 +43,8 @@ GuideDirections::GuideDirections(ProfileChange& change, RequestDesk& desk, QWidg
       m_swap(new CommandButton(tr("The other axis moved:\nswap the motors"),
                                tr("Azimuth and elevation exchange their motors. Boresight connects again."), desk,
                                *m_notice, this)),
-      m_confirm(new CommandButton(tr("Both directions are right"), {}, desk, *m_notice, this))
+      m_confirm(new CommandButton(tr("Both directions are right"), {}, desk, *m_notice, this)),
+      m_atTheBox(new ValueLabel(tr("If a direction is wrong"), fonts::label(), {}, this))
 {
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -63,7 +64,11 @@ GuideDirections::GuideDirections(ProfileChange& change, RequestDesk& desk, QWidg
     }
     m_notice->setStretching(true);
     m_notice->setCollapsing(true);
+    m_atTheBox->setStretching(true);
+    m_atTheBox->setCollapsing(true);
+    m_atTheBox->setLines(2);
     column->addLayout(grid);
+    column->addWidget(m_atTheBox);
     column->addStretch(1);
     column->addLayout(row);
     column->addWidget(m_notice);
@@ -119,9 +124,11 @@ void GuideDirections::showStatus(const StationStatus& status)
 void GuideDirections::follow(Axis axis)
 {
     Row& row = m_rows[axisIndex(axis)];
-    for (QWidget* const part : std::initializer_list<QWidget*>{row.arrow, row.hold, row.moved, row.reverse}) {
+    const bool ownCount = profile::kindOf(m_status.profile->axis(axis).driver).countsItself;
+    for (QWidget* const part : std::initializer_list<QWidget*>{row.arrow, row.hold, row.moved}) {
         part->setVisible(m_status.capabilities.has(axis));
     }
+    row.reverse->setVisible(m_status.capabilities.has(axis) && !ownCount);
     const AxisStatus& now = axisOf(m_status, axis);
     row.arrow->setTurning(turningOf(now));
     row.hold->setRate(std::min(kRate, m_status.profile->jog.unwind));
@@ -148,6 +155,11 @@ void GuideDirections::showButtons()
         m_status.drives && std::ranges::all_of(kAxes, [this](Axis axis) { return driveOf(m_status, axis).present; });
     const bool single = missingAxis(m_status).has_value();
     m_swap->setVisible(!single && m_status.drives);  // else there is nothing to exchange
+    const bool ownCount = std::ranges::any_of(
+        kAxes, [this](Axis axis) { return profile::kindOf(m_status.profile->axis(axis).driver).countsItself; });
+    m_atTheBox->setValue(ownCount ? tr("The box of the rotator decides the direction. If an axis moves the wrong way, "
+                                       "reverse it at its motor or at the box.")
+                                  : QString());
     m_swap->setBlocked(both ? m_change.whyNot(m_status, &profile::swapMotors)
                             : tr("only one axis has a motor that can be exchanged"));
     for (const Axis axis : kAxes) {

@@ -56,6 +56,7 @@ private:
     std::array<Row, 2> m_rows;  // by axis
     CommandButton* m_swap;
     CommandButton* m_confirm;
+    ValueLabel* m_atTheBox;  // where a direction is changed that is not changed here
 };
 
 }  // namespace boresight::ui

@@ -115,9 +115,8 @@ void GuidePage::makePages(RequestDesk& desk, HostDesk& host)
 
 void GuidePage::makeSteps()
 {
-    int number = 0;
     for (const GuideStep step : kGuideSteps) {
-        auto* const button = new StepButton(step, ++number, StepButton::Form::OfTheRow, this);
+        auto* const button = new StepButton(step, StepButton::Form::OfTheRow, this);
         m_buttons[step] = button;
         connect(button, &QAbstractButton::clicked, this, [this, step] { go(step); });
     }
@@ -288,6 +287,7 @@ void GuidePage::showPage()
 void GuidePage::showSteps()
 {
     for (const auto& [step, button] : m_buttons) {
+        button->setNumber(numberOf(step, m_status));
         button->showReport(reportOf(step, m_status, m_progress));
         button->setVisible(applies(step, m_status));
     }
@@ -321,7 +321,9 @@ void GuidePage::showHint()
         hint = tr("The cable wrap of the %1 is unknown. Press Ctrl+9 to enter it, and F3 to return").arg(name(*axis));
     } else if (moves(step) && !drivesOf(m_status).armingObstacle.isEmpty() &&
                drivesOf(m_status).survey == SurveyState::Done) {
-        hint = tr("Nothing may move before step 2, Protect, is done: %1").arg(drivesOf(m_status).armingObstacle);
+        hint = tr("Nothing may move before step %1, %2, is done: %3")
+                   .arg(numberOf(GuideStep::Protection, m_status))
+                   .arg(name(GuideStep::Protection), drivesOf(m_status).armingObstacle);
     } else if (moves(step)) {
         hint = m_status.permissions.reason(Action::Move);
     }

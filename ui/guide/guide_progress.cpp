@@ -161,7 +161,7 @@ QString name(GuideStep step)
 
 QString title(GuideStep step)
 {
-    const std::array titles{GuideWords::tr("Connect: how are the drives reached?"),
+    const std::array titles{GuideWords::tr("Connect: what turns the mount?"),
                             GuideWords::tr("Protect: are the safety settings of each drive right?"),
                             GuideWords::tr("Turning: which motor is which, and which way does it turn?"),
                             GuideWords::tr("Travel: how far may each axis and its cable go?"),
@@ -217,6 +217,12 @@ bool applies(GuideStep step, const StationStatus& status)
         default:
             return true;
     }
+}
+
+int numberOf(GuideStep step, const StationStatus& status)
+{
+    const auto before = std::span(kGuideSteps).first(indexOf(step));
+    return 1 + static_cast<int>(std::ranges::count_if(before, [&](GuideStep one) { return applies(one, status); }));
 }
 
 StepReport reportOf(GuideStep step, const StationStatus& status, const GuideProgress& progress)

@@ -67,6 +67,7 @@ struct GuideProgress
 [[nodiscard]] StepReport reportOf(GuideStep step, const StationStatus& status, const GuideProgress& progress);
 // The mount has what the step is about.
 [[nodiscard]] bool applies(GuideStep step, const StationStatus& status);
+[[nodiscard]] int numberOf(GuideStep step, const StationStatus& status);  // among those of this mount, from 1
 
 // For a settings file. What cannot be read counts as nothing done.
 [[nodiscard]] QString toText(const GuideProgress& progress);

@@ -85,10 +85,11 @@ GuideReady::GuideReady(QWidget* parent)
       m_client(new ValueLabel(tr("Line for Gpredict"), fonts::label(), {}, this)),
       m_pass(new ValueLabel(tr("What to do for the first pass"), fonts::label(), {}, this)),
       m_end(new ValueLabel(tr("After the pass"), fonts::label(), {}, this)),
-      m_copy(nullptr)
+      m_copy(nullptr),
+      m_grid(new QGridLayout)
 {
     for (const GuideStep step : kWorkSteps) {
-        auto* const button = new StepButton(step, static_cast<int>(m_steps.size()) + 1, StepButton::Form::Line, this);
+        auto* const button = new StepButton(step, StepButton::Form::Line, this);
         m_steps[step] = button;
         connect(button, &QAbstractButton::clicked, this, [this, step] { Q_EMIT stepWanted(step); });
     }
@@ -110,20 +111,13 @@ void GuideReady::build()
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
-    auto* const steps = new QGridLayout;
-    steps->setSpacing(2);
-    int place = 0;
-    const int rows = static_cast<int>(m_steps.size() + 1) / 2;
-    for (const auto& [step, button] : m_steps) {
-        steps->addWidget(button, place % rows, place / rows);
-        ++place;
-    }
+    m_grid->setSpacing(2);
     auto* const line = new QHBoxLayout;
     line->setSpacing(4);
     line->addWidget(m_client, 1);
     line->addWidget(m_copy);
     column->addWidget(m_summary);
-    column->addLayout(steps);
+    column->addLayout(m_grid);
     column->addWidget(m_inTheWay);
     column->addLayout(line);
     column->addWidget(m_pass);
@@ -137,17 +131,37 @@ void GuideReady::showStatus(const StationStatus& status, const GuideProgress& pr
     showFirstPass(status);
 }
 
+// Those of this mount, in two columns without a gap.
+void GuideReady::place(const std::vector<StepButton*>& buttons)
+{
+    if (buttons == m_placed) {
+        return;
+    }
+    m_placed = buttons;
+    const int rows = static_cast<int>(buttons.size() + 1) / 2;
+    int at = 0;
+    for (StepButton* const button : buttons) {
+        m_grid->removeWidget(button);
+        m_grid->addWidget(button, at % rows, at / rows);
+        ++at;
+    }
+}
+
 void GuideReady::showSteps(const StationStatus& status, const GuideProgress& progress)
 {
     StepCount count;
+    std::vector<StepButton*> mine;
     for (const auto& [step, button] : m_steps) {
+        button->setNumber(numberOf(step, status));
         button->setVisible(applies(step, status));
         if (applies(step, status)) {
             const StepReport report = reportOf(step, status, progress);
             button->showReport(report);
             addTo(count, report.state);
+            mine.push_back(button);
         }
     }
+    place(mine);
     const QString summary = summaryOf(count);
     const QString simulated = tr("%1 This is the simulated mount. A real mount starts at step 1.").arg(summary);
     m_summary->setValue(status.simulated ? simulated : summary, count.needYou > 0 ? Tone::Warning : Tone::Normal,

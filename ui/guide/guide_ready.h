@@ -6,7 +6,9 @@
 #include <QWidget>
 
 #include <map>
+#include <vector>
 
+class QGridLayout;
 class QPushButton;
 
 // The guide's last page: what is done, what was skipped and what needs the operator, each with the way back to it; and
@@ -31,6 +33,7 @@ Q_SIGNALS:
 private:
     void build();
     void showSteps(const StationStatus& status, const GuideProgress& progress);
+    void place(const std::vector<StepButton*>& buttons);
     void showFirstPass(const StationStatus& status);
     void copy();
 
@@ -42,6 +45,8 @@ private:
     ValueLabel* m_pass;
     ValueLabel* m_end;
     QPushButton* m_copy;
+    QGridLayout* m_grid;  // of the steps
+    std::vector<StepButton*> m_placed;
 };
 
 }  // namespace boresight::ui

@@ -22,10 +22,7 @@ GuideTravel::GuideTravel(ProfileChange& change, RequestDesk& desk, QWidget* pare
     : QWidget(parent),
       m_change(change),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
-      m_use(new CommandButton(
-          tr("Use these ends"),
-          tr("Write these ends into the profile and connect again. Then fix the limits of the drives (step Protect)."),
-          desk, *m_notice, this))
+      m_use(new CommandButton(tr("Use these ends"), {}, desk, *m_notice, this))
 {
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -114,6 +111,10 @@ void GuideTravel::showStatus(const StationStatus& status)
     for (const Axis axis : kAxes) {
         showAxis(axis);
     }
+    m_use->setCommand(tr("Use these ends"),
+                      status.drives ? tr("Write these ends into the profile and connect again. Then fix the limits of "
+                                         "the drives (step Protect).")
+                                    : tr("Write these ends into the profile and connect again. Nothing moves."));
     m_use->setBlocked(m_change.isAlready(edit()) ? tr("these are the ends in force")
                                                  : m_change.whyNot(m_status, edit()));
 }

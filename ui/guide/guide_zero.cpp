@@ -35,6 +35,7 @@ GuideZero::GuideZero(ProfileChange& change, RequestDesk& desk, QWidget* parent)
       m_explanation(new ValueLabel(tr("What to do"), fonts::label(), {}, this)),
       m_reading(new ValueLabel(tr("The angle that the %1 reports now").arg(name(kAxis)), fonts::text(), {}, this)),
       m_effect(new ValueLabel(tr("What the change does"), fonts::label(), {}, this)),
+      m_entry(new QWidget(this)),
       m_truth(nullptr),
       m_endsStay(new QCheckBox(tr("Keep cable and stops physically where they are"), this)),
       m_hold(new HoldButtons(desk, *m_notice, tr("Move"), this)),
@@ -46,9 +47,7 @@ GuideZero::GuideZero(ProfileChange& change, RequestDesk& desk, QWidget* parent)
                          .min = -90.0,
                          .max = 180.0,
                          .unit = QStringLiteral("°")},
-                        this);
-    m_explanation->setValue(
-        tr("Bring the antenna level, by a spirit level on it, and set 0° here. Or type what an inclinometer shows."));
+                        m_entry);
     const QString help = tr("Moves the %1 slowly while held").arg(name(kAxis));
     m_hold->addAxis(kAxis, help, help);
     m_endsStay->setChecked(true);
@@ -79,8 +78,11 @@ void GuideZero::build()
     grid->addLayout(top, 0, 0, 1, 3);
     grid->addWidget(m_reading, 1, 0, 1, 2);
     grid->addWidget(m_hold, 1, 2);
-    grid->addWidget(makeCaption(tr("True value"), *m_truth), 2, 0);
-    grid->addWidget(m_truth, 2, 1);
+    auto* const entry = new QHBoxLayout(m_entry);
+    entry->setContentsMargins(0, 0, 0, 0);
+    entry->addWidget(makeCaption(tr("True value"), *m_truth));
+    entry->addWidget(m_truth, 1);
+    grid->addWidget(m_entry, 2, 0, 1, 2);
     grid->addWidget(m_set, 2, 2);
     grid->addWidget(m_endsStay, 3, 0, 1, 3);
     grid->addWidget(m_effect, 4, 0, 1, 3);
@@ -94,6 +96,17 @@ void GuideZero::showStatus(const StationStatus& status)
     m_status = status;
     m_hold->setRate(status.profile->jog.slow);
     m_hold->showStatus(status);
+    const bool ownCount = profile::kindOf(status.profile->axis(kAxis).driver).countsItself;
+    m_entry->setVisible(!ownCount);
+    m_set->setVisible(!ownCount);
+    m_endsStay->setVisible(!ownCount);
+    m_effect->setVisible(!ownCount);
+    m_explanation->setValue(
+        ownCount
+            ? tr("Bring the antenna level, by a spirit level on it. The box of the rotator must show 0° then. If not, "
+                 "calibrate the box.")
+            : tr("Bring the antenna level, by a spirit level on it, and set 0° here. Or type what an inclinometer "
+                 "shows."));
     showEffect();
 }
 

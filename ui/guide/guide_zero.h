@@ -43,6 +43,7 @@ private:
     ValueLabel* m_explanation;
     ValueLabel* m_reading;
     ValueLabel* m_effect;
+    QWidget* m_entry;  // of the true value
     QDoubleSpinBox* m_truth;
     QCheckBox* m_endsStay;
     HoldButtons* m_hold;

@@ -19,8 +19,7 @@ constexpr int kMark = 11;          // px
 
 }  // namespace
 
-StepButton::StepButton(GuideStep step, int number, Form form, QWidget* parent)
-    : QAbstractButton(parent), m_step(step), m_number(number), m_form(form)
+StepButton::StepButton(GuideStep step, Form form, QWidget* parent) : QAbstractButton(parent), m_step(step), m_form(form)
 {
     setFont(fonts::label());
     setText(name(step));
@@ -28,6 +27,15 @@ StepButton::StepButton(GuideStep step, int number, Form form, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     describe();
+}
+
+void StepButton::setNumber(int number)
+{
+    if (number != m_number) {
+        m_number = number;
+        describe();
+        update();
+    }
 }
 
 void StepButton::showReport(const StepReport& report)

@@ -20,8 +20,9 @@ public:
         Line
     };
 
-    StepButton(GuideStep step, int number, Form form, QWidget* parent);
+    StepButton(GuideStep step, Form form, QWidget* parent);
 
+    void setNumber(int number);  // among those that are shown
     void showReport(const StepReport& report);
     [[nodiscard]] StepState state() const { return m_report.state; }
 
@@ -37,8 +38,8 @@ private:
     void paintLine(QPainter& painter) const;
 
     GuideStep m_step;
-    int m_number;
     Form m_form;
+    int m_number = 0;
     StepReport m_report;
 };
 

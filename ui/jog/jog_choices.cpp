@@ -13,6 +13,9 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
 
 namespace boresight::ui {
 
@@ -24,12 +27,28 @@ struct StepSize
     int decimals;
 };
 
-constexpr StepSize kJogChoicesSteps[] = {{0.01_deg, 2}, {0.1_deg, 1}, {1_deg, 0}, {5_deg, 0}};
+constexpr std::array kJogChoicesSteps{StepSize{0.01_deg, 2}, StepSize{0.1_deg, 1}, StepSize{1_deg, 0},
+                                      StepSize{5_deg, 0}};
 constexpr Angle kJogChoicesFirstStep = 0.1_deg;
 
 QString shownRate(AngularRate rate)
 {
     return rateText(rate, rate < 1_deg_s ? 2 : 1);
+}
+
+QString helpOf(const QString& size)
+{
+    return JogChoices::tr("One step is %1 (Ctrl + arrow)").arg(size);
+}
+
+// The mount reaches nothing between two of these.
+Angle coarsest(const Capabilities& capabilities)
+{
+    Angle step;
+    for (const auto& axis : capabilities.axes) {
+        step = std::max(step, axis ? axis->step : Angle{});
+    }
+    return step;
 }
 
 }  // namespace
@@ -78,7 +97,8 @@ QWidget* JogChoices::makeSteps()
     auto* const segments = new Segments(box);
     for (const StepSize& step : kJogChoicesSteps) {
         const QString size = angleText(step.angle, step.decimals);
-        auto* const button = new ChoiceButton(size, tr("One step is %1 (Ctrl + arrow)").arg(size), segments);
+        auto* const button = new ChoiceButton(size, helpOf(size), segments);
+        m_steps.push_back(button);
         sizes->addButton(button);
         button->setChecked(step.angle == kJogChoicesFirstStep);
         segments->add(*button);
@@ -94,6 +114,24 @@ void JogChoices::showStatus(const StationStatus& status)
     m_fastest = status.permissions.fastestJog;
     m_slider->setEnds(rates().slow, rates().fast);
     showRate();
+    showSteps(status.capabilities);
+}
+
+// A step that the mount cannot make is not offered. Where it was chosen, the least one that the mount makes is.
+void JogChoices::showSteps(const Capabilities& capabilities)
+{
+    const Angle least = coarsest(capabilities);
+    bool isMade = true;
+    for (std::size_t i = 0; i < m_steps.size(); ++i) {
+        const StepSize& step = kJogChoicesSteps.at(i);
+        const bool before = std::exchange(isMade, step.angle >= least);
+        m_steps[i]->setEnabled(isMade);
+        m_steps[i]->setToolTip(isMade ? helpOf(m_steps[i]->text())
+                                      : tr("This rotator moves in steps of %1°.").arg(least.degrees(), 0, 'g', 3));
+        if (isMade && !before && std::ranges::any_of(std::span(m_steps).first(i), &QAbstractButton::isChecked)) {
+            m_steps[i]->click();
+        }
+    }
 }
 
 void JogChoices::choose(AngularRate rate)

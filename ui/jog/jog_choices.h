@@ -7,12 +7,14 @@
 #include <QWidget>
 
 #include <optional>
+#include <vector>
 
 // How the pad moves: the rate while held, between the slow and the fast one of the profile in force, and the size of a
 // step. Until the cable wraps are known and the directions are confirmed, the rate is capped, and the label says so.
 // The chosen rate comes back.
 namespace boresight::ui {
 
+class ChoiceButton;
 class JogPad;
 class RateSlider;
 class ValueLabel;
@@ -32,6 +34,7 @@ private:
     void choose(AngularRate rate);
     [[nodiscard]] const profile::JogSettings& rates() const { return m_draft.inForce().jog; }
     void showRate();
+    void showSteps(const Capabilities& capabilities);
 
     const ProfileDraft& m_draft;
     JogPad& m_pad;
@@ -39,6 +42,7 @@ private:
     RateSlider* m_slider;
     std::optional<AngularRate> m_chosen;  // empty: the normal rate of the profile
     AngularRate m_fastest;
+    std::vector<ChoiceButton*> m_steps;
 };
 
 }  // namespace boresight::ui

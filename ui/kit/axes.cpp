@@ -48,7 +48,8 @@ const DriveStatus& driveOf(const StationStatus& status, Axis axis)
 
 bool isTurnKnown(const StationStatus& status, Axis axis)
 {
-    return axisOf(status, axis).turnKnown;
+    const bool countsItself = !status.drives && status.capabilities.has(axis) && !axisOf(status, axis).actual;
+    return axisOf(status, axis).turnKnown || countsItself;
 }
 
 bool isTurnAwaited(const StationStatus& status, Axis axis)

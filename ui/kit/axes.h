@@ -19,6 +19,7 @@ namespace boresight::ui {
 // A mount without such drives has blank ones: nothing is known of them.
 [[nodiscard]] const DrivesStatus& drivesOf(const StationStatus& status);
 [[nodiscard]] const DriveStatus& driveOf(const StationStatus& status, Axis axis);
+// Also of a rotator without such drives that reports nothing now: it counts the turns itself.
 [[nodiscard]] bool isTurnKnown(const StationStatus& status, Axis axis);
 // The survey of the drives, which may tell the turn, has not ended: nothing is said about it yet.
 [[nodiscard]] bool isTurnAwaited(const StationStatus& status, Axis axis);

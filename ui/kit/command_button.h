@@ -29,6 +29,7 @@ public:
     void setBlocked(const QString& reason);                     // empty: can act
     void setCommand(const QString& text, const QString& help);  // for a button that changes its part
 
+    [[nodiscard]] const QString& obstacle() const { return m_reason; }
     [[nodiscard]] bool isWaiting() const { return m_waiting > 0; }
 
     [[nodiscard]] QSize sizeHint() const override;

@@ -3,10 +3,12 @@
 
 #include "core/gpredict/gpredict_qth.h"
 #include "core/messages/adapter.h"
+#include "core/messages/rotator_offer.h"
 #include "core/messages/scan_result.h"
 
 #include <QObject>
 
+#include <utility>
 #include <vector>
 
 // What the window asks of this computer, as the RequestDesk is what it asks of the station: the asking leaves as a
@@ -18,7 +20,12 @@ class HostDesk : public QObject
     Q_OBJECT
 
 public:
-    using QObject::QObject;
+    explicit HostDesk(std::vector<RotatorOffer> rotators, QObject* parent = nullptr)
+        : QObject(parent), m_rotators(std::move(rotators))
+    {}
+
+    // Each kind that can be connected.
+    [[nodiscard]] const std::vector<RotatorOffer>& rotators() const { return m_rotators; }
 
 Q_SIGNALS:
     // Asked by a page.
@@ -29,6 +36,9 @@ Q_SIGNALS:
     void adaptersFound(const std::vector<boresight::Adapter>& adapters);
     void scanned(const boresight::ScanResult& result);
     void gpredictFound(const boresight::profile::GpredictFiles& files);
+
+private:
+    std::vector<RotatorOffer> m_rotators;
 };
 
 }  // namespace boresight::ui

@@ -71,6 +71,7 @@ void prepare(const WindowSettings& settings)
 MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidget* parent)
     : QMainWindow((prepare(settings), parent)),
       m_clock(clock),
+      m_host(settings.rotators),
       m_draft(m_desk),
       m_last(clock),
       m_alarms(new AlarmCard(m_draft, m_desk, this)),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/messages/rotator_offer.h"
 #include "core/units/sky.h"
 #include "ui/charts/strip_frame.h"
 #include "ui/guide/guide_progress.h"
@@ -9,6 +10,8 @@
 
 #include <QString>
 #include <QStringList>
+
+#include <vector>
 
 // How the window looks, kept from one run to the next; its size and place are kept besides.
 namespace boresight::ui {
@@ -36,9 +39,10 @@ struct WindowSettings
     bool alarmSound = true;   // at a new alarm, once; silence is the operator's choice
     QStringList recentGoTos;  // of an earlier start, the newest first: "113.50 10.00"
     WindowLayout layout;
-    QString stateDir;            // with logs and memory, for the diagnostics
-    QString configDir;           // with the profiles of the mounts; empty: none are kept
-    bool onlySimulated = false;  // the command line says so: every mount is, whatever bus its profile names
+    QString stateDir;                    // with logs and memory, for the diagnostics
+    QString configDir;                   // with the profiles of the mounts; empty: none are kept
+    std::vector<RotatorOffer> rotators;  // that the guide offers
+    bool onlySimulated = false;          // the command line says so: every mount is, whatever bus its profile names
 };
 
 }  // namespace boresight::ui

@@ -244,5 +244,16 @@ TEST(OneAxis, ARotatorWithoutTimeOutModeIsNotSaidToHaveOne)
     EXPECT_EQ(bench.control().status().azimuth.stateText, QStringLiteral("holds by itself"));
 }
 
+// REQ-MOUNT-13
+TEST(OneAxis, OfARotatorThatHasNeverAnsweredNoWrapIsUnknown)
+{
+    SimpleBench bench;
+    bench.setLine(false);
+    bench.run(Seconds(1.0));
+    const AxisStatus azimuth = bench.control().status().azimuth;
+    EXPECT_FALSE(azimuth.actual);
+    EXPECT_EQ(azimuth.stateText, QString());
+}
+
 }  // namespace
 }  // namespace boresight

@@ -41,6 +41,56 @@ TEST(Commissioning, AnotherBusHasItsDirectionsUnconfirmedAndTakesTheIdsThatAnswe
     expectMakesSense(profile);
 }
 
+// REQ-PROFILE-962: A rotator with a box of its own is taken for the mount in one act: driver, bus, speed of the port,
+// and the travel and the speed of a usual rotator. A bus of controllers takes it back.
+TEST(Commissioning, ARotatorIsTakenInOneAct)
+{
+    Profile profile;
+    profile.mount.directions = Directions::Confirmed;
+    profile.sensor.source = SensorSource::Simulated;
+    profile.elevation.geometry.offset = 12_deg;
+    profile.azimuth.geometry.sign = -1;
+    useRotator(profile, {.driver = AxisDriver::Rotctld, .bus = "rotctld:10.0.0.7:4533"});
+    EXPECT_EQ(profile.bus, "rotctld:10.0.0.7:4533");
+    EXPECT_EQ(profile.azimuth.driver, AxisDriver::Rotctld);
+    EXPECT_EQ(profile.elevation.driver, AxisDriver::Rotctld);
+    EXPECT_EQ(profile.azimuth.geometry.travel, (TravelRange{0_deg, 360_deg}));
+    EXPECT_EQ(profile.elevation.geometry.travel, (TravelRange{0_deg, 90_deg}));
+    EXPECT_EQ(profile.azimuth.geometry.sign, 1) << "its box counts";
+    EXPECT_EQ(profile.elevation.geometry.offset, 0_deg);
+    EXPECT_EQ(profile.elevation.limits.speed, 2.5_deg_s);
+    EXPECT_EQ(profile.mount.directions, Directions::Unconfirmed);
+    EXPECT_EQ(profile.sensor.source, SensorSource::None);
+    EXPECT_TRUE(fitsRealMount(profile));
+    expectMakesSense(profile);
+
+    useBus(profile, "socketcan:can0", std::array{5, 7});
+    EXPECT_EQ(profile.azimuth.driver, AxisDriver::Moteus);
+    EXPECT_EQ(profile.elevation.id, 7);
+    EXPECT_EQ(profile.elevation.limits.speed, 2.5_deg_s) << "no faster for it";
+    EXPECT_TRUE(fitsRealMount(profile));
+}
+
+// REQ-PROFILE-962
+TEST(Commissioning, ARotatorThatIsReachedElsewhereKeepsItsEnds)
+{
+    Profile profile;
+    useRotator(profile, {.driver = AxisDriver::Gs232, .bus = "serial:/dev/ttyUSB0", .baud = 4800});
+    setTravel(profile, Axis::Azimuth, {.min = 0_deg, .max = 450_deg});
+    profile.mount.directions = Directions::Confirmed;
+    Profile moved = profile;
+    useRotator(moved, {.driver = AxisDriver::Gs232, .bus = "serial:/dev/ttyUSB0", .baud = 9600});
+    EXPECT_EQ(moved.baud, 9600);
+    EXPECT_EQ(moved.mount.directions, Directions::Confirmed) << "it is the same rotator";
+    useRotator(moved, {.driver = AxisDriver::Gs232, .bus = "tcp:10.0.0.7:4001", .baud = 9600});
+    EXPECT_EQ(moved.azimuth.geometry.travel, (TravelRange{0_deg, 450_deg}));
+    EXPECT_EQ(moved.mount.directions, Directions::Unconfirmed);
+    profile.elevation.driver = AxisDriver::None;
+    useRotator(profile, {.driver = AxisDriver::Rotctld, .bus = "rotctld:10.0.0.7:4533"});
+    EXPECT_EQ(profile.elevation.driver, AxisDriver::None) << "a missing axis stays missing";
+    EXPECT_TRUE(fitsRealMount(profile));
+}
+
 TEST(Commissioning, ARealMountHasNoSimulatedSensor)
 {
     Profile profile;

@@ -105,7 +105,9 @@ TEST(Adapters, WhatIsNoUsbDeviceMayBeScanned)
     EXPECT_TRUE(mayBeScanned(QStringLiteral("simulated")).has_value());
 }
 
-TEST(Adapters, APortThatIsSolderedToTheBoardIsNotOffered)
+// REQ-CAN-1650: A port that is soldered to the board is offered for the box of a rotator, and never as an adapter of
+// drives. What is made for drives is not offered for a box. The line to a box is in no list of adapters of drives.
+TEST(Adapters, APortThatIsSolderedToTheBoardIsOfferedForABoxOnly)
 {
     const SerialPortFacts onBoard{.device = QStringLiteral("/dev/ttyS0"),
                                   .stableName = {},
@@ -114,7 +116,27 @@ TEST(Adapters, APortThatIsSolderedToTheBoardIsNotOffered)
                                   .serialNumber = {},
                                   .vendor = {},
                                   .product = {}};
-    EXPECT_EQ(adaptersOf({onBoard}, {}).size(), 1u);
+    const auto all = adaptersOf({onBoard, kRadio, kFdcanusb}, {{QStringLiteral("can0"), true}});
+    ASSERT_THAT(busesOf(all), ElementsAre(QStringLiteral("fdcanusb:/dev/serial/by-id/usb-mjbots_fdcanusb_1A2B-if00"),
+                                          QStringLiteral("socketcan:can0"),
+                                          QStringLiteral("fdcanusb:/dev/serial/by-id/usb-FTDI_FT232R-if00"),
+                                          QStringLiteral("serial:/dev/ttyS0"), QStringLiteral("simulated")));
+    std::vector<bool> hasDrives;
+    std::vector<QString> ports;
+    std::ranges::transform(all, std::back_inserter(hasDrives), &Adapter::hasDrives);
+    std::ranges::transform(all, std::back_inserter(ports), &Adapter::serialPort);
+    EXPECT_THAT(hasDrives, ElementsAre(true, true, true, false, true));
+    EXPECT_THAT(ports, ElementsAre(QString(), QString(), QStringLiteral("/dev/serial/by-id/usb-FTDI_FT232R-if00"),
+                                   QStringLiteral("/dev/ttyS0"), QString()));
+}
+
+// REQ-CAN-1650
+TEST(Adapters, TheLineToABoxIsNoAdapterOfDrives)
+{
+    for (const char* const bus : {"serial:/dev/ttyUSB0", "tcp:10.0.0.7:4001", "rotctld:tower:4534"}) {
+        EXPECT_FALSE(withNamed({}, QString::fromLatin1(bus)).front().hasDrives) << bus;
+    }
+    EXPECT_TRUE(withNamed({}, QStringLiteral("fdcanusb:/tmp/adapter")).front().hasDrives);
 }
 
 class NetFolder : public testing::Test

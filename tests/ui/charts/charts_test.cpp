@@ -302,5 +302,21 @@ TEST_F(ChartsTest, AreDescribedInWords)
                              "Torque: no data."));
 }
 
+// REQ-UI-1651: A mount without drives that report has no chart of torque, current, voltage or temperature.
+TEST_F(ChartsTest, AMountWithoutDrivesHasNoChartOfThem)
+{
+    EXPECT_TRUE(strip(Strip::Drive).isVisible());
+    StationStatus status = samples::idle();
+    status.drives.reset();
+    clock.advance(1s);
+    give(samples::update(status));
+    EXPECT_FALSE(strip(Strip::Drive).isVisible());
+    EXPECT_FALSE(named<QComboBox>("Quantity of the drive")->isVisible());
+    EXPECT_TRUE(strip(Strip::Error).isVisible());
+    EXPECT_FALSE(charts().accessibleDescription().contains(QStringLiteral("Torque")));
+    give(samples::update(samples::idle()));
+    EXPECT_TRUE(strip(Strip::Drive).isVisible());
+}
+
 }  // namespace
 }  // namespace boresight::ui

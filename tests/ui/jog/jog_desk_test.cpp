@@ -128,6 +128,35 @@ TEST_F(JogDeskTest, EachStepSizeIsWhatOnePressMoves)
     }
 }
 
+// REQ-UI-1652: A step that is less than what the rotator can move is not offered, with the reason. Where it was chosen,
+// the least one that the rotator can move takes its place.
+TEST_F(JogDeskTest, AStepThatTheRotatorCannotMakeIsNotOffered)
+{
+    const auto button = [this](const char* size) {
+        const QByteArray name = QStringLiteral("One step is %1 (Ctrl + arrow)").arg(QString::fromUtf8(size)).toUtf8();
+        return named<ChoiceButton>(name.constData());
+    };
+    QTest::mouseClick(button("0.01°"), Qt::LeftButton);
+    StationStatus status = samples::idle();
+    status.capabilities.axes[1]->step = 1_deg;
+    give(samples::update(status));
+    EXPECT_FALSE(button("0.01°")->isEnabled());
+    EXPECT_FALSE(button("0.1°")->isEnabled());
+    EXPECT_TRUE(button("1°")->isEnabled());
+    EXPECT_TRUE(button("1°")->isChecked());
+    EXPECT_EQ(button("0.1°")->toolTip(), QStringLiteral("This rotator moves in steps of 1°."));
+    QTest::mouseClick(named<ChoiceButton>("Step mode: a press moves one step only"), Qt::LeftButton);
+    requests.clear();
+    hold(JogDirection::Left);
+    ASSERT_EQ(asked<request::Nudge>().size(), 1u);
+    EXPECT_EQ(asked<request::Nudge>().front().azimuth, -1_deg);
+
+    QTest::mouseClick(button("5°"), Qt::LeftButton);
+    give(samples::update(samples::idle()));
+    EXPECT_TRUE(button("0.01°")->isEnabled());
+    EXPECT_TRUE(button("5°")->isChecked()) << "what can be made stays chosen";
+}
+
 // REQ-UI-02b: A step during a pass trims the client's target, is shown in every panel and taken away by one button.
 TEST_F(JogDeskTest, ATrimIsShownByTheReadoutsInEveryPanelAndCleared)
 {

@@ -2,6 +2,7 @@
 #include "core/units/angle_between.h"
 #include "tests/ui/event_loop.h"
 #include "tests/ui/sample_status.h"
+#include "ui/kit/axes.h"
 #include "ui/kit/value_label.h"
 #include "ui/sky/cable_words.h"
 #include "ui/sky/plot_tools.h"
@@ -279,6 +280,23 @@ TEST_F(SkyLook, AnUnknownWrapShowsNoUsedPart)
         QStringLiteral("The azimuth cable is at 397°. Its travel is from -90° to 450°. The nearer end is 53° away. It "
                        "ends at 450° in 27 s.")))
         << plot.accessibleDescription().toStdString();
+}
+
+// REQ-UI-1653: A rotator that counts its turns itself has no unknown wrap: while it is silent its place is unknown, and
+// nothing else.
+TEST_F(SkyLook, ASilentRotatorThatCountsItselfHasNoUnknownWrap)
+{
+    StationStatus status = samples::bounded();
+    status.drives.reset();
+    status.azimuth.actual.reset();
+    status.azimuth.turnKnown = false;
+    EXPECT_TRUE(isTurnKnown(status, Axis::Azimuth));
+    show(status);
+    EXPECT_EQ(words("Azimuth cable"), QStringLiteral("cable ---°"));
+    EXPECT_NE(words("Travel of the azimuth cable"), QStringLiteral("wrap unknown"));
+    EXPECT_FALSE(cableWords(status).isWarning);
+    status.azimuth.actual = 10_deg;
+    EXPECT_FALSE(isTurnKnown(status, Axis::Azimuth)) << "what it reports is judged as it is";
 }
 
 TEST_F(SkyLook, AMountWithoutAnAzimuthHasNoCable)

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text.h"
+#include "core/station/adapters.h"
+#include "tests/ui/guide/guide_fixture.h"
+#include "ui/guide/guide_connect.h"
+#include "ui/guide/guide_directions.h"
+#include "ui/guide/guide_ready.h"
+#include "ui/guide/guide_zero.h"
+
+#include <QComboBox>
+#include <QListWidget>
+#include <QPlainTextEdit>
+
+// A rotator with a box of its own, connected by the guide.
+namespace boresight::ui {
+namespace {
+
+constexpr int kGs232 = 1;  // in the list of what turns the mount
+constexpr int kRotctld = 2;
+
+class GuideRotatorTest : public GuideTest
+{
+protected:
+    GuideRotatorTest()
+    {
+        profile::Profile real = *status.profile;
+        real.bus = "socketcan:can0";
+        putInForce(real);
+        open<GuideConnect>(GuideStep::Connect);
+        Q_EMIT window.host().adaptersFound(adaptersOf({ftdi}, {{QStringLiteral("can0"), true}}));
+    }
+
+    void choose(int kind) { inGuide<QComboBox>("What turns the mount").setCurrentIndex(kind); }
+    QComboBox& place() { return inGuide<QComboBox>("Where the rotator answers"); }
+    void enter(const char* where) { place().setEditText(QString::fromLatin1(where)); }
+    QString words() { return inGuide<QPlainTextEdit>("Who answers").toPlainText(); }
+    bool isShown(const char* name) { return findNamed<QWidget>(guide(), name)->isVisible(); }
+    QString whyNoConnect()
+    {
+        const auto& button = inGuide<QPushButton>("Connect");
+        return button.isEnabled() ? QString() : button.toolTip();
+    }
+    // The station works on the rotator that was applied last.
+    void answerAs(const QString& kind)
+    {
+        status.drives.reset();
+        status.line = {.state = MountLine::State::Up, .kind = kind};
+        goThroughWithReconnect();
+    }
+
+    SerialPortFacts ftdi{.device = QStringLiteral("/dev/ttyUSB0"),
+                         .stableName = {},
+                         .manufacturer = QStringLiteral("FTDI"),
+                         .description = QStringLiteral("FT232R USB UART"),
+                         .serialNumber = QStringLiteral("A5069RR4"),
+                         .vendor = 0x0403,
+                         .product = 0x6001};
+};
+
+// REQ-UI-985: The guide lists the kinds of rotator that can be connected, each in the words of its driver, and asks
+// where it answers: an address with a port, or a serial port with its speed. It says what Connect asks and that nothing
+// moves.
+TEST_F(GuideRotatorTest, ARotctldIsConnectedByItsAddress)
+{
+    EXPECT_FALSE(isShown("Where the rotator answers"));
+    choose(kRotctld);
+    EXPECT_FALSE(isShown("Adapters of this computer"));
+    EXPECT_FALSE(isShown("Scan"));
+    EXPECT_FALSE(isShown("Speed of the serial port"));
+    EXPECT_TRUE(words().contains(QStringLiteral("rotctld -m 901"))) << words().toStdString();
+    EXPECT_TRUE(words().contains(QStringLiteral("Nothing moves")));
+    EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("for example 192.168.1.20:4533")))
+        << whyNoConnect().toStdString();
+    enter("tower.local:4534");
+    requests.clear();
+    click("Connect");
+    const profile::Profile wanted = lastApplied();
+    EXPECT_EQ(wanted.bus, "rotctld:tower.local:4534");
+    EXPECT_EQ(wanted.azimuth.driver, profile::AxisDriver::Rotctld);
+    EXPECT_EQ(wanted.elevation.driver, profile::AxisDriver::Rotctld);
+    EXPECT_TRUE(profile::fitsRealMount(wanted));
+}
+
+// REQ-UI-985
+TEST_F(GuideRotatorTest, AHostAloneHasTheUsualPort)
+{
+    choose(kRotctld);
+    for (const auto& [entered, bus] :
+         {std::pair{"tower.local", "rotctld:tower.local:4533"}, std::pair{" 10.0.0.7 ", "rotctld:10.0.0.7:4533"},
+          std::pair{"fe80::2", "rotctld:[fe80::2]:4533"}, std::pair{"[fe80::3]", "rotctld:[fe80::3]:4533"},
+          std::pair{"[fe80::2]:4600", "rotctld:[fe80::2]:4600"}}) {
+        enter(entered);
+        requests.clear();
+        click("Connect");
+        ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u) << entered;
+        EXPECT_EQ(lastApplied().bus, bus);
+        goThroughWithReconnect();
+    }
+    enter("::1");
+    EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("rotctld -t 4534"))) << "that is this program";
+}
+
+// REQ-UI-985
+TEST_F(GuideRotatorTest, AGs232RotatorIsConnectedByItsPortOrItsAddress)
+{
+    choose(kGs232);
+    EXPECT_EQ(place().currentText(), QStringLiteral("/dev/ttyUSB0")) << "the only port that may be one";
+    inGuide<QComboBox>("Speed of the serial port").setCurrentText(QStringLiteral("4800 Bd"));
+    requests.clear();
+    click("Connect");
+    EXPECT_EQ(lastApplied().bus, "serial:/dev/ttyUSB0");
+    EXPECT_EQ(lastApplied().baud, 4800);
+    EXPECT_EQ(lastApplied().azimuth.driver, profile::AxisDriver::Gs232);
+    goThroughWithReconnect();
+    enter("10.0.0.7:4001");
+    requests.clear();
+    click("Connect");
+    EXPECT_EQ(lastApplied().bus, "tcp:10.0.0.7:4001");
+}
+
+// REQ-UI-985
+TEST_F(GuideRotatorTest, WhatCannotBeAnAddressIsRefusedWithTheReason)
+{
+    choose(kRotctld);
+    for (const char* const host : {"two words", "a/b", "[::1", "x]", "tower:", "tower:99999", "tower:port"}) {
+        enter(host);
+        EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("is no address"))) << host;
+    }
+    enter("localhost");
+    EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("rotctld -t 4534"))) << whyNoConnect().toStdString();
+    EXPECT_TRUE(words().contains(QStringLiteral("rotctld -t 4534"))) << words().toStdString();
+    choose(kGs232);
+    for (const char* const port : {"ttyUSB0", "10.0.0.7"}) {
+        enter(port);
+        EXPECT_TRUE(whyNoConnect().contains(QStringLiteral("is no address"))) << port;
+    }
+}
+
+// REQ-UI-985
+TEST_F(GuideRotatorTest, EachKindKeepsWhatWasEnteredForIt)
+{
+    choose(kRotctld);
+    enter("tower");
+    choose(kGs232);
+    EXPECT_EQ(place().currentText(), QStringLiteral("/dev/ttyUSB0"));
+    enter("/dev/ttyS0");
+    choose(kRotctld);
+    EXPECT_EQ(place().currentText(), QStringLiteral("tower"));
+    EXPECT_EQ(place().findText(QStringLiteral("/dev/ttyUSB0")), -1) << "no serial port is one of these";
+    EXPECT_EQ(place().itemText(0), QStringLiteral("127.0.0.1:4534")) << "beside Boresight on this computer";
+    choose(kGs232);
+    EXPECT_EQ(place().currentText(), QStringLiteral("/dev/ttyS0"));
+}
+
+// REQ-UI-986: When nothing answers, the guide shows the alarm and what to check. What answers is named, with where it
+// points.
+TEST_F(GuideRotatorTest, WhatAnswersAndWhatToCheckIsShown)
+{
+    choose(kRotctld);
+    enter("tower.local");
+    requests.clear();
+    click("Connect");
+    answerAs(QStringLiteral("rotctld"));
+    EXPECT_TRUE(words().contains(QStringLiteral("It answers as: rotctld"))) << words().toStdString();
+    EXPECT_TRUE(words().contains(QStringLiteral("azimuth: 10.0°"))) << words().toStdString();
+    EXPECT_FALSE(words().contains(QStringLiteral("firewall")));
+
+    status.state = StationState::Disconnected;
+    status.alarms = {{.name = QStringLiteral("rotator.line-down"),
+                      .what = QStringLiteral("The line to the rotator is down: refused"),
+                      .remedy = QStringLiteral("Check the cable")},
+                     {.name = QStringLiteral("rotator.no-answer"), .what = QStringLiteral("old"), .active = false}};
+    give(samples::update(status));
+    EXPECT_TRUE(words().contains(QStringLiteral("No answer yet"))) << words().toStdString();
+    EXPECT_TRUE(words().contains(QStringLiteral("is down: refused. Check the cable.")));
+    EXPECT_TRUE(words().contains(QStringLiteral("option -t of rotctld")));
+    EXPECT_TRUE(words().contains(QStringLiteral("firewall")));
+    EXPECT_FALSE(words().contains(QStringLiteral("old")));
+    EXPECT_EQ(stepButton(GuideStep::Connect).state(), StepState::NeedsYou);
+
+    status.alarms = {{.name = QStringLiteral("rotator.foreign"),
+                      .what = QStringLiteral("The device on rotctld:tower.local:4533 is not a rotctld"),
+                      .remedy = QStringLiteral("Check the port")}};
+    give(samples::update(status));
+    EXPECT_TRUE(words().startsWith(QStringLiteral("Not connected. Something else answers there.\n")))
+        << words().toStdString();
+    EXPECT_TRUE(words().contains(QStringLiteral("is not a rotctld. Check the port.")));
+    EXPECT_FALSE(words().contains(QStringLiteral("has power"))) << "it has answered";
+}
+
+// REQ-UI-986
+TEST_F(GuideRotatorTest, WhatIsEnteredStays)
+{
+    choose(kRotctld);
+    enter("tower");
+    give(samples::update(status));
+    Q_EMIT window.host().adaptersFound(adaptersOf({}, {}));
+    EXPECT_EQ(place().currentText(), QStringLiteral("tower"));
+    EXPECT_EQ(inGuide<QComboBox>("What turns the mount").currentIndex(), kRotctld);
+}
+
+// REQ-UI-987: A rotator with a box counts its angles itself: the guide offers neither another direction nor another
+// zero, and says that this is done at the box.
+TEST_F(GuideRotatorTest, NothingIsOfferedThatTheBoxDecides)
+{
+    choose(kRotctld);
+    enter("tower");
+    requests.clear();
+    click("Connect");
+    answerAs(QStringLiteral("rotctld"));
+    EXPECT_FALSE(stepButton(GuideStep::Protection).isVisible());
+    open<GuideDirections>(GuideStep::Directions);
+    EXPECT_FALSE(isShown("AZ moved the wrong way"));
+    EXPECT_FALSE(isShown("EL moved the wrong way"));
+    EXPECT_TRUE(isShown("Both directions are right"));
+    open<GuideZero>(GuideStep::Level);
+    EXPECT_FALSE(isShown("True elevation of the antenna"));
+    EXPECT_FALSE(isShown("Set"));
+    EXPECT_TRUE(inGuide<ValueLabel>("What to do").text().contains(QStringLiteral("calibrate the box")));
+}
+
+// REQ-UI-1650: The steps of the guide are numbered as they are shown, also where a mount has not all of them.
+TEST_F(GuideRotatorTest, TheStepsAreNumberedAsTheyAreShown)
+{
+    EXPECT_EQ(stepButton(GuideStep::Directions).accessibleName(), QStringLiteral("Step 3: Turning"));
+    choose(kRotctld);
+    enter("tower");
+    requests.clear();
+    click("Connect");
+    answerAs(QStringLiteral("rotctld"));
+    EXPECT_EQ(stepButton(GuideStep::Connect).accessibleName(), QStringLiteral("Step 1: Connect"));
+    EXPECT_EQ(stepButton(GuideStep::Directions).accessibleName(), QStringLiteral("Step 2: Turning"));
+    EXPECT_EQ(stepButton(GuideStep::Ready).accessibleName(), QStringLiteral("Step 8: Ready"));
+    open<GuideReady>(GuideStep::Ready);
+    EXPECT_TRUE(isShown("Go to step 2: Turning"));
+    const auto top = [this](const char* name) { return inGuide<StepButton>(name).geometry().top(); };
+    EXPECT_EQ(top("Go to step 1: Connect"), top("Go to step 5: North")) << "two columns";
+    EXPECT_EQ(top("Go to step 2: Turning"), top("Go to step 6: Site"));
+    EXPECT_GT(top("Go to step 2: Turning"), top("Go to step 1: Connect"));
+    const int height = inGuide<StepButton>("Go to step 1: Connect").height();
+    EXPECT_LT(top("Go to step 2: Turning"), top("Go to step 1: Connect") + 2 * height) << "no gap";
+}
+
+}  // namespace
+}  // namespace boresight::ui

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/guide/rotator_choice.h"
+
+#include "core/base/bus_name.h"
+#include "core/base/text.h"
+#include "core/profile/commissioning.h"
+#include "ui/kit/axes.h"
+#include "ui/kit/caption.h"
+#include "ui/kit/format.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/touch_combo.h"
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+
+namespace boresight::ui {
+
+namespace {
+
+using profile::AxisDriver;
+
+constexpr std::array kSpeeds{1200, 4800, 9600, 19200, 38400, 57600, 115200};  // Bd
+
+// Where no kind is offered there is nothing to choose: the adapters are listed.
+std::vector<RotatorOffer> atLeastOne(const std::vector<RotatorOffer>& offers)
+{
+    return offers.empty() ? std::vector{RotatorOffer{.isListed = true}} : offers;
+}
+
+AxisDriver driverOf(const profile::Profile& profile)
+{
+    return profile.azimuth.driver == AxisDriver::None ? profile.elevation.driver : profile.azimuth.driver;
+}
+
+// A host alone has the usual port. An IPv6 address is written in brackets before a port, and may stand alone without.
+QString withPort(const QString& place, int usualPort)
+{
+    const auto colons = place.count(QLatin1Char(':'));
+    const bool bracketed = place.startsWith(QLatin1Char('['));
+    const bool alone = bracketed ? place.endsWith(QLatin1Char(']')) : colons != 1;
+    if (usualPort == 0 || !alone) {
+        return place;
+    }
+    const QString host = colons > 1 && !bracketed ? QStringLiteral("[%1]").arg(place) : place;
+    return QStringLiteral("%1:%2").arg(host).arg(usualPort);
+}
+
+// Texts of alarms stand without their last full stop.
+QString sentence(const QString& text)
+{
+    return text.endsWith(QLatin1Char('.')) ? text : text + QLatin1Char('.');
+}
+
+QStringList numbered(const QStringList& lines)
+{
+    QStringList all;
+    for (const QString& line : lines) {
+        all << QStringLiteral("%1. %2").arg(all.size() + 1).arg(line);
+    }
+    return all;
+}
+
+}  // namespace
+
+RotatorChoice::RotatorChoice(const std::vector<RotatorOffer>& offers, QWidget* parent)
+    : QWidget(parent),
+      m_offers(atLeastOne(offers)),
+      m_entered(m_offers.size()),
+      m_kinds(new TouchCombo(tr("What turns the mount"), tr("How the motors of the mount are commanded"), this)),
+      m_fields(new QWidget(this)),
+      m_place(new TouchCombo(tr("Where the rotator answers"), {}, m_fields)),
+      m_baud(new TouchCombo(tr("Speed of the serial port"), tr("As the switches of the box are set"), m_fields))
+{
+    build();
+    choose(0);
+    connect(m_kinds, &QComboBox::currentIndexChanged, this, &RotatorChoice::choose);
+    connect(m_place, &QComboBox::currentTextChanged, this, [this](const QString& place) {
+        m_entered.at(m_kind) = place;
+        Q_EMIT changed();
+    });
+    connect(m_baud, &QComboBox::currentIndexChanged, this, &RotatorChoice::changed);
+}
+
+void RotatorChoice::build()
+{
+    QStringList names;
+    std::ranges::transform(m_offers, std::back_inserter(names), &RotatorOffer::name);
+    m_kinds->setLines(names);
+    m_kinds->setCurrentIndex(0);
+    m_kinds->setVisible(m_offers.size() > 1);
+    m_place->setEditable(true);
+    m_place->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    QStringList speeds;
+    for (const int speed : kSpeeds) {
+        speeds << QStringLiteral("%1 Bd").arg(speed);
+    }
+    m_baud->setLines(speeds);
+    m_baud->setMinimumContentsLength(9);
+    m_baud->setCurrentIndex(static_cast<int>(std::ranges::find(kSpeeds, profile::Profile().baud) - kSpeeds.begin()));
+    auto* const fields = new QHBoxLayout(m_fields);
+    fields->setContentsMargins(0, 0, 0, 0);
+    fields->setSpacing(6);
+    fields->addWidget(m_place, 1);
+    fields->addWidget(m_baud);
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addWidget(m_kinds);
+    column->addWidget(m_fields);
+}
+
+void RotatorChoice::choose(int kind)
+{
+    m_kind = static_cast<std::size_t>(std::max(0, kind));
+    m_fields->setVisible(!offer().isListed);
+    m_place->setToolTip(offer().placeHelp);
+    m_place->lineEdit()->setPlaceholderText(tr("%1, for example %2").arg(offer().place, offer().example));
+    m_place->setEditText(m_entered.at(m_kind));
+    m_baud->setVisible(offer().onSerialPort);
+    offerPorts();
+    Q_EMIT changed();
+}
+
+void RotatorChoice::offerPorts()
+{
+    m_place->setLines((offer().onSerialPort ? m_ports : QStringList()) + offer().usualPlaces);
+    if (offer().onSerialPort && m_place->currentText().isEmpty() && m_ports.size() == 1) {
+        m_place->setEditText(m_ports.front());
+    }
+}
+
+void RotatorChoice::showStatus(const StationStatus& status)
+{
+    m_status = status;
+    const profile::Profile& profile = *status.profile;
+    if (const auto now = std::pair(driverOf(profile), profile.bus); now != m_taken) {
+        m_taken = now;
+        takeFrom(profile);
+    }
+}
+
+// What the operator enters stays until another mount is in force.
+void RotatorChoice::takeFrom(const profile::Profile& profile)
+{
+    const auto at = std::ranges::find(m_offers, driverOf(profile), &RotatorOffer::driver);
+    m_kinds->setCurrentIndex(at == m_offers.end() ? 0 : static_cast<int>(at - m_offers.begin()));
+    if (at != m_offers.end() && !at->isListed && !profile::namesNoBus(profile)) {
+        m_place->setEditText(toQString(profile.bus).section(QLatin1Char(':'), 1));
+        const auto speed = std::ranges::find(kSpeeds, profile.baud);
+        m_baud->setCurrentIndex(speed == kSpeeds.end() ? -1 : static_cast<int>(speed - kSpeeds.begin()));
+    }
+}
+
+void RotatorChoice::showAdapters(const std::vector<Adapter>& adapters)
+{
+    m_ports.clear();
+    std::ranges::transform(adapters, std::back_inserter(m_ports), &Adapter::serialPort);
+    m_ports.removeAll(QString());
+    offerPorts();
+}
+
+bool RotatorChoice::isListed() const
+{
+    return offer().isListed;
+}
+
+bool RotatorChoice::onSerialPort() const
+{
+    return offer().onSerialPort;
+}
+
+Result<std::string> RotatorChoice::bus() const
+{
+    const QString place = m_place->currentText().trimmed();
+    if (place.isEmpty()) {
+        return failure(ErrorCode::InvalidInput,
+                       tr("Enter where the rotator answers, for example %1.").arg(offer().example));
+    }
+    const bool isPath = offer().onSerialPort && place.startsWith(QLatin1Char('/'));
+    const std::string name = isPath ? "serial:" + place.toStdString()
+                                    : offer().network + ":" + withPort(place, offer().usualPort).toStdString();
+    return parseBusName(name).map([](const BusName& bus) { return toString(bus); });
+}
+
+QString RotatorChoice::whyIncomplete() const
+{
+    const auto entered = bus();
+    return entered ? QString() : entered.error().text;
+}
+
+ProfileChange::Edit RotatorChoice::edit() const
+{
+    const int at = m_baud->currentIndex();
+    const profile::RotatorLine line{
+        .driver = offer().driver,
+        .bus = bus().value_or(m_status.profile->bus),
+        .baud = onSerialPort() && at >= 0 ? kSpeeds.at(static_cast<std::size_t>(at)) : m_status.profile->baud};
+    return [line](profile::Profile& profile) { profile::useRotator(profile, line); };
+}
+
+bool RotatorChoice::isInUse() const
+{
+    const profile::Profile& profile = *m_status.profile;
+    const auto entered = bus();
+    return !m_status.simulated && driverOf(profile) == offer().driver && entered && *entered == profile.bus;
+}
+
+// What stands in the way of a place that was entered is read without pointing at the button.
+QStringList RotatorChoice::words(const QString& obstacle) const
+{
+    if (isInUse()) {
+        return wordsInUse();
+    }
+    const bool isEntered = !obstacle.isEmpty() && !m_place->currentText().isEmpty();
+    return isEntered ? QStringList{sentence(obstacle)} + offer().promise : offer().promise;
+}
+
+QStringList RotatorChoice::wordsInUse() const
+{
+    QStringList lines;
+    bool isForeign = false;
+    for (const Alarm& alarm : m_status.alarms) {
+        if (alarm.active && alarm.name.startsWith(QLatin1String("rotator."))) {
+            lines << sentence(alarm.what) + QLatin1Char(' ') + sentence(alarm.remedy);
+            isForeign = isForeign || alarm.name == QLatin1String("rotator.foreign");
+        }
+    }
+    if (m_status.state == StationState::Disconnected && isForeign) {
+        lines.prepend(tr("Not connected. Something else answers there."));
+        return lines;
+    }
+    if (m_status.state == StationState::Disconnected) {
+        lines.prepend(tr("In use. No answer yet."));
+        return lines + numbered(offer().checks);
+    }
+    lines.prepend(tr("In use. It answers as: %1.").arg(m_status.line.kind));
+    for (const Axis axis : kAxes) {
+        if (const auto& actual = axisOf(m_status, axis).actual; actual && m_status.capabilities.has(axis)) {
+            lines << QStringLiteral("%1: %2").arg(name(axis), angleText(*actual, 1));
+        }
+    }
+    if (const QString obstacle = m_status.permissions.reason(Action::Move); !obstacle.isEmpty()) {
+        lines << tr("It must not move yet: %1").arg(obstacle);
+    }
+    return lines;
+}
+
+}  // namespace boresight::ui
+
+#include "moc_rotator_choice.cpp"
