@@ -140,7 +140,8 @@ inline constexpr std::array kPointingAlarms{
                .severity = Severity::Warning,
                .what = QT_TRANSLATE_NOOP("Text", "The mount no longer follows %1: %2"),
                .action = QT_TRANSLATE_NOOP("Text", "Boresight ended the tracking. The mount holds"),
-               .remedy = QT_TRANSLATE_NOOP("Text", "Check that rotctld and its rotator. Then follow it again"),
+               .remedy = QT_TRANSLATE_NOOP(
+                   "Text", "Check that rotctld, its rotator and the limits of this mount. Then follow it again"),
                .examples = {"rotctld:10.0.0.7:4533", "no position was received for 6 s"},
                .identifying = 1},
     AlarmEntry{.id = "azel.differs",

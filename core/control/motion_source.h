@@ -4,7 +4,7 @@
 #include "core/azel/azel_feed.h"
 #include "core/control/helm.h"
 #include "core/messages/request.h"
-#include "core/messages/rotator_reading.h"
+#include "core/messages/rotator_report.h"
 #include "core/position/position_text.h"
 
 #include <cstdint>
@@ -34,7 +34,7 @@ using MotionRequests =
                 request::Unwind, request::Trial, request::FollowAzel, request::FollowPosition, request::FollowRotator>;
 
 // What reaches a source from outside: a look at azel.dat, a report of what flies, where another rotator points.
-using SourceReport = std::variant<azel::AzelReading, Result<position::PositionText>, RotatorReading>;
+using SourceReport = std::variant<azel::AzelReading, Result<position::PositionText>, RotatorReport>;
 
 class MotionSource
 {

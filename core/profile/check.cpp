@@ -153,22 +153,12 @@ std::optional<Problem> wrongBus(const Profile& profile, const DriverKind& kind)
     return Problem{"bus.name", need.arg(toQString(kind.name))};
 }
 
-bool isThisComputer(const std::string& host)
-{
-    return host == "localhost" || host == "::1" || host.starts_with("127.");
-}
-
 // The rotctld that turns the mount would be our own server, which asks the mount.
 std::optional<Problem> ownServer(const Profile& profile)
 {
     const auto bus = parseBusName(profile.bus);
     const ListenAddress& own = profile.rotctld.listen;
-    if (!bus || bus->kind != BusKind::Rotctld || bus->port != own.port) {
-        return std::nullopt;
-    }
-    const bool here =
-        isThisComputer(bus->target) && (isThisComputer(own.host) || own.host == "0.0.0.0" || own.host == "::");
-    if (!here && bus->target != own.host) {
+    if (!bus || !isOwnServer(*bus, own)) {
         return std::nullopt;
     }
     return Problem{"bus.name",

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/control/motion_source.h"
-#include "core/messages/rotator_reading.h"
+#include "core/messages/rotator_report.h"
 
 #include <optional>
 
@@ -14,7 +14,7 @@ namespace boresight::sources {
 class RotatorFollow : public SourceOf<RotatorFollow, request::FollowRotator>
 {
 public:
-    // The other side gives up somewhat earlier, and knows the reason.
+    // Who reads the positions gives up somewhat earlier, and reports the reason.
     static constexpr Seconds kStale{6.0};
 
     using SourceOf::SourceOf;
@@ -28,20 +28,24 @@ public:
 private:
     struct Reading
     {
-        RotatorReading read;
+        QString name;
+        SkyPointing direction;
         SteadyTime when;
     };
     struct Followed
     {
-        QString name;
+        Reading last;
+        bool isNew = false;    // the mount was not sent there yet
+        QString trouble = {};  // why it is followed no more
         std::uint64_t errand = 0;
-        SteadyTime reached;  // of the reading to which the mount was sent
     };
 
+    [[nodiscard]] Result<> takeReport(const RotatorReport& report);
     Result<> follow(bool anew);
+    [[nodiscard]] QString whyToEnd(SteadyTime now) const;
     void end(const QString& why);
 
-    std::optional<Reading> m_reading;
+    std::optional<Reading> m_found;  // of one that may be asked for
     std::optional<Followed> m_followed;
 };
 

@@ -2,12 +2,10 @@
 #include "core/station/station.h"
 
 #include "core/alarms/catalogue.h"
-#include "core/base/bus_name.h"
 #include "core/base/text.h"
 #include "core/north/calibration_gates.h"
 #include "core/profile/commissioning.h"
 #include "core/profile/profile_diff.h"
-#include "core/profile/setting.h"
 #include "core/sources/motion_sources.h"
 
 #include <QLoggingCategory>
@@ -31,22 +29,6 @@ Source operatorSource()
     return {.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
 }
 
-Result<BusName> otherRotctld(const QString& name, const profile::ListenAddress& own)
-{
-    const auto bus = parseBusName(name.toStdString());
-    if (!bus || bus->kind != BusKind::Rotctld) {
-        return failure(
-            ErrorCode::InvalidInput,
-            Text::tr("\"%1\" names no rotctld. Write rotctld:HOST:PORT, for example rotctld:10.0.0.7:4533.").arg(name));
-    }
-    if (profile::isOwnServer(*bus, own)) {
-        return failure(
-            ErrorCode::Refused,
-            Text::tr("%1 is the server of Boresight itself. Name the rotctld of another rotator.").arg(name));
-    }
-    return *bus;
-}
-
 }  // namespace
 
 Station::Station(const profile::Profile& profile, const MountMaker& mount, const QString& stateDir, const Clock& clock)
@@ -61,9 +43,8 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_shell(
           {.ask = [this](const Request& request, const Source& by) { return askNow(request, by); },
            .mayShellCommand = [this] { return m_control.mayShellCommand(); },
-           .readTable = [this](const QString& path, StationTables::Then then) { m_tables.read(path, std::move(then)); },
-           .findRotator = [this](const QString& name,
-                                 rotctl::FollowedRotctld::Then then) { findRotator(name, std::move(then)); },
+           .readTable = [this](const QString& path, StationTables::Then then) { readTable(path, std::move(then)); },
+           .findRotator = [this](const QString& name, StationFollow::Then then) { findRotator(name, std::move(then)); },
            .satellites = [this] { return m_elements.satellites(); },
            .antennas = [this] { return knownAntennas(); },
            .schedule = [this] { return m_night.status(); },
@@ -75,6 +56,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_sensor(m_profile, clock, m_log, m_control.alarms(), m_broker, this),
       m_power(m_profile, clock, m_log, this),
       m_elements(m_profile, m_log, clock, this),
+      m_follow(m_control, m_profile, clock, this),
       m_azel(m_profile, this),
       m_position(m_profile, m_log, clock, m_broker, this),
       m_calibrationFile(calibrationPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
@@ -118,11 +100,6 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
     connect(&m_position, &StationPosition::received, this, [this](const Result<position::PositionText>& read) {
         if (const Result<> taken = m_control.receive(read); !taken) {
             m_position.tellRefused(taken.error());
-        }
-    });
-    connect(&m_followed, &rotctl::FollowedRotctld::read, this, [this](const RotatorReading& reading) {
-        if (!m_control.receive(reading)) {
-            m_followed.close();
         }
     });
     connect(&m_eventFile, &EventFile::failed, this,
@@ -244,7 +221,7 @@ void Station::tick()
     m_night.tick();
     m_control.tick();
     m_tables.tick(m_control.errand(), m_clock.now());
-    m_followed.tick(m_clock.now());
+    m_follow.tick();
     if (m_transmit.isWanted()) {
         m_transmit.tick(m_control.status());
     }
@@ -306,23 +283,36 @@ void Station::finish()
 void Station::request(const NumberedRequest& numbered)
 {
     if (const auto* const file = std::get_if<request::TrackFile>(&numbered.request)) {
-        m_tables.read(file->path, [this, numbered](const Result<targets::Target>& table) {
+        readTable(file->path, [this, numbered](const Result<targets::Target>& table) {
             const auto track = [this](const auto& target) { return obey(request::Track{target}, operatorSource()); };
             answer(numbered, table.and_then(track));
         });
         return;
     }
     if (const auto* const other = std::get_if<request::FollowRotator>(&numbered.request)) {
-        findRotator(other->name, [this, numbered](const Result<RotatorReading>& first) {
-            const auto follow = [this](const RotatorReading& read) {
-                return obey(request::FollowRotator{read.name}, operatorSource());
-            };
-            answer(numbered, first.and_then(follow));
+        findRotator(other->name, [this, numbered](const Result<QString>& found) {
+            const Result<> followed = found.and_then(
+                [this](const QString& name) { return obey(request::FollowRotator{name}, operatorSource()); });
+            answer(numbered, followed);
+            return followed;
         });
         return;
     }
     answer(numbered, obey(numbered.request, operatorSource()));
     hurry(numbered.request);
+}
+
+// Of two that wait the newer one counts.
+void Station::readTable(const QString& path, StationTables::Then then)
+{
+    m_follow.forget();
+    m_tables.read(path, std::move(then));
+}
+
+void Station::findRotator(const QString& name, StationFollow::Then then)
+{
+    m_tables.forget();
+    m_follow.find(name, std::move(then));
 }
 
 void Station::answer(const NumberedRequest& asked, const Result<>& outcome)
@@ -360,7 +350,7 @@ Result<> Station::obey(const Request& request, const Source& by)
             m_night.noticed(request, by);
             m_tables.noticed(request);
             if (!leavesTheMount(request)) {
-                m_followed.forget();
+                m_follow.forget();
             }
         });
 }
@@ -411,22 +401,6 @@ Result<> Station::carryOut(const Request& request, const Source& by)
     return m_mount->carryOut(request);
 }
 
-// What it reports first is known to the control when it is asked to follow.
-void Station::findRotator(const QString& name, rotctl::FollowedRotctld::Then then)
-{
-    const Result<BusName> rotctld = otherRotctld(name, m_profile->rotctld.listen);
-    if (!rotctld) {
-        then(tl::unexpected(rotctld.error()));
-        return;
-    }
-    m_followed.find(*rotctld, m_clock.now(), [this, then = std::move(then)](const Result<RotatorReading>& first) {
-        if (first) {
-            (void)m_control.receive(*first);
-        }
-        then(first);
-    });
-}
-
 // From where the mount stands. While that is not known, from where it is parked.
 Result<> Station::rehearse(const request::Rehearse& wanted)
 {
@@ -471,8 +445,7 @@ void Station::reconnect(const profile::Profile& next)
               Text::tr("reconnects to the mount \"%1\"").arg(QString::fromStdString(next.mount.name)));
     m_next = next;
     m_tables.forget();
-    m_followed.forget();
-    m_followed.close();
+    m_follow.close();
     m_transmit.close();
     m_control.shutDown();
 }

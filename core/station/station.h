@@ -6,7 +6,6 @@
 #include "core/alarms/event_log.h"
 #include "core/base/clock.h"
 #include "core/control/station_control.h"
-#include "core/followed_rotctld/followed_rotctld.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
 #include "core/mount/mount_connection.h"
@@ -20,6 +19,7 @@
 #include "core/station/station_azel.h"
 #include "core/station/station_broker.h"
 #include "core/station/station_elements.h"
+#include "core/station/station_follow.h"
 #include "core/station/station_hooks.h"
 #include "core/station/station_passes.h"
 #include "core/station/station_position.h"
@@ -115,7 +115,8 @@ private:
     [[nodiscard]] Result<> askNow(const Request& request, const Source& by);
     void hurry(const Request& request);
     [[nodiscard]] Result<> carryOut(const Request& request, const Source& by);
-    void findRotator(const QString& name, rotctl::FollowedRotctld::Then then);
+    void readTable(const QString& path, StationTables::Then then);
+    void findRotator(const QString& name, StationFollow::Then then);
     [[nodiscard]] Result<> rehearse(const request::Rehearse& wanted);
     [[nodiscard]] std::optional<DrivesStatus> drives() const;
     void openServer();
@@ -139,9 +140,9 @@ private:
     StationSensor m_sensor;
     StationPower m_power;
     StationElements m_elements;
+    StationFollow m_follow;
     StationAzel m_azel;
     StationTables m_tables{this};
-    rotctl::FollowedRotctld m_followed{this};
     StationPosition m_position;
     CalibrationFile m_calibrationFile;
     CalibrationDesk m_calibration;

@@ -181,8 +181,10 @@ void StationShell::track(const QByteArray& text, const local::Reply& reply)
         return;
     }
     if (const auto other = targets::otherRotator(text.toStdString())) {
-        m_station.findRotator(*other, [this, reply](const Result<RotatorReading>& first) {
-            reply(first.and_then([this](const RotatorReading& rotator) { return follow(rotator); }));
+        m_station.findRotator(*other, [this, reply](const Result<QString>& found) {
+            const local::LocalAnswer answer = found.and_then([this](const QString& name) { return follow(name); });
+            reply(answer);
+            return answer.map([](const QByteArray&) {});
         });
         return;
     }
@@ -198,11 +200,11 @@ local::LocalAnswer StationShell::track(const targets::Target& target)
     });
 }
 
-local::LocalAnswer StationShell::follow(const RotatorReading& rotator)
+local::LocalAnswer StationShell::follow(const QString& rotator)
 {
-    return mayTrack()
-        .and_then([&] { return m_station.ask(request::FollowRotator{rotator.name}, shellSource()); })
-        .map([&] { return QByteArray(rotator.name.toUtf8() + '\n'); });
+    return mayTrack().and_then([&] { return m_station.ask(request::FollowRotator{rotator}, shellSource()); }).map([&] {
+        return QByteArray(rotator.toUtf8() + '\n');
+    });
 }
 
 QByteArray StationShell::satelliteLines() const

@@ -3,10 +3,10 @@
 
 #include "core/alarms/log_throttle.h"
 #include "core/elements/element_set.h"
-#include "core/followed_rotctld/followed_rotctld.h"
 #include "core/local_socket/local_server.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
+#include "core/station/station_follow.h"
 #include "core/station/station_tables.h"
 
 #include <cstdint>
@@ -28,7 +28,7 @@ public:
         std::function<Result<>(const Request&, const Source&)> ask;
         std::function<Result<>()> mayShellCommand;
         std::function<void(const QString& path, StationTables::Then then)> readTable;
-        std::function<void(const QString& name, rotctl::FollowedRotctld::Then then)> findRotator;
+        std::function<void(const QString& name, StationFollow::Then then)> findRotator;
         std::function<std::shared_ptr<const std::vector<orbit::ElementSet>>()> satellites;
         std::function<std::vector<local::KnownAntenna>()> antennas;
         std::function<std::shared_ptr<const ScheduleStatus>()> schedule;
@@ -54,7 +54,7 @@ private:
     [[nodiscard]] Result<> mayTrack() const;
     void track(const QByteArray& text, const local::Reply& reply);
     [[nodiscard]] local::LocalAnswer track(const targets::Target& target);
-    [[nodiscard]] local::LocalAnswer follow(const RotatorReading& rotator);
+    [[nodiscard]] local::LocalAnswer follow(const QString& rotator);
     [[nodiscard]] local::LocalAnswer told(const local::LocalRequest& asked, local::LocalAnswer answer);
     [[nodiscard]] QByteArray satelliteLines() const;
     [[nodiscard]] QByteArray antennaLines() const;

@@ -9411,8 +9411,8 @@ até %1</translation>
         <translation>A montagem já não segue %1: %2</translation>
     </message>
     <message>
-        <source>Check that rotctld and its rotator. Then follow it again</source>
-        <translation>Verifique esse rotctld e o seu rotor. Depois volte a segui-lo</translation>
+        <source>Check that rotctld, its rotator and the limits of this mount. Then follow it again</source>
+        <translation>Verifique esse rotctld, o seu rotor e os limites desta montagem. Depois volte a segui-lo</translation>
     </message>
     <message>
         <source>Another command came before the rotctld had answered. Track it again.</source>
@@ -9445,6 +9445,14 @@ até %1</translation>
     <message>
         <source>%1 is the server of Boresight itself. Name the rotctld of another rotator.</source>
         <translation>%1 é o servidor do próprio Boresight. Indique o rotctld de outro rotor.</translation>
+    </message>
+    <message>
+        <source>another rotator was asked for, and refused</source>
+        <translation>foi pedido outro rotor, e recusado</translation>
+    </message>
+    <message>
+        <source>%1 turns this mount. Name the rotctld of another rotator.</source>
+        <translation>%1 move esta montagem. Indique o rotctld de outro rotor.</translation>
     </message>
 </context>
 <context>

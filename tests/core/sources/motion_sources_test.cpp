@@ -111,7 +111,7 @@ struct SourcesRig
         EXPECT_TRUE(rig.control.receive(
             position::PositionText{.site = {.latitude = 0.1_deg, .longitude = 0.2_deg, .heightMetres = 5000.0}}));
         rig.run(Seconds(0.5));
-        (void)rig.control.receive(RotatorReading{.name = kOtherRotator, .direction = kUp});
+        (void)rig.control.receive(RotatorReport{.name = kOtherRotator, .direction = kUp});
     }
 
     static profile::Profile parkedElsewhere()

@@ -30,7 +30,7 @@ protected:
     }
     Result<> report(const QString& name = kOther)
     {
-        return rig.control.receive(RotatorReading{.name = name, .direction = direction()});
+        return rig.control.receive(RotatorReport{.name = name, .direction = direction()});
     }
     void turn(Seconds time, bool isReporting = true)
     {
@@ -105,6 +105,42 @@ TEST_F(RotatorFollowTest, ASilenceEndsIt)
     EXPECT_EQ(alarm(), "");
 }
 
+// REQ-ROTATORFOLLOW-24: Who reads the positions says why there are no more. What comes back more than 10° away after a
+// gap ends it, too: the mount does not run there.
+TEST_F(RotatorFollowTest, EndsWithTheReason)
+{
+    follow();
+    EXPECT_TRUE(rig.control.receive(
+        RotatorReport{.name = kOther, .direction = failure(ErrorCode::NoAnswer, QStringLiteral("It is gone."))}));
+    turn(Seconds(0.1), false);
+    EXPECT_THAT(alarm(), HasSubstr("It is gone."));
+
+    follow();
+    turn(Seconds(1.5), false);
+    (void)rig.control.receive(RotatorReport{.name = kOther, .direction = SkyPointing{0_deg, 0_deg}});
+    const auto place = rig.control.status().actual;
+    turn(Seconds(3.0), false);
+    EXPECT_THAT(alarm(), HasSubstr("from the last position"));
+    EXPECT_LT(angleBetween(*place, *rig.control.status().actual), 1_deg);
+}
+
+// REQ-ROTATORFOLLOW-25: Another rotator is asked for meanwhile: its position is not taken for that of the followed one.
+TEST_F(RotatorFollowTest, AnotherOneIsNotTakenForIt)
+{
+    follow();
+    const QString next = QStringLiteral("rotctld:10.0.0.8:4533");
+    EXPECT_FALSE(rig.control.receive(RotatorReport{.name = next, .direction = SkyPointing{5_deg, 60_deg}}));
+    turn(Seconds(2.0));
+    EXPECT_LT(off(), 0.3_deg);
+    EXPECT_FALSE(rig.ask(request::FollowRotator{QStringLiteral("rotctld:10.0.0.9:4533")}));
+    turn(Seconds(2.0));
+    EXPECT_LT(off(), 0.3_deg);
+    EXPECT_FALSE(rig.control.receive(RotatorReport{.name = next, .direction = SkyPointing{50_deg, 35_deg}}));
+    EXPECT_TRUE(rig.ask(request::FollowRotator{next}));
+    EXPECT_EQ(rig.control.status().tracked.value().name, next);
+    EXPECT_FALSE(report()) << "the one before is not wanted any more";
+}
+
 // REQ-ROTATORFOLLOW-22: It passes the gates of every motion: not without a position, for a client, or behind STOP. What
 // else moves the mount ends it.
 TEST_F(RotatorFollowTest, PassesTheGates)
@@ -136,7 +172,7 @@ TEST(RotatorFollow, TheLimitsHold)
     profile.elevation.geometry.travel = {.min = 0_deg, .max = 20_deg};
     StationRig low(profile);
     low.run(Seconds(0.2));
-    const RotatorReading high{.name = kOther, .direction = {.azimuth = 40_deg, .elevation = 30_deg}};
+    const RotatorReport high{.name = kOther, .direction = SkyPointing{.azimuth = 40_deg, .elevation = 30_deg}};
     (void)low.control.receive(high);
     (void)low.ask(request::FollowRotator{kOther});
     for (int i = 0; i < 40; ++i) {

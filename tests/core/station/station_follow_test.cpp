@@ -71,12 +71,31 @@ TEST_F(StationFollowTest, RefusesWithTheReason)
     EXPECT_THAT(textOf(*overtaken->error), HasSubstr("Another command came"));
     EXPECT_FALSE(rig.station->status().tracked);
 
+    rig.station->request({.id = 8, .request = request::FollowRotator{other.name()}});
+    rig.station->request({.id = 9, .request = request::TrackFile{QStringLiteral("/nowhere.csv")}});
+    const auto older = rig.answerTo(8);
+    ASSERT_TRUE(older && older->error);
+    EXPECT_THAT(textOf(*older->error), HasSubstr("Another command came"));
+
     other.answer = "20\n25\n";
     EXPECT_EQ(refusalOf(6, other.name()), "");
     rig.run(Seconds(1.0));
     rig.station->request({.id = 7, .request = request::Hold{}});
     rig.run(Seconds(5.0));
     EXPECT_FALSE(rig.station->status().tracked);
+}
+
+// REQ-STATION-964: A request for another rotator that comes to nothing leaves the followed one followed.
+TEST_F(StationFollowTest, ARefusedOneChangesNothing)
+{
+    other.answer = "20\n25\n";
+    ASSERT_EQ(refusalOf(1, other.name()), "");
+    fakes::PlayingRotctld silent;
+    silent.answer.clear();
+    EXPECT_THAT(refusalOf(2, silent.name()), HasSubstr("does not answer"));
+    rig.run(Seconds(1.0));
+    other.answer = "23\n26\n";
+    EXPECT_TRUE(isAt({23_deg, 26_deg}));
 }
 
 // REQ-STATION-962: The station does not follow itself, whatever it is called.

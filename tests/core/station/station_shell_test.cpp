@@ -104,7 +104,7 @@ struct ShellRig : StationRig
     QTemporaryDir runtime;
     QString asked;  // a file, or a rotctld
     StationTables::Then answer;
-    rotctl::FollowedRotctld::Then found;
+    StationFollow::Then found;
     TransmitStatus transmit;
     std::shared_ptr<const std::vector<orbit::ElementSet>> known =
         std::make_shared<const std::vector<orbit::ElementSet>>(std::vector<orbit::ElementSet>{
@@ -117,7 +117,7 @@ struct ShellRig : StationRig
                                 answer = std::move(then);
                             },
                         .findRotator =
-                            [this](const QString& name, rotctl::FollowedRotctld::Then then) {
+                            [this](const QString& name, StationFollow::Then then) {
                                 asked = name;
                                 found = std::move(then);
                             },
@@ -298,10 +298,10 @@ TEST(StationShell, FollowsAnotherRotator)
     socket.connectToServer(local::socketPath(rig.runtime.path(), ShellRig::kPort));
     socket.write("track rotctld:10.0.0.7:4533\n");
     ASSERT_TRUE(fakes::waitUntil([&] { return bool(rig.found); }));
-    const RotatorReading first{.name = rig.asked, .direction = {20_deg, 30_deg}};
+    const RotatorReport first{.name = rig.asked, .direction = SkyPointing{20_deg, 30_deg}};
     EXPECT_EQ(first.name, QStringLiteral("rotctld:10.0.0.7:4533"));
     (void)rig.control.receive(first);
-    rig.found(first);
+    EXPECT_TRUE(rig.found(first.name));
     ASSERT_TRUE(fakes::waitUntil([&] { return socket.state() == QLocalSocket::UnconnectedState; }));
     EXPECT_EQ(socket.readAll(), "ok\nrotctld:10.0.0.7:4533\n");
     ASSERT_EQ(rig.answerTo("release\n"), "ok\n");
@@ -312,7 +312,7 @@ TEST(StationShell, FollowsAnotherRotator)
     other.write("track rotctld:10.0.0.7:4533\n");
     ASSERT_TRUE(fakes::waitUntil([&] { return bool(rig.found); }));
     ASSERT_TRUE(rig.point(30.0, 30.0, kClient));
-    rig.found(first);
+    EXPECT_FALSE(rig.found(first.name));
     ASSERT_TRUE(fakes::waitUntil([&] { return other.state() == QLocalSocket::UnconnectedState; }));
     EXPECT_THAT(other.readAll().toStdString(), HasSubstr("Take the control first.\n"));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/result.h"
 #include "core/units/sky.h"
 
 #include <QString>
@@ -8,10 +9,10 @@
 // Where another rotator points, as its rotctld reports it. Plain value.
 namespace boresight {
 
-struct RotatorReading
+struct RotatorReport
 {
-    QString name;           // "rotctld:10.0.0.7:4533"
-    SkyPointing direction;  // as reported: 370° is 370°
+    QString name;                   // "rotctld:10.0.0.7:4533"
+    Result<SkyPointing> direction;  // as reported: 370° is 370°. An error: it was given up, and reports no more
 };
 
 }  // namespace boresight
