@@ -24,6 +24,7 @@ namespace boresight::ui {
 namespace {
 
 constexpr int kCardSides = 12;   // px
+constexpr int kNarrowSides = 4;  // px, where two cards stand beside each other
 constexpr int kCardEnds = 3;     // px
 constexpr double kTurn = 360.0;  // degrees
 
@@ -190,8 +191,9 @@ void AxisCard::build(Numerals numerals)
 {
     delete layout();
     auto* const grid = new QGridLayout(this);
-    grid->setContentsMargins(kCardSides, kCardEnds, kCardSides, kCardEnds);
-    grid->setHorizontalSpacing(kGrid);
+    const int sides = areBeside(numerals) ? kNarrowSides : kCardSides;
+    grid->setContentsMargins(sides, kCardEnds, sides, kCardEnds);
+    grid->setHorizontalSpacing(areBeside(numerals) ? kGrid / 2 : kGrid);
     grid->setVerticalSpacing(0);
     if (areBeside(numerals)) {
         buildBeside(*grid, numerals);
