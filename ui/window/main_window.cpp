@@ -11,6 +11,7 @@
 #include "ui/kit/accessibility.h"
 #include "ui/kit/focus_frame.h"
 #include "ui/kit/format.h"
+#include "ui/kit/theme.h"
 #include "ui/kit/value_label.h"
 #include "ui/limits/limits_panel.h"
 #include "ui/link/motion_state.h"
@@ -197,6 +198,12 @@ QWidget* MainWindow::makeSide(QWidget& ground)
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setWidget(m_side);
     scroll->setMinimumWidth(m_side->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
+    // A control that gets the focus comes into sight. Under a pressed button of the mouse nothing moves.
+    connect(qApp, &QApplication::focusChanged, scroll, [scroll](QWidget*, QWidget* now) {
+        if (now != nullptr && scroll->widget()->isAncestorOf(now) && QGuiApplication::mouseButtons() == Qt::NoButton) {
+            scroll->ensureWidgetVisible(now, 0, kGrid);
+        }
+    });
     column->addWidget(scroll, 1);
     column->addWidget(m_places);
     m_lastCommand->setStretching(true);
