@@ -11046,7 +11046,7 @@ velocidade %1</translation>
     </message>
     <message>
         <source>REGISTER MAP</source>
-        <translation>MAPA REGISTROS</translation>
+        <translation>REGISTOS</translation>
     </message>
     <message>
         <source>%1 of the %2 drive</source>
@@ -12087,11 +12087,11 @@ trocar os motores</translation>
     </message>
     <message>
         <source>Latitude (north +)</source>
-        <translation>Latitude (norte +)</translation>
+        <translation>Latitude (N +)</translation>
     </message>
     <message>
         <source>Longitude (east +)</source>
-        <translation>Longitude (leste +)</translation>
+        <translation>Longitude (E +)</translation>
     </message>
     <message>
         <source>Locator</source>
@@ -12229,8 +12229,8 @@ trocar os motores</translation>
         <translation>Para o fim superior de %1 enquanto premido</translation>
     </message>
     <message>
-        <source>Set here</source>
-        <translation>Marcar</translation>
+        <source>Here</source>
+        <translation>Aqui</translation>
     </message>
     <message>
         <source>Set the %1 end of %2 here</source>

@@ -26,6 +26,8 @@ namespace boresight::ui {
 
 namespace {
 constexpr int kCellMargins = 10;  // px beside the text of a cell, both together
+const QString kWidestCommand = QStringLiteral("P 000.00 -00.00");
+const QString kWidestProgram = QStringLiteral("boresightctl");
 
 QString whyNoClient(const ClientStatus* client)
 {
@@ -126,7 +128,24 @@ QTableView* ClientsPanel::makeTable()
     reserve(ClientModel::Rate,
             {QStringLiteral("00.0"), ClientModel::tr("%1 k", "thousand").arg(QStringLiteral("000"))});
     reserve(ClientModel::Role, roleWords());
+    reserve(ClientModel::LastCommand, {kWidestCommand});
     return table;
+}
+
+// The name of a program is whole. Where there is no room beside it, the last command is in the line of the selected
+// client and in the tooltip.
+void ClientsPanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    const QHeaderView& header = *m_table->horizontalHeader();
+    int room = layout()->contentsRect().width() - 2 * m_table->frameWidth();
+    for (const QString& text : {kWidestProgram, kWidestCommand}) {
+        room -= m_table->fontMetrics().horizontalAdvance(text) + kCellMargins;
+    }
+    for (const int column : {ClientModel::Address, ClientModel::Rate, ClientModel::Role}) {
+        room -= header.sectionSize(column);
+    }
+    m_table->setColumnHidden(ClientModel::LastCommand, room < 0);
 }
 
 QWidget* ClientsPanel::makeGpredict()

@@ -30,6 +30,9 @@ public:
 
     void showStatus(const StationStatus& status);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void build();
     void connectButtons();

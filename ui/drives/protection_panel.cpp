@@ -64,7 +64,7 @@ ProtectionPanel::ProtectionPanel(RequestDesk& desk, QWidget* parent)
 void ProtectionPanel::build()
 {
     auto* const column = new QVBoxLayout(&controls());
-    column->setContentsMargins(6, 6, 6, 6);
+    column->setContentsMargins(0, 6, 0, 6);  // the table needs the width
     column->setSpacing(6);
     const auto rowOf = [](std::initializer_list<CommandButton*> buttons) {
         auto* const row = new QHBoxLayout;

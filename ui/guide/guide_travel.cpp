@@ -92,11 +92,12 @@ QWidget* GuideTravel::makeAxis(Axis axis, RequestDesk& desk)
 QPushButton* GuideTravel::makeHere(Axis axis, QDoubleSpinBox& field, const QString& end, QWidget* parent)
 {
     QPushButton* const button =
-        makePushButton({.text = tr("Set here"),
+        makePushButton({.text = tr("Here"),
                         .name = tr("Set the %1 end of %2 here").arg(end, name(axis)),
                         .help = tr("The %1 end of %2 is where the axis stands now").arg(end, name(axis))},
                        parent);
-    button->setMinimumHeight(field.minimumHeight());
+    // Two fields and two buttons stand beside each other.
+    button->setMinimumSize(button->fontMetrics().horizontalAdvance(button->text()) + 2 * kGrid, field.minimumHeight());
     connect(button, &QPushButton::clicked, this, [this, axis, &field] {
         if (const auto& actual = axisOf(m_status, axis).actual) {
             field.setValue(actual->degrees());

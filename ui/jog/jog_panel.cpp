@@ -28,7 +28,7 @@ void JogPanel::build()
 {
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(kGrid, kGrid / 2, kGrid, kGrid / 2);
-    grid->setHorizontalSpacing(2 * kGrid);
+    grid->setHorizontalSpacing(kGrid);
     grid->setVerticalSpacing(kGrid / 2);
     grid->addWidget(makeGroupCaption(tr("Move by hand"), this), 0, 0, 1, 2);
     grid->addWidget(m_pad, 1, 0);

@@ -10,6 +10,8 @@
 #include <QFrame>
 #include <QPainter>
 #include <QStyleOption>
+#include <QTabBar>
+#include <QVariant>
 
 #include <algorithm>
 
@@ -24,6 +26,13 @@ constexpr int kFieldMargin = 3;
 constexpr int kIndicator = 20;
 constexpr int kScrollBar = 12;
 constexpr int kLeastHandle = 28;
+constexpr const char* kTabSpaceKey = "tabSpace";
+
+int tabSpaceOf(const QWidget* tabs)
+{
+    const QVariant space = tabs == nullptr ? QVariant() : tabs->property(kTabSpaceKey);
+    return space.isValid() ? space.toInt() : kTabSpace;
+}
 
 // Of the button at one hand of a number; the other is beside it.
 QRect spinButton(const QRect& box, QStyle::SubControl part)
@@ -155,6 +164,11 @@ bool isWithinAField(const QWidget* widget)
 
 }  // namespace
 
+void setTabSpace(QTabBar& tabs, int space)
+{
+    tabs.setProperty(kTabSpaceKey, space);
+}
+
 DeskStyle::DeskStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
 
 void DeskStyle::install()
@@ -174,7 +188,7 @@ int DeskStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const
 {
     switch (metric) {
         case PM_TabBarTabHSpace:
-            return 14;
+            return tabSpaceOf(widget);
         case PM_TabBarTabVSpace:
             return 10;
         case PM_TabBarBaseOverlap:

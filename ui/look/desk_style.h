@@ -5,9 +5,15 @@
 
 #include <QProxyStyle>
 
+class QTabBar;
+
 // The look of every widget: flat buttons with rounded corners, hairline edges, cards, fields with a step button at
 // each hand, rows and tabs for a finger. It draws with the colours of the current theme over Qt's Fusion. Gui thread.
 namespace boresight::ui {
+
+// px beside the words of a tab, both sides together. It holds from the next layout on.
+constexpr int kTabSpace = 14;
+void setTabSpace(QTabBar& tabs, int space);
 
 class DeskStyle : public QProxyStyle
 {

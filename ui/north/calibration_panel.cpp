@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/north/calibration_panel.h"
 
+#include "ui/kit/page_room.h"
 #include "ui/kit/theme.h"
 #include "ui/north/body_page.h"
 #include "ui/north/calibration_bar.h"
@@ -33,6 +34,7 @@ CalibrationPanel::CalibrationPanel(const Clock& clock, RequestDesk& desk, Profil
     addStep(*m_body, tr("3 Sun/Moon"), tr("Points of known direction: Sun, Moon, a landmark, the peak of the power"));
     addStep(*m_model, tr("4 Model"), tr("The pointing model of these points, with their residuals"));
     addStep(*m_history, tr("5 History"), tr("What was applied before"));
+    keepHeightOfShownPage(*m_steps);
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 2);
     column->setSpacing(4);

@@ -15,6 +15,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QGridLayout>
+#include <QLabel>
 #include <QSignalBlocker>
 
 #include <cmath>
@@ -66,7 +67,9 @@ void TermsBox::build()
     for (const calibration::Term term : calibration::kAllTerms) {
         addField(term);
         const int place = static_cast<int>(calibration::indexOf(term));
-        grid->addWidget(makeCaption(termName(keyOf(term)), *field(term).box), place % kRows, 2 * (place / kRows));
+        QLabel* const caption = makeCaption(termName(keyOf(term)), *field(term).box);
+        caption->setWordWrap(true);  // beside the field there is room for two lines, not for a long name
+        grid->addWidget(caption, place % kRows, 2 * (place / kRows));
         grid->addWidget(field(term).box, place % kRows, 2 * (place / kRows) + 1);
     }
     grid->addLayout(makeButtons(), kRows, 0, 1, 4);

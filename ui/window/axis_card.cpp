@@ -24,6 +24,7 @@ namespace boresight::ui {
 namespace {
 
 constexpr int kCardSides = 12;   // px
+constexpr int kNarrowSides = 4;  // px, where two cards stand beside each other
 constexpr int kCardEnds = 3;     // px
 constexpr double kTurn = 360.0;  // degrees
 
@@ -111,10 +112,10 @@ QLayout* stacked(std::initializer_list<QWidget*> parts)
 }
 
 // The last of them is that much wider than the others; 0: as wide as it needs.
-QLayout* inRow(std::initializer_list<QWidget*> parts, int stretchOfLast)
+QLayout* inRow(std::initializer_list<QWidget*> parts, int stretchOfLast, int spacing)
 {
     auto* const row = new QHBoxLayout;
-    row->setSpacing(kGrid);
+    row->setSpacing(spacing);
     for (QWidget* const part : parts) {
         row->addWidget(part, stretchOfLast == 0 ? 0 : 1);
     }
@@ -126,7 +127,7 @@ int pointsOf(Numerals numerals)
 {
     switch (numerals) {
         case Numerals::Bare:
-            return 20;
+            return 17;
         case Numerals::Beside:
             return 22;
         case Numerals::Small:
@@ -152,9 +153,9 @@ Angle steady(SteadyNumber& number, Angle measured)
     return Angle::fromDegrees(number.shown(measured.degrees()));
 }
 
-QString widestState()
+QString widestState(const QFont& font)
 {
-    return widest(fonts::text(), {widestAxisState(fonts::text()), AxisCard::tr("WRAP?")});
+    return widest(font, {widestAxisState(font), AxisCard::tr("WRAP?")});
 }
 
 }  // namespace
@@ -172,7 +173,7 @@ AxisCard::AxisCard(Axis axis, QWidget* parent)
     m_targetCaption = makeCaption(tr("target"), this);
     m_errorCaption = makeCaption(tr("error"), this);
     m_rateCaption = makeCaption(tr("rate"), this);
-    m_state = new ValueLabel(tr("State of %1").arg(axisName), fonts::text(), widestState(), this);
+    m_state = new ValueLabel(tr("State of %1").arg(axisName), fonts::text(), widestState(fonts::text()), this);
     m_bar = new ErrorBar(tr("Error bar of %1").arg(axisName), this);
     m_detail = new ValueLabel(tr("Detail of %1").arg(axisName), fonts::label(), {}, this);
     for (ValueLabel* const number : {m_actual, m_target, m_error, m_rate}) {
@@ -190,8 +191,9 @@ void AxisCard::build(Numerals numerals)
 {
     delete layout();
     auto* const grid = new QGridLayout(this);
-    grid->setContentsMargins(kCardSides, kCardEnds, kCardSides, kCardEnds);
-    grid->setHorizontalSpacing(kGrid);
+    const int sides = areBeside(numerals) ? kNarrowSides : kCardSides;
+    grid->setContentsMargins(sides, kCardEnds, sides, kCardEnds);
+    grid->setHorizontalSpacing(areBeside(numerals) ? kGrid / 2 : kGrid);
     grid->setVerticalSpacing(0);
     if (areBeside(numerals)) {
         buildBeside(*grid, numerals);
@@ -204,7 +206,7 @@ void AxisCard::build(Numerals numerals)
         grid->addWidget(m_error, 1, 3);
         grid->addWidget(m_rateCaption, 2, 2);
         grid->addWidget(m_rate, 2, 3);
-        grid->addLayout(inRow({m_bar, m_detail}, 1), 3, 0, 1, 4);
+        grid->addLayout(inRow({m_bar, m_detail}, 1, kGrid), 3, 0, 1, 4);
     }
     grid->setColumnStretch(1, 1);
 }
@@ -219,13 +221,13 @@ void AxisCard::buildBeside(QGridLayout& grid, Numerals numerals)
         line->addWidget(part);
     }
     line->insertStretch(2, 1);
-    grid.addLayout(bare ? inRow({m_name, m_state}, 0) : stacked({m_name, m_state}), 0, 0);
+    grid.addLayout(bare ? inRow({m_name, m_state}, 0, kGrid / 2) : stacked({m_name, m_state}), 0, 0);
     grid.addWidget(m_actual, 0, 1, Qt::AlignRight | Qt::AlignVCenter);
     grid.addLayout(line, 1, 0, 1, 2);
     if (bare) {
         line->addWidget(m_detail, 1);
     } else {
-        grid.addLayout(inRow({m_bar, m_detail}, 2), 2, 0, 1, 2);
+        grid.addLayout(inRow({m_bar, m_detail}, 2, kGrid), 2, 0, 1, 2);
     }
 }
 
@@ -239,6 +241,9 @@ void AxisCard::setNumerals(Numerals numerals)
     for (ValueLabel* const number : {m_target, m_error}) {
         number->setFont(areBeside(numerals) ? fonts::small() : fonts::value());
     }
+    const QFont stateFont = areBeside(numerals) ? fonts::label() : fonts::text();
+    m_state->setFont(stateFont);
+    m_state->setWidest(widestState(stateFont));
     const bool roomForRate = numerals == Numerals::Usual || numerals == Numerals::Large;
     m_rate->setVisible(roomForRate);
     m_rateCaption->setVisible(roomForRate);

@@ -15,8 +15,8 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr int kKeptForAlarms =
-    32;  // px of a low window: the last line of the log, which stands below the sky there, left 22
+// px of a low window. The last line of the log, which stands below the sky there, left 22 of them.
+constexpr int kKeptForAlarms = 46;
 
 }  // namespace
 

@@ -187,11 +187,11 @@ QString trackingText(const TrackedTarget& tracked, UtcTime now)
                         : HeaderBar::tr("Waiting for %1, rises in %2").arg(tracked.name, time);
 }
 
-// The mount's doing in one sentence: what, how long still, by whom.
-QString doing(const StationStatus& status)
+// The mount's doing in one sentence: what, how long still, by whom. What matters least stands last.
+QStringList doing(const StationStatus& status)
 {
     if (status.tracked) {
-        return trackingText(*status.tracked, status.utc);
+        return {trackingText(*status.tracked, status.utc)};
     }
     QStringList parts{status.targetText};
     if (status.slew) {
@@ -200,9 +200,8 @@ QString doing(const StationStatus& status)
     if (!status.commander.name.isEmpty()) {
         parts << HeaderBar::tr("by %1").arg(sourceText(status.commander.name));
     }
-    QString text = parts.join(QStringLiteral(", "));
-    text[0] = text[0].toUpper();
-    return text;
+    parts.first()[0] = parts.first()[0].toUpper();
+    return parts;
 }
 
 // What the mount waits for while the schedule is armed: it will move by itself.
@@ -358,7 +357,7 @@ void HeaderBar::build(AuthorityButton& authority)
     control->addWidget(m_control);
     control->addWidget(&authority, 0, Qt::AlignLeft);
 
-    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setContentsMargins(4, 0, 0, 0);
     grid->setHorizontalSpacing(4);
     grid->setVerticalSpacing(2);
     grid->addWidget(m_state, 0, 0);
@@ -422,15 +421,30 @@ void HeaderBar::showTarget(const StationStatus& status)
         m_target->setValue(tr("no target"), Tone::Secondary);
         return;
     }
-    m_target->setValue(withRange(doing(status), trackedRangeText(status)));
+    m_target->setValue(withRange(inTwoLines(doing(status)), trackedRangeText(status)));
+}
+
+// As many of the parts as two lines have room for. Who has control stands beside it.
+QString HeaderBar::inTwoLines(QStringList parts) const
+{
+    const QString comma = QStringLiteral(", ");
+    while (parts.size() > 1 && !isWhole(parts.join(comma))) {
+        parts.removeLast();
+    }
+    return parts.join(comma);
+}
+
+bool HeaderBar::isWhole(const QString& text) const
+{
+    return m_target->heightWith(text, m_target->width()) <=
+           m_target->heightWith(QStringLiteral("1\n2"), m_target->width());
 }
 
 // The second line, where both lines are whole.
 QString HeaderBar::withRange(const QString& doing, const QString& range) const
 {
     const QString both = doing + QLatin1Char('\n') + range;
-    const auto height = [this](const QString& text) { return m_target->heightWith(text, m_target->width()); };
-    return !range.isEmpty() && height(both) <= height(QStringLiteral("1\n2")) ? both : doing;
+    return !range.isEmpty() && isWhole(both) ? both : doing;
 }
 
 void HeaderBar::showLinks(const StationStatus& status)

@@ -38,6 +38,8 @@ private:
     void build(AuthorityButton& authority);
     void showState(const StationStatus& status);
     void showTarget(const StationStatus& status);
+    [[nodiscard]] QString inTwoLines(QStringList parts) const;
+    [[nodiscard]] bool isWhole(const QString& text) const;
     [[nodiscard]] QString withRange(const QString& doing, const QString& range) const;
     void showLinks(const StationStatus& status);
 

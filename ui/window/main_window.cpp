@@ -11,6 +11,7 @@
 #include "ui/kit/accessibility.h"
 #include "ui/kit/focus_frame.h"
 #include "ui/kit/format.h"
+#include "ui/kit/theme.h"
 #include "ui/kit/value_label.h"
 #include "ui/limits/limits_panel.h"
 #include "ui/link/motion_state.h"
@@ -56,6 +57,8 @@ namespace {
 constexpr std::chrono::milliseconds kBeat{100};
 constexpr int kBeatsPerSecond = 10;
 constexpr int kWidthWithCharts = 1600;
+constexpr int kColumnOfLowWindow = 520;  // px: the sky's disc has 440 px beside it in a window of 1024x700
+constexpr int kColumn = 576;             // px: 590 px and more in one of 1280x800, where the numerals are larger
 
 // Before the first widget is made: its size depends on the style, and what a screen reader is told of it is settled
 // with it.
@@ -160,8 +163,8 @@ void MainWindow::build()
 {
     auto* const ground = new QWidget(this);
     auto* const grid = new QGridLayout(ground);
-    grid->setContentsMargins(4, 4, 4, 4);
-    grid->setHorizontalSpacing(8);
+    grid->setContentsMargins(0, 4, 4, 4);  // the square of the sky has free corners: beside it none is lost
+    grid->setHorizontalSpacing(4);
     grid->setVerticalSpacing(4);
     grid->addWidget(m_header, 0, 0, 1, 3);
     grid->addWidget(m_progress, 1, 0, 1, 3);
@@ -178,12 +181,12 @@ void MainWindow::build()
     setCentralWidget(ground);
 }
 
-// As wide as it must be. What is in it may come and go: the sky keeps its size.
+// As wide in every language, with every panel and alarm: the sky keeps its size. Wider only where large letters need
+// it.
 QWidget* MainWindow::makeSide(QWidget& ground)
 {
     auto* const side = new QWidget(&ground);
     auto* const column = new QVBoxLayout(side);
-    side->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Preferred);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_head);
     // The guide needs the room and moves the mount by its own buttons.
@@ -196,6 +199,12 @@ QWidget* MainWindow::makeSide(QWidget& ground)
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setWidget(m_side);
     scroll->setMinimumWidth(m_side->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
+    // A control that gets the focus comes into sight. Under a pressed button of the mouse nothing moves.
+    connect(qApp, &QApplication::focusChanged, scroll, [scroll](QWidget*, QWidget* now) {
+        if (now != nullptr && scroll->widget()->isAncestorOf(now) && QGuiApplication::mouseButtons() == Qt::NoButton) {
+            scroll->ensureWidgetVisible(now, 0, kGrid);
+        }
+    });
     column->addWidget(scroll, 1);
     column->addWidget(m_places);
     m_lastCommand->setStretching(true);
@@ -332,6 +341,8 @@ void MainWindow::resizeEvent(QResizeEvent* event)
 {
     QMainWindow::resizeEvent(event);
     m_head->setRoom(size());
+    auto* const grid = static_cast<QGridLayout*>(centralWidget()->layout());
+    grid->setColumnMinimumWidth(1, isLow(size()) ? kColumnOfLowWindow : kColumn);
     placeLastCommand();
     const bool beside = width() >= kWidthWithCharts;
     if (beside != m_strip->isHidden()) {

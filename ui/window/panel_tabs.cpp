@@ -13,6 +13,7 @@
 #include "ui/kit/page_room.h"
 #include "ui/limits/limits_panel.h"
 #include "ui/log/log_panel.h"
+#include "ui/look/desk_style.h"
 #include "ui/look/glyph.h"
 #include "ui/north/calibration_panel.h"
 #include "ui/passes/passes_panel.h"
@@ -29,6 +30,10 @@
 #include <algorithm>
 
 namespace boresight::ui {
+
+namespace {
+constexpr int kLeastTabSpace = 4;  // px beside the words of a tab, both sides together
+}  // namespace
 
 PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft, const WindowSettings& settings,
                      QWidget* parent)
@@ -66,7 +71,7 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
     fillPassesTabs();
     fillMountTabs();
     addTurnPage();
-    addIcons();
+    showIcons(true);
     keepHeightOfShownPage(*this);
     const auto openSettings = [this](const QString& words) {
         bringUp(*m_profile);
@@ -76,24 +81,37 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
     connect(m_passes, &PassesPanel::settingsWanted, this, openSettings);
 }
 
-void PanelTabs::addIcons()
+void PanelTabs::showIcons(bool on)
 {
     const std::pair<QWidget*, Glyph> icons[] = {{m_jog, Glyph::Jog},         {m_passesTabs, Glyph::Passes},
                                                 {m_charts, Glyph::Charts},   {m_limits, Glyph::Limits},
                                                 {m_clients, Glyph::Clients}, {m_log, Glyph::Log},
                                                 {m_mountTabs, Glyph::Mount}, {m_north, Glyph::North}};
     for (const auto& [panel, glyph] : icons) {
-        setTabIcon(indexOf(panel), glyphIcon(glyph));
+        setTabIcon(indexOf(panel), on ? glyphIcon(glyph) : QIcon());
     }
 }
 
-// In a narrow window the words alone: all tabs stay in sight.
+void PanelTabs::spaceTabs(int space)
+{
+    setTabSpace(*tabBar(), space);
+    const int size = style()->pixelMetric(QStyle::PM_TabBarIconSize, nullptr, this);
+    setIconSize({size, size});  // lays the tabs out
+}
+
+// In a narrow window the words alone, and where they are long closer to each other: all tabs stay in sight.
 void PanelTabs::fitTabs()
 {
-    const int size = style()->pixelMetric(QStyle::PM_TabBarIconSize, nullptr, this);
-    setIconSize({size, size});
-    if (tabBar()->sizeHint().width() > width()) {
-        setIconSize({0, size});
+    const auto fit = [this] { return tabBar()->sizeHint().width() <= width(); };
+    showIcons(true);
+    spaceTabs(kTabSpace);
+    if (fit()) {
+        return;
+    }
+    showIcons(false);
+    for (int space = kTabSpace; space > kLeastTabSpace && !fit();) {
+        space -= 2;
+        spaceTabs(space);
     }
 }
 

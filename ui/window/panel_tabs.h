@@ -66,7 +66,8 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void addIcons();
+    void showIcons(bool on);
+    void spaceTabs(int space);
     void fitTabs();
     void addPanel(QTabWidget& tabs, QWidget& panel, const QString& text, const QString& help, Qt::Key key);
     void bringUpByKey(QWidget& panel);

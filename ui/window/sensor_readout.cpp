@@ -62,11 +62,12 @@ SensorReadout::SensorReadout(QWidget* parent)
     grid->setVerticalSpacing(0);
     m_direction->setSymbolRoom(true);
     m_detail->setStretching(true);
+    m_age->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     grid->addWidget(m_direction, 0, 0);
-    grid->addWidget(m_age, 0, 1);
-    grid->addWidget(m_bars, 0, 3, Qt::AlignRight);
-    grid->addWidget(m_detail, 1, 0, 1, 4);
-    grid->setColumnStretch(2, 1);
+    grid->addWidget(m_bars, 0, 1, 1, 2, Qt::AlignRight);
+    grid->addWidget(m_detail, 1, 0, 1, 2);
+    grid->addWidget(m_age, 1, 2);
+    grid->setColumnStretch(1, 1);
     hide();
 }
 

@@ -9,6 +9,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QImage>
+#include <QScrollArea>
 #include <QSet>
 #include <QWindow>
 
@@ -208,6 +209,25 @@ TEST_P(FocusIsSeen, OnEveryControl)
         }
     });
     applyTheme(ThemeKind::Day);
+}
+
+// REQ-UI-1590: A control of a panel that scrolls comes into sight with the focus, also where no Tab brought it there.
+TEST_F(AccessibleTest, AControlWithTheFocusComesIntoSight)
+{
+    auto* const room = window.findChild<QScrollArea*>();
+    room->setMaximumHeight(100);  // px: each panel scrolls
+    openPanel('9');
+    settle();
+    int judged = 0;
+    for (QWidget* const widget : tabRound(window)) {
+        if (room->isAncestorOf(widget)) {
+            window.setFocus();
+            widget->setFocus(Qt::OtherFocusReason);
+            EXPECT_FALSE(widget->visibleRegion().isEmpty()) << nameOf(*widget);
+            ++judged;
+        }
+    }
+    EXPECT_GT(judged, 3);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FocusIsSeen, ::testing::Values(ThemeKind::Day, ThemeKind::Night, ThemeKind::Red));

@@ -123,7 +123,11 @@ TEST_F(PortugueseColumnHeadTest, NoAlarmMovesTheTabs)
 TEST_F(ColumnHeadTest, TheLongestAlarmIsWholeBehindMore)
 {
     window.resize(1024, 700);
-    tabs(samples::alarmed(alarmEntry("sun.clock")));
+    AlarmEntry longest = alarmEntry("sun.clock");
+    longest.remedy =
+        "Synchronise the clock by NTP or GPS. If its time is right, set clock (Sun) to trusted on the page "
+        "Profile. A receiver of GPS needs a free sky and some minutes before it knows the time";
+    tabs(samples::alarmed(longest));
     auto* const more = named<QPushButton>("Whole alarm");
     ASSERT_TRUE(more->isVisible());
     EXPECT_FALSE(labelOf("When the alarm came").isVisible());
