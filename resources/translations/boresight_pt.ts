@@ -302,10 +302,6 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>Cliente</translation>
     </message>
     <message>
-        <source>Connect: how are the drives reached?</source>
-        <translation>Conexão: como se chega aos acionamentos?</translation>
-    </message>
-    <message>
         <source>Turning: which motor is which, and which way does it turn?</source>
         <translation>Sentido: qual motor é qual, e para que lado gira?</translation>
     </message>
@@ -424,6 +420,10 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <message>
         <source>Client: which program tracks the satellites?</source>
         <translation>Cliente: que programa segue os satélites?</translation>
+    </message>
+    <message>
+        <source>Connect: what turns the mount?</source>
+        <translation>Conexão: o que move a montagem?</translation>
     </message>
 </context>
 <context>
@@ -9339,10 +9339,6 @@ até %1</translation>
         <translation>&quot;tcp:%1&quot; não indica um endereço IP e uma porta. Um exemplo: tcp:127.0.0.1:4534</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no place to listen. tcp:ADDRESS:PORT or pty:/PATH is expected</source>
-        <translation>&quot;%1&quot; não é um lugar de escuta. Espera-se tcp:ENDEREÇO:PORTA ou pty:/CAMINHO</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is no IP address and no network</source>
         <translation>&quot;%1&quot; não é um endereço IP nem uma rede</translation>
     </message>
@@ -9359,20 +9355,12 @@ até %1</translation>
         <translation>os direitos &quot;%1&quot; não são &quot;drive&quot; nem &quot;read&quot;</translation>
     </message>
     <message>
-        <source>a pseudo-terminal takes no addresses, here &quot;%1&quot;. Only programs of this computer reach it</source>
-        <translation>um pseudoterminal não aceita endereços, aqui &quot;%1&quot;. Só os programas deste computador o alcançam</translation>
-    </message>
-    <message>
         <source>Two listeners have the place %1. Each needs its own.</source>
         <translation>Duas escutas têm o lugar %1. Cada uma precisa do seu.</translation>
     </message>
     <message>
         <source>Further listeners</source>
         <translation>Outras escutas</translation>
-    </message>
-    <message>
-        <source>Listeners for programs that do not speak rotctld. Each has a protocol (&quot;gs232a&quot; or &quot;gs232b&quot;), the right to &quot;drive&quot; or only to &quot;read&quot;, and a place: &quot;gs232b drive tcp:127.0.0.1:4534&quot; or &quot;gs232a read pty:/tmp/rotator&quot;. Addresses and networks that may connect by TCP can follow. Empty: none.</source>
-        <translation>Escutas para programas que não falam rotctld. Cada uma tem um protocolo (&quot;gs232a&quot; ou &quot;gs232b&quot;), o direito de mover (&quot;drive&quot;) ou só de ler (&quot;read&quot;), e um lugar: &quot;gs232b drive tcp:127.0.0.1:4534&quot; ou &quot;gs232a read pty:/tmp/rotator&quot;. Podem seguir-se endereços e redes que se podem ligar por TCP. Vazio: nenhuma.</translation>
     </message>
     <message>
         <source>is no program for rotators (%1)</source>
@@ -9453,6 +9441,166 @@ até %1</translation>
     <message>
         <source>%1 turns this mount. Name the rotctld of another rotator.</source>
         <translation>%1 move esta montagem. Indique o rotctld de outro rotor.</translation>
+    </message>
+    <message>
+        <source>nothing for a rotator</source>
+        <translation>nada para um rotor</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no EasyComm command</source>
+        <translation>&quot;%1&quot; não é um comando EasyComm</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is outside -3600°…3600°</source>
+        <translation>&quot;%1&quot; está fora de -3600°…3600°</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is outside -90°…180°</source>
+        <translation>&quot;%1&quot; está fora de -90°…180°</translation>
+    </message>
+    <message>
+        <source>registers and inputs are not supported</source>
+        <translation>os registos e as entradas não são suportados</translation>
+    </message>
+    <message>
+        <source>a line has more than %1 words</source>
+        <translation>uma linha tem mais de %1 palavras</translation>
+    </message>
+    <message>
+        <source>a line asks for two motions</source>
+        <translation>uma linha pede dois movimentos</translation>
+    </message>
+    <message>
+        <source>GS-232 rotator (Yaesu and others), by serial port or network</source>
+        <translation>Rotor GS-232 (Yaesu e outros), por porta série ou rede</translation>
+    </message>
+    <message>
+        <source>A serial port such as /dev/ttyUSB0, or HOST:PORT of a serial server</source>
+        <translation>Uma porta série como /dev/ttyUSB0, ou HOST:PORTA de um servidor de portas série</translation>
+    </message>
+    <message>
+        <source>/dev/ttyUSB0 or 192.168.1.20:4001</source>
+        <translation>/dev/ttyUSB0 ou 192.168.1.20:4001</translation>
+    </message>
+    <message>
+        <source>The box is a GS-232A, a GS-232B, or one that speaks as they do.</source>
+        <translation>A caixa é uma GS-232A, uma GS-232B ou uma que fala como elas.</translation>
+    </message>
+    <message>
+        <source>Connect asks for the position. Nothing moves.</source>
+        <translation>Conectar pergunta a posição. Nada se move.</translation>
+    </message>
+    <message>
+        <source>A device of another kind is left alone.</source>
+        <translation>Um aparelho de outro tipo é deixado em paz.</translation>
+    </message>
+    <message>
+        <source>Check the power of the box, and the cable.</source>
+        <translation>Verifique a alimentação da caixa e o cabo.</translation>
+    </message>
+    <message>
+        <source>Compare the speed with the switches of the box.</source>
+        <translation>Compare a velocidade com os interruptores da caixa.</translation>
+    </message>
+    <message>
+        <source>End other programs that use the port.</source>
+        <translation>Termine outros programas que usam a porta.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no place to listen. tcp:ADDRESS:PORT, pty:/PATH or unix:/PATH is expected</source>
+        <translation>&quot;%1&quot; não é um lugar de escuta. Espera-se tcp:ENDEREÇO:PORTA, pty:/CAMINHO ou unix:/CAMINHO</translation>
+    </message>
+    <message>
+        <source>a path takes no addresses, here &quot;%1&quot;. Only programs of this computer reach it</source>
+        <translation>um caminho não aceita endereços, aqui &quot;%1&quot;. Só programas deste computador lhe chegam</translation>
+    </message>
+    <message>
+        <source>moteus drives on a CAN bus, or the simulated mount</source>
+        <translation>Acionamentos moteus num barramento CAN, ou a montagem simulada</translation>
+    </message>
+    <message>
+        <source>The site of the mount is unknown. Enter it on the page Profile.</source>
+        <translation>O local da montagem é desconhecido. Introduza-o na página Perfil.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no command. Known are: ELEVATION, AZIMUTH ELEVATION, +AZIMUTH +ELEVATION, bearing LOCATOR, bearing LOCATOR long, stop, park, ?</source>
+        <translation>&quot;%1&quot; não é um comando. São conhecidos: ELEVAÇÃO, AZIMUTE ELEVAÇÃO, +AZIMUTE +ELEVAÇÃO, bearing LOCATOR, bearing LOCATOR long, stop, park, ?</translation>
+    </message>
+    <message>
+        <source>azimuth %1 is outside -3600°…3600°</source>
+        <translation>o azimute %1 está fora de -3600°…3600°</translation>
+    </message>
+    <message>
+        <source>elevation %1 is outside -90°…180°</source>
+        <translation>a elevação %1 está fora de -90°…180°</translation>
+    </message>
+    <message>
+        <source>At %1 Boresight itself listens for programs (rotctld.listen). Start the rotctld of the rotator on another port, for example rotctld -t 4534.</source>
+        <translation>Em %1 é o próprio Boresight que escuta programas (rotctld.listen). Inicie o rotctld do rotor noutra porta, por exemplo rotctld -t 4534.</translation>
+    </message>
+    <message>
+        <source>Listeners for programs that do not speak rotctld. Each has a protocol (&quot;gs232a&quot;, &quot;gs232b&quot;, &quot;easycomm1&quot;, &quot;easycomm2&quot;, &quot;easycomm3&quot; or &quot;pairs&quot;), the right to &quot;drive&quot; or only to &quot;read&quot;, and a place: &quot;gs232b drive tcp:127.0.0.1:4534&quot;, &quot;gs232a read pty:/tmp/rotator&quot; or &quot;pairs drive unix:/tmp/pairs&quot;. Addresses and networks that may connect by TCP can follow. Empty: none.</source>
+        <translation>Escutas para programas que não falam rotctld. Cada uma tem um protocolo (&quot;gs232a&quot;, &quot;gs232b&quot;, &quot;easycomm1&quot;, &quot;easycomm2&quot;, &quot;easycomm3&quot; ou &quot;pairs&quot;), o direito de mover (&quot;drive&quot;) ou só de ler (&quot;read&quot;), e um lugar: &quot;gs232b drive tcp:127.0.0.1:4534&quot;, &quot;gs232a read pty:/tmp/rotator&quot; ou &quot;pairs drive unix:/tmp/pairs&quot;. Podem seguir-se endereços e redes que se podem ligar por TCP. Vazio: nenhuma.</translation>
+    </message>
+    <message>
+        <source>cannot serve the socket %1: %2</source>
+        <translation>não é possível servir o socket %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 exists and is no socket</source>
+        <translation>%1 existe e não é um socket</translation>
+    </message>
+    <message>
+        <source>another program listens there</source>
+        <translation>outro programa escuta aí</translation>
+    </message>
+    <message>
+        <source>a path has at most %1 bytes</source>
+        <translation>um caminho tem no máximo %1 bytes</translation>
+    </message>
+    <message>
+        <source>Any rotator that Hamlib drives, by a rotctld</source>
+        <translation>Qualquer rotor que o Hamlib comanda, através de um rotctld</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Endereço</translation>
+    </message>
+    <message>
+        <source>HOST:PORT of rotctld. 127.0.0.1 is this computer. Without a port it is %1</source>
+        <translation>HOST:PORTA do rotctld. 127.0.0.1 é este computador. Sem porta é a %1</translation>
+    </message>
+    <message>
+        <source>rotctld runs on the computer that has the cable of the rotator. Example: rotctld -m 901 -r /dev/ttyUSB0</source>
+        <translation>O rotctld corre no computador que tem o cabo do rotor. Exemplo: rotctld -m 901 -r /dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>On this computer add -t %1 to it. Boresight itself uses %2.</source>
+        <translation>Neste computador acrescente-lhe -t %1. O próprio Boresight usa a %2.</translation>
+    </message>
+    <message>
+        <source>Connect asks rotctld for the limits and for the position. Nothing moves.</source>
+        <translation>Conectar pergunta ao rotctld os limites e a posição. Nada se move.</translation>
+    </message>
+    <message>
+        <source>A server of another kind is asked one question and left alone.</source>
+        <translation>A um servidor de outro tipo é feita uma só pergunta.</translation>
+    </message>
+    <message>
+        <source>Check that rotctld runs on that computer, and that its rotator has power.</source>
+        <translation>Verifique que o rotctld corre nesse computador e que o rotor tem alimentação.</translation>
+    </message>
+    <message>
+        <source>Compare the port with the option -t of rotctld. Without -t it is %1.</source>
+        <translation>Compare a porta com a opção -t do rotctld. Sem -t é a %1.</translation>
+    </message>
+    <message>
+        <source>From another computer: start rotctld with -T 0.0.0.0, and open its port in the firewall.</source>
+        <translation>A partir de outro computador: inicie o rotctld com -T 0.0.0.0 e abra a porta na firewall.</translation>
+    </message>
+    <message>
+        <source>turns at %1°/s, the fastest jog rate</source>
+        <translation>roda a %1°/s, a velocidade manual mais rápida</translation>
     </message>
 </context>
 <context>
@@ -11672,6 +11820,10 @@ O Boresight define o id. Verifica se responde a mesma placa. Volta a ler o id e 
         <source>In use. This rotator has no boards that can be listed.</source>
         <translation>Em uso. Este rotor não tem placas que se possam listar.</translation>
     </message>
+    <message>
+        <source>This rotator is already connected.</source>
+        <translation>Este rotor já está ligado.</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::GuideDirections</name>
@@ -11784,6 +11936,14 @@ trocar os motores</translation>
     <message>
         <source>From now on the mount may move faster and farther</source>
         <translation>A partir de agora a montagem pode mover-se mais depressa e mais longe</translation>
+    </message>
+    <message>
+        <source>If a direction is wrong</source>
+        <translation>Se um sentido estiver errado</translation>
+    </message>
+    <message>
+        <source>The box of the rotator decides the direction. If an axis moves the wrong way, reverse it at its motor or at the box.</source>
+        <translation>É a caixa do rotor que decide o sentido. Se um eixo se mover no sentido errado, inverta-o no motor ou na caixa.</translation>
     </message>
 </context>
 <context>
@@ -11924,10 +12084,6 @@ trocar os motores</translation>
         <translation>Terminar</translation>
     </message>
     <message>
-        <source>Nothing may move before step 2, Protect, is done: %1</source>
-        <translation>Nada se pode mover antes do passo 2, Proteção: %1</translation>
-    </message>
-    <message>
         <source>Confirm</source>
         <translation>Confirmar</translation>
     </message>
@@ -11966,6 +12122,10 @@ trocar os motores</translation>
     <message>
         <source>To the previous step (Alt+Left)</source>
         <translation>Para o passo anterior (Alt+Esquerda)</translation>
+    </message>
+    <message>
+        <source>Nothing may move before step %1, %2, is done: %3</source>
+        <translation>Nada se pode mover antes de o passo %1, %2, estar feito: %3</translation>
     </message>
 </context>
 <context>
@@ -12252,6 +12412,10 @@ trocar os motores</translation>
         <source>Write these ends into the profile and connect again. Then fix the limits of the drives (step Protect).</source>
         <translation>Escrever estes fins no perfil e voltar a ligar. Depois corrija os limites dos acionamentos (passo Proteção).</translation>
     </message>
+    <message>
+        <source>Write these ends into the profile and connect again. Nothing moves.</source>
+        <translation>Escrever estes fins no perfil e ligar de novo. Nada se move.</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::GuideZero</name>
@@ -12330,6 +12494,10 @@ trocar os motores</translation>
     <message>
         <source>Then fix the limits of the drives (step Protect).</source>
         <translation>Depois corrija os limites dos acionamentos (passo Proteção).</translation>
+    </message>
+    <message>
+        <source>Bring the antenna level, by a spirit level on it. The box of the rotator must show 0° then. If not, calibrate the box.</source>
+        <translation>Ponha a antena na horizontal, com um nível de bolha. A caixa do rotor tem então de indicar 0°. Se não, calibre a caixa.</translation>
     </message>
 </context>
 <context>
@@ -12985,6 +13153,10 @@ Não substitui a paragem de emergência por cabo junto ao mastro.</translation>
     <message>
         <source>The rate is at most %1 until the cable wraps are known and the directions are confirmed.</source>
         <translation>A velocidade é no máximo %1 até se conhecerem as voltas do cabo e os sentidos estarem confirmados.</translation>
+    </message>
+    <message>
+        <source>This rotator moves in steps of %1°.</source>
+        <translation>Este rotor move-se em passos de %1°.</translation>
     </message>
 </context>
 <context>
@@ -15492,6 +15664,53 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
     <message>
         <source>after</source>
         <translation>depois</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::RotatorChoice</name>
+    <message>
+        <source>What turns the mount</source>
+        <translation>O que move a montagem</translation>
+    </message>
+    <message>
+        <source>How the motors of the mount are commanded</source>
+        <translation>Como são comandados os motores da montagem</translation>
+    </message>
+    <message>
+        <source>Where the rotator answers</source>
+        <translation>Onde o rotor responde</translation>
+    </message>
+    <message>
+        <source>Speed of the serial port</source>
+        <translation>Velocidade da porta série</translation>
+    </message>
+    <message>
+        <source>As the switches of the box are set</source>
+        <translation>Como estão os interruptores da caixa</translation>
+    </message>
+    <message>
+        <source>%1, for example %2</source>
+        <translation>%1, por exemplo %2</translation>
+    </message>
+    <message>
+        <source>Enter where the rotator answers, for example %1.</source>
+        <translation>Indique onde o rotor responde, por exemplo %1.</translation>
+    </message>
+    <message>
+        <source>Not connected. Something else answers there.</source>
+        <translation>Não está ligado. Outra coisa responde aí.</translation>
+    </message>
+    <message>
+        <source>In use. No answer yet.</source>
+        <translation>Em uso. Ainda sem resposta.</translation>
+    </message>
+    <message>
+        <source>In use. It answers as: %1.</source>
+        <translation>Em uso. Responde como: %1.</translation>
+    </message>
+    <message>
+        <source>It must not move yet: %1</source>
+        <translation>Ainda não se pode mover: %1</translation>
     </message>
 </context>
 <context>
