@@ -314,6 +314,12 @@ void BoxMount::letGo()
     }
 }
 
+void BoxMount::retake()
+{
+    stop();
+    m_state.follows = false;
+}
+
 void BoxMount::brakeHard(bool hard)
 {
     const bool was = std::exchange(m_state.hard, hard);
