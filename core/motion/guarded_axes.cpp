@@ -22,6 +22,8 @@ constexpr Angle kBeyondEdge = Angle::fromDegrees(0.1);
 constexpr Angle kNearly = Angle::fromDegrees(0.5);
 constexpr Seconds kStands{3.0};
 constexpr Seconds kLeftBehind{8.0};  // its driver reports an axis that does not go before that
+// It need not run after its set-points so far when nothing is wanted any more.
+constexpr Angle kRunsAfter = Angle::fromDegrees(3.0);
 
 AxisProfile profileOf(const profile::AxisSettings& axis, const TravelRange& travel)
 {
@@ -126,7 +128,6 @@ void GuardedAxes::setRegion(const pointing::Region& region, const pointing::Poin
 {
     m_region = pointing::PermittedRegion(reachable(region), m_travel.azimuth, m_travel.elevation, pointing);
     m_swept.reset();
-    m_leaves = false;
 }
 
 void GuardedAxes::setLimits(Axis axis, const tracking::MotionLimits& limits)
@@ -155,8 +156,11 @@ void GuardedAxes::watch(Seconds duration)
     for (const Axis axis : kAxes) {
         Sight& sight = m_sights[index(axis)];
         sight.time += duration;
-        if (sight.place && m_capabilities.lags(axis) &&
-            abs(*sight.place - sight.stood) > m_capabilities.axes[index(axis)]->step) {
+        if (!sight.place || !m_capabilities.lags(axis)) {
+            continue;
+        }
+        const AxisCapabilities& can = *m_capabilities.axes[index(axis)];
+        if (abs(*sight.place - sight.stood) > std::max(can.step, 0.5 * can.miss)) {  // less is noise
             sight.stood = *sight.place;
             sight.time = Seconds(0.0);
         }
@@ -185,6 +189,22 @@ AxisBox GuardedAxes::fromSeen(AxisBox box) const
     return box;
 }
 
+// The set-points rest where nothing is wanted any more, and a slow rotator is still on its way there. It settles once:
+// what wind pushes away later, its driver sends back.
+bool GuardedAxes::runsAfter(const AxisWish& azimuth, const AxisWish& elevation)
+{
+    const auto isNothing = [](const AxisWish& wish) { return !wish.target && wish.rate == AngularRate{}; };
+    if (!isNothing(azimuth) || !isNothing(elevation)) {
+        m_settles = true;
+        return false;
+    }
+    const bool isFar = std::ranges::any_of(kAxes, [this](Axis axis) {
+        return lags(axis) && abs(*m_sights[index(axis)].place - setpoint(axis).position) > kRunsAfter;
+    });
+    m_settles = m_settles && (isFar || !atRest());
+    return m_settles && atRest();
+}
+
 bool GuardedAxes::strays() const
 {
     const bool edgeMoved = !m_swept && !m_leaves;
@@ -203,7 +223,8 @@ void GuardedAxes::step(Seconds duration, const AxisWish& azimuth, const AxisWish
 void GuardedAxes::stepGuarded(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation)
 {
     const bool isFree = !m_enforced || m_region.permits(fromSeen(untilRest()));
-    m_stray = !isFree && strays();
+    const bool isLate = runsAfter(azimuth, elevation);
+    m_stray = isLate || (!isFree && strays());
     if (!m_enforced) {
         stepFree(duration, azimuth, elevation);
     } else if (isFree) {

@@ -60,7 +60,7 @@ public:
     [[nodiscard]] AxisPosition place() const;
     [[nodiscard]] bool atRest() const;
     // The rotator is on a way to the set-points that is permitted no more, since an edge was moved into it, or it was
-    // left behind there.
+    // left behind there. Or nothing is wanted any more, and it is far behind.
     [[nodiscard]] bool stray() const { return m_stray; }
     // How long it takes at least until both axes rest there, if nothing is in the way.
     [[nodiscard]] Seconds restTime(const AxisPosition& target) const;
@@ -84,6 +84,7 @@ private:
     void watch(Seconds duration);
     [[nodiscard]] bool lags(Axis axis) const;
     [[nodiscard]] bool strays() const;
+    [[nodiscard]] bool runsAfter(const AxisWish& azimuth, const AxisWish& elevation);
     [[nodiscard]] pointing::AxisBox fromSeen(pointing::AxisBox box) const;
     void stepGuarded(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
     void stepFree(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
@@ -100,6 +101,7 @@ private:
     bool m_enforced = true;
     bool m_leaves = false;  // a forbidden place
     bool m_stray = false;
+    bool m_settles = false;                    // something was wanted, and the rotator is not there yet
     std::optional<pointing::AxisBox> m_swept;  // permitted, and all that was left to pass after the last step
     std::array<int, 2> m_held{};               // which way each axis wants to go and may not: -1, 0, 1
 };

@@ -113,6 +113,47 @@ TEST_P(LaggingAxis, StopsForAKeepOutThatIsDrawnIntoItsWay)
     EXPECT_FALSE(bench->control().faultLatched());
 }
 
+// REQ-MOUNT-17 (LaggingAxis.Hold*, LaggingAxis.TheEndOfAJog*): Hold and the end of a jog stop such a rotator where it
+// is. It does not run on to where its set-points have been for long.
+TEST_P(LaggingAxis, HoldStopsItWhereItIs)
+{
+    begin({});
+    ASSERT_TRUE(bench->goTo(80.0, 10.0));
+    bench->run(Seconds(30.0));
+    bench->setPace({1.0 / 6.0, 1.0});
+    ASSERT_TRUE(bench->goTo(140.0, 10.0));
+    bench->run(Seconds(14.0));
+    ASSERT_TRUE(bench->control().request(request::Hold{}, kOperator));
+    bench->run(Seconds(1.5));
+    const AxisPosition held = bench->truth();
+    EXPECT_LT(held.azimuth, 100_deg);
+    bench->run(Seconds(30.0));
+    EXPECT_LT(abs(bench->truth().azimuth - held.azimuth), 1_deg);
+    EXPECT_FALSE(bench->control().faultLatched());
+    ASSERT_TRUE(bench->goTo(90.0, 12.0));
+    bench->run(Seconds(30.0));
+    bench->expectAt({90_deg, 12_deg}, {}, 1_deg);
+}
+
+TEST_P(LaggingAxis, TheEndOfAJogStopsItWhereItIs)
+{
+    begin({});
+    ASSERT_TRUE(bench->goTo(80.0, 10.0));
+    bench->run(Seconds(30.0));
+    bench->setPace({1.0 / 6.0, 1.0});
+    for (int i = 0; i < 50; ++i) {
+        ASSERT_TRUE(bench->control().request(request::Jog{{.azimuth = 6_deg_s}}, kOperator));
+        bench->run(Seconds(0.1));
+    }
+    ASSERT_TRUE(bench->control().request(request::Hold{}, kOperator));
+    bench->run(Seconds(4.0));
+    const AxisPosition held = bench->truth();
+    EXPECT_LT(held.azimuth, 92_deg);
+    bench->run(Seconds(20.0));
+    EXPECT_LT(abs(bench->truth().azimuth - held.azimuth), 1_deg);
+    EXPECT_FALSE(bench->control().faultLatched());
+}
+
 // A rotator that was stopped inside a keep-out comes out of it.
 TEST_P(LaggingAxis, LeavesAKeepOut)
 {
