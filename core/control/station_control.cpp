@@ -499,10 +499,14 @@ void StationControl::moveOn(Seconds step)
         }
     }
     m_motion.enforceRegion(turnsKnown());
+    m_motion.setSeen(m_mount.measured());
     m_motion.setHardBraking(m_arming.stopLatched());
     m_mount.brakeHard(m_arming.stopLatched());
     if (m_mount.follows() && m_mount.seen()) {
         m_motion.advance(m_now, step);
+        if (m_motion.stray()) {
+            m_mount.retake();
+        }
     } else {
         m_motion.brake(step);  // one axis alone goes nowhere, nor does one that nobody sees
     }

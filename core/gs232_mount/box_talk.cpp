@@ -49,9 +49,19 @@ void BoxTalk::take(std::string_view bytes, SteadyTime now)
     // Of a radio there may never come a line end.
     const bool ends = text.find_first_of("\r\n") != std::string::npos;
     if (m_proof == Proof::Unknown && !ends && !text.empty()) {
-        takeStrange(text, now);
+        takePiece(text, now);
     }
     m_splitter.add(text, [this, now](std::string_view line) { takeLine(line, now); });
+}
+
+// Of a refusal each piece is known.
+void BoxTalk::takePiece(std::string_view text, SteadyTime now)
+{
+    const Reply piece = parseReply(text);
+    m_refuses = m_refuses || std::holds_alternative<Refused>(piece);
+    if (!std::holds_alternative<Refused>(piece) && !std::holds_alternative<Nothing>(piece)) {
+        takeStrange(text, now);
+    }
 }
 
 void BoxTalk::takeLine(std::string_view line, SteadyTime now)

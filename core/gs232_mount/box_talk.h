@@ -60,6 +60,7 @@ public:
     [[nodiscard]] const std::string& strange() const override { return m_strange.text; }
 
 private:
+    void takePiece(std::string_view text, SteadyTime now);
     void takeLine(std::string_view line, SteadyTime now);
     void takeStrange(std::string_view bytes, SteadyTime now);
     void judge(SteadyTime now);

@@ -37,20 +37,20 @@ void Gs232Box::moveOn(SteadyTime now)
 {
     const Seconds time = m_moved ? Seconds(now - *m_moved) : Seconds(0.0);
     m_moved = now;
-    for (Motor& motor : m_axes) {
-        run(motor, time);
+    for (const Axis axis : kAxes) {
+        run(m_axes[index(axis)], kSpeed * m_faults.pace[index(axis)], time);
     }
     m_shown = m_faults.stuckMeter ? m_shown : truth();
 }
 
 // The relay opens as soon as the potentiometer shows the degree of the target. Then the motor coasts.
-void Gs232Box::run(Motor& motor, Seconds time)
+void Gs232Box::run(Motor& motor, AngularRate speed, Seconds time)
 {
     if (m_faults.frozen) {
         motor.coast = {};
         return;
     }
-    Angle farthest = kSpeed * time;
+    Angle farthest = speed * time;
     if (motor.runs && motor.target) {
         const Angle way = *motor.target - motor.place;
         const Angle edge = std::max(abs(way) - kCoast, Angle{});

@@ -38,15 +38,16 @@ public:
     };
     struct Faults
     {
-        bool silent = false;      // acts, but answers nothing
-        bool deaf = false;        // takes nothing
-        bool echoes = false;      // sends back what it receives
-        bool halfLines = false;   // each second answer to a question is cut in the middle
-        bool frozen = false;      // the motors stand, whatever the relays do
-        bool refuses = false;     // whatever it is asked
-        bool stuckMeter = false;  // the potentiometers show what they showed before
-        bool stuckRelay = false;  // a stop does not open the relays
-        Angle offset{};           // of what the potentiometer of the azimuth reports
+        bool silent = false;                   // acts, but answers nothing
+        bool deaf = false;                     // takes nothing
+        bool echoes = false;                   // sends back what it receives
+        bool halfLines = false;                // each second answer to a question is cut in the middle
+        bool frozen = false;                   // the motors stand, whatever the relays do
+        bool refuses = false;                  // whatever it is asked
+        bool stuckMeter = false;               // the potentiometers show what they showed before
+        bool stuckRelay = false;               // a stop does not open the relays
+        Angle offset{};                        // of what the potentiometer of the azimuth reports
+        std::array<double, 2> pace{1.0, 1.0};  // of each motor, of its speed
     };
 
     Gs232Box(const AxisPosition& place, const Habits& habits);
@@ -82,7 +83,7 @@ private:
         std::string bytes;
     };
 
-    void run(Motor& motor, Seconds time);
+    void run(Motor& motor, AngularRate speed, Seconds time);
     void obey(const std::string& command, SteadyTime now);
     [[nodiscard]] std::optional<std::string> query(const std::string& command) const;
     [[nodiscard]] bool move(const std::string& command);

@@ -25,6 +25,8 @@ struct Capabilities
     std::array<std::optional<AxisCapabilities>, 2> axes{AxisCapabilities{}, AxisCapabilities{}};  // empty: no such axis
 
     [[nodiscard]] bool has(Axis axis) const { return axes[index(axis)].has_value(); }
+    // An axis that runs to where it is sent by itself may be far behind its set-point.
+    [[nodiscard]] bool lags(Axis axis) const { return has(axis) && axes[index(axis)]->miss > Angle{}; }
     // A place of an axis that was reached can be this far from what was asked for.
     [[nodiscard]] Angle inexactness(Axis axis) const
     {

@@ -47,6 +47,7 @@ bool isThere(const Motion& motion, const AxisPosition& target, SteadyTime now)
 std::optional<Course> Course::of(Motion motion, SteadyTime now)
 {
     motion.keepOn(now);
+    motion.setSeen(std::nullopt);  // it goes along
     Course course;
     course.m_points.push_back({.place = motion.place()});
     // The set-points are exact for steps of any length. After the first one the route is known.

@@ -18,6 +18,13 @@ using tracking::AxisProfile;
 // How far beyond an edge to look for the region that it belongs to.
 constexpr Angle kBeyondEdge = Angle::fromDegrees(0.1);
 
+// A rotator that runs by itself is never just where its set-points are.
+constexpr Angle kNearly = Angle::fromDegrees(0.5);
+constexpr Seconds kStands{3.0};
+constexpr Seconds kLeftBehind{8.0};  // its driver reports an axis that does not go before that
+// It need not run after its set-points so far when nothing is wanted any more.
+constexpr Angle kRunsAfter = Angle::fromDegrees(3.0);
+
 AxisProfile profileOf(const profile::AxisSettings& axis, const TravelRange& travel)
 {
     return {axis.limits, travel, travel.clamped(Angle{})};
@@ -58,6 +65,11 @@ TravelRange passed(Angle before, const AxisProfile& axis)
 bool within(const TravelRange& inner, const TravelRange& outer)
 {
     return inner.min >= outer.min - pointing::kRounding && inner.max <= outer.max + pointing::kRounding;
+}
+
+TravelRange with(const TravelRange& range, Angle place)
+{
+    return {.min = std::min(range.min, place), .max = std::max(range.max, place)};
 }
 
 int wayOf(const AxisWish& wish, Angle place)
@@ -109,6 +121,7 @@ void GuardedAxes::start(Axis axis, Angle measured)
 {
     (axis == Axis::Azimuth ? m_azimuth : m_elevation).reset(measured);
     m_swept.reset();
+    m_leaves = false;
 }
 
 void GuardedAxes::setRegion(const pointing::Region& region, const pointing::PointingModel& pointing)
@@ -132,20 +145,93 @@ AxisBox GuardedAxes::untilRest() const
     return {.azimuth = m_azimuth.untilRest(), .elevation = m_elevation.untilRest()};
 }
 
+void GuardedAxes::setSeen(const std::optional<AxisPosition>& place)
+{
+    m_sights[0].place = place ? std::optional(place->azimuth) : std::nullopt;
+    m_sights[1].place = place ? std::optional(place->elevation) : std::nullopt;
+}
+
+void GuardedAxes::watch(Seconds duration)
+{
+    for (const Axis axis : kAxes) {
+        Sight& sight = m_sights[index(axis)];
+        sight.time += duration;
+        if (!sight.place || !m_capabilities.lags(axis)) {
+            continue;
+        }
+        const AxisCapabilities& can = *m_capabilities.axes[index(axis)];
+        if (abs(*sight.place - sight.stood) > std::max(can.step, 0.5 * can.miss)) {  // less is noise
+            sight.stood = *sight.place;
+            sight.time = Seconds(0.0);
+        }
+    }
+}
+
+// One that moves is nearly at its set-point. One that stands may have missed it, and comes no nearer.
+bool GuardedAxes::lags(Axis axis) const
+{
+    const Sight& sight = m_sights[index(axis)];
+    if (!sight.place || !m_capabilities.lags(axis)) {
+        return false;
+    }
+    const Angle nearly = m_capabilities.axes[index(axis)]->step + kNearly;
+    const Angle most = sight.time < kStands ? nearly : std::max(nearly, m_capabilities.inexactness(axis));
+    return abs(*sight.place - setpoint(axis).position) > most;
+}
+
+// And all that a rotator passes that lags behind.
+AxisBox GuardedAxes::fromSeen(AxisBox box) const
+{
+    for (const Axis axis : kAxes) {
+        TravelRange& range = axis == Axis::Azimuth ? box.azimuth : box.elevation;
+        range = lags(axis) ? with(range, *m_sights[index(axis)].place) : range;
+    }
+    return box;
+}
+
+// The set-points rest where nothing is wanted any more, and a slow rotator is still on its way there. It settles once:
+// what wind pushes away later, its driver sends back.
+bool GuardedAxes::runsAfter(const AxisWish& azimuth, const AxisWish& elevation)
+{
+    const auto isNothing = [](const AxisWish& wish) { return !wish.target && wish.rate == AngularRate{}; };
+    if (!isNothing(azimuth) || !isNothing(elevation)) {
+        m_settles = true;
+        return false;
+    }
+    const bool isFar = std::ranges::any_of(kAxes, [this](Axis axis) {
+        return lags(axis) && abs(*m_sights[index(axis)].place - setpoint(axis).position) > kRunsAfter;
+    });
+    m_settles = m_settles && (isFar || !atRest());
+    return m_settles && atRest();
+}
+
+bool GuardedAxes::strays() const
+{
+    const bool edgeMoved = !m_swept && !m_leaves;
+    return std::ranges::any_of(kAxes, [&](Axis axis) {
+        return lags(axis) && (edgeMoved || (atRest() && m_sights[index(axis)].time >= kLeftBehind));
+    });
+}
+
 void GuardedAxes::step(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation)
 {
+    watch(duration);
     stepGuarded(duration, m_capabilities.has(Axis::Azimuth) ? azimuth : AxisWish{},
                 m_capabilities.has(Axis::Elevation) ? elevation : AxisWish{});
 }
 
 void GuardedAxes::stepGuarded(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation)
 {
+    const bool isFree = !m_enforced || m_region.permits(fromSeen(untilRest()));
+    const bool isLate = runsAfter(azimuth, elevation);
+    m_stray = isLate || (!isFree && strays());
     if (!m_enforced) {
         stepFree(duration, azimuth, elevation);
-    } else if (m_region.permits(untilRest())) {
+    } else if (isFree) {
         stepInside(duration, azimuth, elevation);
     } else if (m_swept || m_region.permits(place())) {
-        // An edge was moved into the way, or limits of motion were lowered: with those, what was left to pass holds.
+        // An edge was moved into the way, limits of motion were lowered, or the rotator lags behind: what was left to
+        // pass holds.
         m_held = {wayOf(azimuth, place().azimuth), wayOf(elevation, place().elevation)};
         brake(duration, m_swept.value_or(m_travel), azimuth, elevation);
     } else {
@@ -156,6 +242,7 @@ void GuardedAxes::stepGuarded(Seconds duration, const AxisWish& azimuth, const A
 void GuardedAxes::stepFree(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation)
 {
     m_swept.reset();
+    m_leaves = false;
     m_azimuth.setTravel(m_travel.azimuth);
     m_elevation.setTravel(m_travel.elevation);
     obey(m_azimuth, duration, azimuth);
@@ -169,17 +256,17 @@ void GuardedAxes::stepFree(Seconds duration, const AxisWish& azimuth, const Axis
 void GuardedAxes::stepInside(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation)
 {
     const AxisPosition before = place();
-    AxisBox box = untilRest();
+    AxisBox box = fromSeen(untilRest());
     AxisProfile nextAzimuth = m_azimuth;
     AxisProfile nextElevation = m_elevation;
     const TravelRange azimuths = m_region.azimuthsAround(box);
     nextAzimuth.setTravel(azimuths);
     obey(nextAzimuth, duration, azimuth);
-    const AxisBox still = std::exchange(box, {passed(before.azimuth, nextAzimuth), box.elevation});
+    const AxisBox still = std::exchange(box, fromSeen({passed(before.azimuth, nextAzimuth), box.elevation}));
     const TravelRange elevations = m_region.elevationsAround(box);
     nextElevation.setTravel(elevations);
     obey(nextElevation, duration, elevation);
-    box.elevation = passed(before.elevation, nextElevation);
+    box = fromSeen({box.azimuth, passed(before.elevation, nextElevation)});
     if (!m_region.permits(box)) {
         m_swept = still;
         m_held = {wayOf(azimuth, before.azimuth), wayOf(elevation, before.elevation)};
@@ -188,7 +275,8 @@ void GuardedAxes::stepInside(Seconds duration, const AxisWish& azimuth, const Ax
     }
     m_azimuth = std::move(nextAzimuth);
     m_elevation = std::move(nextElevation);
-    m_swept = untilRest();
+    m_swept = fromSeen(untilRest());
+    m_leaves = false;
     m_held = {heldWay(azimuth, place().azimuth, azimuths), heldWay(elevation, place().elevation, elevations)};
 }
 
@@ -196,6 +284,7 @@ void GuardedAxes::stepInside(Seconds duration, const AxisWish& azimuth, const Ax
 // anywhere else brakes first.
 void GuardedAxes::stepOut(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation)
 {
+    m_leaves = true;
     const AxisPosition out = pointing::nearestPermitted(m_region, place()).value_or(place());
     const AxisBox room = AxisBox::between(place(), out);
     const auto move = [duration](AxisProfile& axis, const TravelRange& free, Angle end, const TravelRange& travel,
@@ -241,11 +330,16 @@ Seconds GuardedAxes::restTime(const AxisPosition& target) const
 QString GuardedAxes::obstacle() const
 {
     const AxisPosition here = place();
+    // It may still have to pass there.
+    const AxisPosition seen{.azimuth = m_sights[0].place.value_or(here.azimuth),
+                            .elevation = m_sights[1].place.value_or(here.elevation)};
     const Angle azimuth = m_held[0] * kBeyondEdge;
     const Angle elevation = m_held[1] * kBeyondEdge;
     for (const AxisPosition& beyond : {here, AxisPosition{here.azimuth + azimuth, here.elevation},
                                        AxisPosition{here.azimuth, here.elevation + elevation},
-                                       AxisPosition{here.azimuth + azimuth, here.elevation + elevation}}) {
+                                       AxisPosition{here.azimuth + azimuth, here.elevation + elevation},
+                                       AxisPosition{here.azimuth + azimuth, seen.elevation},
+                                       AxisPosition{seen.azimuth, here.elevation + elevation}}) {
         if (QString what = m_region.obstacle(beyond); !what.isEmpty()) {
             return what;
         }

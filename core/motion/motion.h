@@ -53,6 +53,8 @@ public:
     void setArrival(profile::Arrival arrival) { m_arrival = arrival; }
     // While nobody knows on which turn an axis stands, nobody knows what is forbidden: only the travel counts.
     void enforceRegion(bool enforced) { m_axes.enforce(enforced); }
+    // Where the rotator is now, if that is known.
+    void setSeen(const std::optional<AxisPosition>& place) { m_axes.setSeen(place); }
 
     // Braking is as hard as that of a drive that is left alone, still with bounded jerk; otherwise within the limits.
     void setHardBraking(bool hard) { m_hardBraking = hard; }
@@ -83,6 +85,8 @@ public:
     [[nodiscard]] bool limited(Axis axis) const;  // this axis is elsewhere because of it
     // Why the target can not be reached and the axes brake; empty while they can.
     [[nodiscard]] const QString& noWay() const { return m_way.obstacle; }
+    // The rotator is on a way that is permitted no more: it has to stop, and to begin anew where it stands.
+    [[nodiscard]] bool stray() const { return m_axes.stray(); }
     // The axis stands at, or brakes for, an edge that what is wanted lies beyond.
     [[nodiscard]] bool held(Axis axis) const { return m_axes.held(axis); }
     // What holds an axis or forbids the target: `the keep-out "mast"`. Empty if nothing does.

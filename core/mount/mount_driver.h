@@ -55,6 +55,8 @@ public:
     // The place of an axis that has begun to follow in this tick, once: its first set-point must be there.
     [[nodiscard]] virtual std::optional<Angle> takeFollowing(Axis axis) = 0;
     virtual void command(Axis axis, const tracking::Setpoint& setpoint) = 0;
+    // Stops axes that run by themselves, and takes them over again where they stand.
+    virtual void retake() {}
     virtual void brakeHard(bool hard) = 0;  // the set-points brake as hard as the mount can
     virtual void seize() = 0;               // stops what an axis does without our orders
     virtual void recover() = 0;             // clears faults and time-outs; moves nothing

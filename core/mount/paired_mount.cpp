@@ -64,6 +64,13 @@ void PairedMount::engage()
     }
 }
 
+void PairedMount::retake()
+{
+    for (MountDriver* const driver : m_drivers) {
+        driver->retake();
+    }
+}
+
 void PairedMount::brakeHard(bool hard)
 {
     for (MountDriver* const driver : m_drivers) {

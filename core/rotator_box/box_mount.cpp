@@ -188,7 +188,9 @@ MountFindings BoxMount::supervise(const MountSituation& /*known*/)
             superviseAxis(axis, found);
         }
     }
-    if (m_state.wanted && !m_state.follows && answers() && placed()) {
+    // Where it still runs after a stop is no place to take it over, and that stop would be watched no more.
+    const bool isStopping = std::ranges::any_of(kAxes, [this](Axis axis) { return of(axis).watch.stopping(); });
+    if (m_state.wanted && !m_state.follows && !isStopping && answers() && placed()) {
         begin();
     }
     return found;
@@ -312,6 +314,12 @@ void BoxMount::letGo()
     for (AxisOfBox& axis : m_axes) {
         axis.begins = false;
     }
+}
+
+void BoxMount::retake()
+{
+    stop();
+    m_state.follows = false;
 }
 
 void BoxMount::brakeHard(bool hard)

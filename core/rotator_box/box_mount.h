@@ -56,6 +56,7 @@ public:
     void engage() override { m_state.wanted = !m_state.lost; }
     [[nodiscard]] std::optional<Angle> takeFollowing(Axis axis) override;
     void command(Axis axis, const tracking::Setpoint& setpoint) override { of(axis).setpoint = setpoint; }
+    void retake() override;
     void brakeHard(bool hard) override;
     void seize() override;
     void recover() override { m_state.lost = false; }

@@ -41,8 +41,8 @@ void RotctldBox::moveOn(SteadyTime now)
     m_started = true;
     m_clock.time = now;
     if (!m_faults.frozen) {
-        m_place = {.azimuth = movedTo(m_place.azimuth, m_target.azimuth, farthest),
-                   .elevation = movedTo(m_place.elevation, m_target.elevation, farthest)};
+        m_place = {.azimuth = movedTo(m_place.azimuth, m_target.azimuth, farthest * m_faults.pace[0]),
+                   .elevation = movedTo(m_place.elevation, m_target.elevation, farthest * m_faults.pace[1])};
     }
     m_shown = m_faults.stuckPlace ? m_shown : m_place;
 }

@@ -28,15 +28,16 @@ public:
 
     struct Faults
     {
-        bool silent = false;                 // acts, but answers nothing
-        bool deaf = false;                   // takes nothing
-        bool halfAnswers = false;            // each second answer loses its second half
-        bool frozen = false;                 // the motors stand, whatever it is told
-        bool stuckPlace = false;             // it reports what it reported before
-        bool runsOn = false;                 // a stop is accepted, and nothing stops
-        Angle offset{};                      // of the azimuth that it reports
-        Angle sag{};                         // by which it reports the elevation too low
-        std::chrono::milliseconds works{5};  // at each command
+        bool silent = false;                   // acts, but answers nothing
+        bool deaf = false;                     // takes nothing
+        bool halfAnswers = false;              // each second answer loses its second half
+        bool frozen = false;                   // the motors stand, whatever it is told
+        bool stuckPlace = false;               // it reports what it reported before
+        bool runsOn = false;                   // a stop is accepted, and nothing stops
+        Angle offset{};                        // of the azimuth that it reports
+        Angle sag{};                           // by which it reports the elevation too low
+        std::chrono::milliseconds works{5};    // at each command
+        std::array<double, 2> pace{1.0, 1.0};  // of each motor, of its speed
         // As the rotator behind it fails: the error of each answer.
         std::optional<ErrorCode> position{};
         std::optional<ErrorCode> order{};

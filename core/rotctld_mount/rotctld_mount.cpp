@@ -10,8 +10,10 @@ namespace boresight::rotctl {
 namespace {
 
 // Finer steps would move a rotator with gears to and fro for nothing. How exact it is nobody tells.
-constexpr AxisCapabilities kAxis{
-    .step = Angle::fromDegrees(0.1), .miss = ObedienceWatch::kMet, .fastest = {}, .silence = RotctldMount::kSilence};
+constexpr AxisCapabilities kAxis{.step = Angle::fromDegrees(0.1),
+                                 .miss = ObedienceWatch::kMet + 0.5 * RotctldMount::kGrain,
+                                 .fastest = {},
+                                 .silence = RotctldMount::kSilence};
 
 bool lacks(const RotatorState& state, Axis axis)
 {

@@ -11,6 +11,7 @@ namespace boresight::rotctl {
 class RotctldMount final : public BoxMount
 {
 public:
+    static constexpr Angle kGrain = Angle::fromDegrees(0.5);  // finer is noise
     static constexpr std::chrono::milliseconds kSilence{1800};
     static constexpr int kMostRefusals = 3;  // of one target
 
@@ -29,7 +30,7 @@ public:
 private:
     bool goTo(const RotatorTalk::Places& target) override;
     [[nodiscard]] QString remedyOfNoAnswer() const override;
-    [[nodiscard]] Angle grain() const override { return Angle::fromDegrees(0.5); }
+    [[nodiscard]] Angle grain() const override { return kGrain; }
     [[nodiscard]] Result<> fits() const;
     [[nodiscard]] std::optional<AxisPosition> standing() const;
     [[nodiscard]] AxisPosition permitted(const AxisPosition& place) const;

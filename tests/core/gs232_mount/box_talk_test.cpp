@@ -190,6 +190,24 @@ TEST(BoxTalk, ABoxMayStammer)
     EXPECT_EQ(talk->proof(), Proof::Box) << "silence is no proof against it";
 }
 
+// REQ-GS232-09: A refusal that comes in pieces makes no stranger of a box, and is told as what it is.
+// Story: at 1200 baud a box without elevation was a stranger after three seconds, and its line was closed.
+TEST(BoxTalk, ARefusalMayComeInPieces)
+{
+    Talk talk(1200);
+    for (int question = 0; question < 10; ++question) {
+        talk.run(milliseconds(1000));
+        for (const char* const piece : {"?", ">", "\r", "\n"}) {
+            talk.hear(piece);
+            talk.run(milliseconds(20));
+        }
+    }
+    EXPECT_EQ(talk->proof(), RotatorTalk::Proof::Unknown);
+    EXPECT_TRUE(talk->refuses());
+    talk.run(milliseconds(1500), kAnswerB);
+    EXPECT_EQ(talk->proof(), RotatorTalk::Proof::Box);
+}
+
 // Only what was asked for is an answer: the rest of a line that came too late is none.
 TEST(BoxTalk, HalfOfWhatWasAskedForIsNoAnswer)
 {

@@ -53,6 +53,13 @@ public:
         }
     }
     AxisPosition truth() override { return m_box.truth(); }
+    void setPace(const std::array<double, 2>& pace) override { m_box.faults().pace = pace; }
+    void edit(const profile::Profile& profile) override
+    {
+        const profile::Profile before = *m_profile;
+        m_profile.apply(profile);
+        m_control.profileChanged(before, *m_profile);
+    }
     bool ordered() override { return m_box.moves() > 0; }
     // The cable: the box runs on to where it was sent.
     void setLine(bool connected) override { m_connected = connected; }
@@ -77,7 +84,7 @@ private:
         return std::ranges::find(axes, axis) != axes.end() ? profile::AxisDriver::Gs232 : profile::AxisDriver::None;
     }
 
-    const profile::InForce m_profile;
+    profile::InForce m_profile;
     fakes::ManualClock m_clock;
     EventLog m_log{m_clock};
     AlarmBoard m_alarms{m_log, m_clock};

@@ -291,5 +291,28 @@ TEST(Gs232Counts, EndInsideTheTravel)
     }
 }
 
+// REQ-GS232-28: The stop for a keep-out that is drawn into the way of a slow rotator is watched as any other one: a
+// rotator that runs on is a fault.
+TEST(Gs232Retake, ItsStopIsWatched)
+{
+    profile::Profile profile = gs232Profile();
+    Gs232Bench bench(profile);
+    bench.run(Seconds(2.0));
+    bench.setPace({1.0 / 6.0, 1.0});
+    ASSERT_TRUE(bench.goTo(90.0, 60.0));
+    bench.run(Seconds(12.0));
+    ASSERT_LT(bench.truth().azimuth, 30_deg);
+    bench.box().faults().stuckRelay = true;
+    profile.limits.keepOuts = {{.name = "wall",
+                                .azimuthFrom = bench.truth().azimuth + 8_deg,
+                                .azimuthTo = 80_deg,
+                                .elevationMin = 0_deg,
+                                .elevationMax = 90_deg}};
+    bench.edit(profile);
+    bench.run(Seconds(8.0));
+    EXPECT_TRUE(bench.standsOnBoard("rotator.runs-on"));
+    EXPECT_TRUE(bench.control().faultLatched());
+}
+
 }  // namespace
 }  // namespace boresight::gs232

@@ -148,6 +148,18 @@ TEST(CourseTest, FromTheMiddleOfAnotherMotion)
     }
 }
 
+TEST(CourseTest, ARotatorThatRunsByItselfGoesAlong)
+{
+    Capabilities can;
+    can.axes.fill(AxisCapabilities{.step = 1_deg, .miss = 2_deg});
+    Motion motion(courseMount(behindAMast()), can);
+    motion.start(Axis::Azimuth, 290_deg);
+    motion.start(Axis::Elevation, 20_deg);
+    motion.goTo(courseAt(340, 20));
+    motion.setSeen(courseAt(290, 20));
+    EXPECT_TRUE(Course::of(motion, SteadyTime{}));
+}
+
 TEST(CourseTest, NobodyKnowsWhenAMotionEndsThatGoesNowhere)
 {
     CourseRide drive(courseMount(), courseAt(0, 0));

@@ -166,6 +166,74 @@ TEST(MotionRegion, AJogIntoASlopeOfTheHorizonStopsOnIt)
     EXPECT_EQ(run.motion.obstacle().toStdString(), "the horizon");
 }
 
+// REQ-AXES-27: The set-points of a rotator that runs by itself wait where the way to them from where it is seen would
+// not be free in whatever order its axes go. One that stands near its set-point has arrived.
+TEST(MotionRegion, WaitsForARotatorThatLagsBehind)
+{
+    Capabilities can;
+    can.axes.fill(AxisCapabilities{.step = 1_deg, .miss = 2_deg});
+    const profile::Profile profile = mount({.keepOuts = {mast()}});
+    Motion motion(profile, can);
+    motion.start(Axis::Azimuth, 290_deg);
+    motion.start(Axis::Elevation, 20_deg);
+    motion.goTo(at(340, 20));
+    SteadyTime now{};
+    AxisPosition seen = at(290, 20);
+    const auto ride = [&](int ticks, double elevationRate) {
+        for (int tick = 0; tick < ticks; ++tick) {
+            now += kMotionRegionTick;
+            motion.setSeen(seen);
+            motion.advance(now, kMotionRegionTick);
+            const Angle up = Angle::fromDegrees(elevationRate * 0.02);
+            seen.elevation = std::min(seen.elevation + up, std::max(motion.place().elevation, seen.elevation));
+        }
+    };
+    ride(2000, 0.0);
+    EXPECT_LE(motion.place().azimuth, 300_deg) << "the rotator stands in front of the mast";
+    EXPECT_GE(motion.place().elevation, 40_deg);
+    EXPECT_FALSE(motion.stray());
+    EXPECT_TRUE(motion.held(Axis::Azimuth));
+    EXPECT_EQ(motion.obstacle(), QStringLiteral("the keep-out \"mast\""));
+    ride(2000, 1.0);
+    EXPECT_GT(motion.place().azimuth, 330_deg);
+    seen = at(340, 22);
+    ride(2000, 0.0);
+    EXPECT_EQ(motion.place(), at(340, 20)) << "it missed its place by 2°, and stands";
+}
+
+// REQ-AXES-28: A rotator that was pushed into a keep-out is taken over there, so that it can be led out.
+TEST(MotionRegion, ARotatorThatWasPushedIsTakenOverThere)
+{
+    Capabilities can;
+    can.axes.fill(AxisCapabilities{.step = 1_deg, .miss = 2_deg});
+    Motion motion(mount({.keepOuts = {mast()}}), can);
+    motion.start(Axis::Azimuth, 298_deg);
+    motion.start(Axis::Elevation, 20_deg);
+    SteadyTime now{};
+    const auto strayWithin = [&](int ticks) {
+        for (int tick = 0; tick < ticks; ++tick) {
+            now += kMotionRegionTick;
+            motion.advance(now, kMotionRegionTick);
+            if (motion.stray()) {
+                return true;
+            }
+        }
+        return false;
+    };
+    motion.setSeen(at(298, 20));
+    EXPECT_FALSE(strayWithin(1000));
+    motion.setSeen(at(304, 20));
+    EXPECT_FALSE(strayWithin(350)) << "its driver may yet find that it does not go";
+    EXPECT_TRUE(strayWithin(100));
+    motion.start(Axis::Azimuth, 304_deg);
+    motion.run(rates(-3, 0));
+    for (int tick = 0; tick < 200; ++tick) {
+        motion.setSeen(motion.place());
+        EXPECT_FALSE(strayWithin(1));
+    }
+    EXPECT_LT(motion.place().azimuth, 300_deg);
+}
+
 TEST(MotionRegion, AForbiddenTargetIsReplacedByTheNearestPlace)
 {
     Ride run(mount({.keepOuts = {mast()}}), at(200, 10));

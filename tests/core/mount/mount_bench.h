@@ -56,6 +56,10 @@ public:
     [[nodiscard]] virtual AxisPosition truth() = 0;  // where the axes really are
     [[nodiscard]] virtual bool ordered() = 0;        // anything but questions was heard so far
     virtual void setLine(bool connected) = 0;
+    // It turns slower than its profile says: each axis by this part of its speed.
+    virtual void setPace(const std::array<double, 2>& /*pace*/) {}
+    // Another profile comes into force.
+    virtual void edit(const profile::Profile& /*profile*/) {}
     // The driver finds its hardware unfit to be moved, or fit again; false: such a rotator is always fit.
     [[nodiscard]] virtual bool setFit(bool /*fit*/) { return false; }
     // While the line is off, another device takes the place of its own; false: such a rotator does not say who it is.

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A rotator that turns slower than its profile says, beside a keep-out: its axes run by themselves, each at its own
+// pace.
+#include "tests/core/gs232_mount/gs232_bench.h"
+#include "tests/core/mount/mount_bench.h"
+#include "tests/core/rotctld_mount/rotctld_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace boresight {
+namespace {
+
+struct LaggingKind
+{
+    const char* name;
+    profile::Profile (*profile)();
+    std::function<std::unique_ptr<Bench>(const profile::Profile&)> make;
+};
+
+const pointing::KeepOut kMast{
+    .name = "mast", .azimuthFrom = 100_deg, .azimuthTo = 120_deg, .elevationMin = 0_deg, .elevationMax = 30_deg};
+
+// REQ-MOUNT-16 (LaggingAxis.*): A rotator whose axes are slower than the profile says, even one of them alone, enters
+// no keep-out: its set-points wait where the way to them from where it is would not be free. It reaches its targets all
+// the same. Where an edge is moved into its way it stops.
+class LaggingAxis : public testing::TestWithParam<LaggingKind>
+{
+protected:
+    void begin(const std::vector<pointing::KeepOut>& keepOuts)
+    {
+        m_profile = GetParam().profile();
+        m_profile.limits.keepOuts = keepOuts;
+        bench = GetParam().make(m_profile);
+        bench->run(Seconds(2.0));
+    }
+    // Not deeper inside than such a rotator may miss a place.
+    void runOutside(Seconds time)
+    {
+        constexpr Angle kMiss = Angle::fromDegrees(1.5);
+        for (Seconds left = time; left > Seconds(0.0); left -= kOneTick) {
+            bench->tick();
+            const AxisPosition at = bench->truth();
+            const bool inside = at.azimuth > kMast.azimuthFrom + kMiss && at.azimuth < kMast.azimuthTo - kMiss &&
+                                at.elevation < kMast.elevationMax - kMiss;
+            ASSERT_FALSE(inside) << at.azimuth.degrees() << "° " << at.elevation.degrees() << "°";
+        }
+    }
+    void follow(double azimuth, double elevation)
+    {
+        ASSERT_TRUE(bench->control().request(
+            request::PointAxes{{Angle::fromDegrees(azimuth), Angle::fromDegrees(elevation)}}, kClient));
+        runOutside(Seconds(1.0));
+    }
+
+    profile::Profile m_profile;
+    std::unique_ptr<Bench> bench;
+};
+
+TEST_P(LaggingAxis, FollowsAPathOverAKeepOut)
+{
+    begin({kMast});
+    for (int second = 0; second < 25; ++second) {
+        follow(90.0, 35.0);
+    }
+    bench->setPace({1.0 / 6.0, 1.0});
+    for (double azimuth = 90.0; azimuth < 125.0 && !HasFatalFailure(); azimuth += 3.5) {
+        follow(azimuth, 35.0);
+    }
+    for (double elevation = 35.0; elevation > 10.0 && !HasFatalFailure(); elevation -= 2.5) {
+        follow(125.0, elevation);
+    }
+    for (int second = 0; second < 40 && !HasFatalFailure(); ++second) {
+        follow(125.0, 10.0);
+    }
+    bench->expectAt({125_deg, 10_deg}, {}, 1_deg);
+    EXPECT_FALSE(bench->control().faultLatched());
+}
+
+TEST_P(LaggingAxis, GoesAroundAKeepOut)
+{
+    for (const std::array<double, 2>& pace : {std::array{1.0 / 6.0, 1.0}, std::array{1.0, 1.0 / 6.0}}) {
+        begin({kMast});
+        ASSERT_TRUE(bench->goTo(80.0, 10.0));
+        bench->run(Seconds(30.0));
+        bench->setPace(pace);
+        ASSERT_TRUE(bench->goTo(140.0, 10.0));
+        runOutside(Seconds(90.0));
+        bench->expectAt({140_deg, 10_deg}, {}, 1_deg);
+        EXPECT_FALSE(bench->control().faultLatched());
+    }
+}
+
+// The set-points are long there, and the rotator is far behind them.
+TEST_P(LaggingAxis, StopsForAKeepOutThatIsDrawnIntoItsWay)
+{
+    begin({});
+    ASSERT_TRUE(bench->goTo(80.0, 10.0));
+    bench->run(Seconds(30.0));
+    bench->setPace({1.0 / 6.0, 1.0});
+    ASSERT_TRUE(bench->goTo(140.0, 10.0));
+    bench->run(Seconds(15.0));
+    ASSERT_LT(bench->truth().azimuth, 98_deg);
+    m_profile.limits.keepOuts = {kMast};
+    bench->edit(m_profile);
+    runOutside(Seconds(110.0));
+    bench->expectAt({140_deg, 10_deg}, {}, 1_deg);
+    EXPECT_FALSE(bench->control().faultLatched());
+}
+
+// REQ-MOUNT-17 (LaggingAxis.Hold*, LaggingAxis.TheEndOfAJog*): Hold and the end of a jog stop such a rotator where it
+// is. It does not run on to where its set-points have been for long.
+TEST_P(LaggingAxis, HoldStopsItWhereItIs)
+{
+    begin({});
+    ASSERT_TRUE(bench->goTo(80.0, 10.0));
+    bench->run(Seconds(30.0));
+    bench->setPace({1.0 / 6.0, 1.0});
+    ASSERT_TRUE(bench->goTo(140.0, 10.0));
+    bench->run(Seconds(14.0));
+    ASSERT_TRUE(bench->control().request(request::Hold{}, kOperator));
+    bench->run(Seconds(1.5));
+    const AxisPosition held = bench->truth();
+    EXPECT_LT(held.azimuth, 100_deg);
+    bench->run(Seconds(30.0));
+    EXPECT_LT(abs(bench->truth().azimuth - held.azimuth), 1_deg);
+    EXPECT_FALSE(bench->control().faultLatched());
+    ASSERT_TRUE(bench->goTo(90.0, 12.0));
+    bench->run(Seconds(30.0));
+    bench->expectAt({90_deg, 12_deg}, {}, 1_deg);
+}
+
+TEST_P(LaggingAxis, TheEndOfAJogStopsItWhereItIs)
+{
+    begin({});
+    ASSERT_TRUE(bench->goTo(80.0, 10.0));
+    bench->run(Seconds(30.0));
+    bench->setPace({1.0 / 6.0, 1.0});
+    for (int i = 0; i < 50; ++i) {
+        ASSERT_TRUE(bench->control().request(request::Jog{{.azimuth = 6_deg_s}}, kOperator));
+        bench->run(Seconds(0.1));
+    }
+    ASSERT_TRUE(bench->control().request(request::Hold{}, kOperator));
+    bench->run(Seconds(4.0));
+    const AxisPosition held = bench->truth();
+    EXPECT_LT(held.azimuth, 92_deg);
+    bench->run(Seconds(20.0));
+    EXPECT_LT(abs(bench->truth().azimuth - held.azimuth), 1_deg);
+    EXPECT_FALSE(bench->control().faultLatched());
+}
+
+// A rotator that was stopped inside a keep-out comes out of it.
+TEST_P(LaggingAxis, LeavesAKeepOut)
+{
+    begin({});
+    ASSERT_TRUE(bench->goTo(108.0, 10.0));
+    bench->run(Seconds(40.0));
+    bench->setPace({1.0 / 6.0, 1.0});
+    m_profile.limits.keepOuts = {kMast};
+    bench->edit(m_profile);
+    bench->run(Seconds(2.0));
+    ASSERT_TRUE(bench->goTo(80.0, 10.0));
+    bench->run(Seconds(60.0));
+    bench->expectAt({80_deg, 10_deg}, {}, 1_deg);
+    EXPECT_FALSE(bench->control().faultLatched());
+}
+
+INSTANTIATE_TEST_SUITE_P(Boxes, LaggingAxis,
+                         testing::Values(LaggingKind{"Gs232", [] { return gs232::gs232Profile(); },
+                                                     [](const profile::Profile& profile) -> std::unique_ptr<Bench> {
+                                                         return std::make_unique<gs232::Gs232Bench>(profile);
+                                                     }},
+                                         LaggingKind{"Rotctld", [] { return rotctl::rotctldProfile(); },
+                                                     [](const profile::Profile& profile) -> std::unique_ptr<Bench> {
+                                                         return std::make_unique<rotctl::RotctldBench>(profile);
+                                                     }}),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+}  // namespace
+}  // namespace boresight
