@@ -71,7 +71,7 @@ void BoxConnection::send()
         m_line->write(QByteArray::fromStdString(bytes));
     }
     watchProof();
-    if (m_mount->wantsAnotherLine() && m_line->state() == BoxLine::State::Up) {
+    if (m_mount->talk().wantsAnotherLine() && m_line->state() == BoxLine::State::Up) {
         m_line->close();  // and open() comes again within a second
     }
 }

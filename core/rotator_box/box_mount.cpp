@@ -128,7 +128,7 @@ AxisReport BoxMount::report(Axis axis) const
 void BoxMount::lineOpened()
 {
     m_lineOpen = true;
-    if (!wantsAnotherLine()) {  // else the patience goes on
+    if (!talk().wantsAnotherLine()) {  // else the patience goes on
         m_opened.reset();
     }
     talk().restart();

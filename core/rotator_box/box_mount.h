@@ -39,8 +39,6 @@ public:
     [[nodiscard]] virtual QString kind() const = 0;
     // What a device that is none of these is not, in a sentence.
     [[nodiscard]] virtual QString kindInWords() const = 0;
-    // The line has to be opened anew: its answers do not fit the questions any more.
-    [[nodiscard]] virtual bool wantsAnotherLine() const { return false; }
 
     [[nodiscard]] Capabilities capabilities() const override { return m_capabilities; }
     [[nodiscard]] const QString& name(Axis axis) const override { return m_names[index(axis)]; }

@@ -47,6 +47,9 @@ public:
     // What is to be sent now. Once per tick.
     [[nodiscard]] virtual std::string send(SteadyTime now) = 0;
 
+    // The line has to be opened anew: its answers do not fit the questions any more, or none come.
+    [[nodiscard]] virtual bool wantsAnotherLine() const { return false; }
+
     [[nodiscard]] virtual Proof proof() const = 0;
     [[nodiscard]] virtual const Counts& counts() const = 0;
     // What came in place of an answer, as printable text.

@@ -130,9 +130,7 @@ bool ReplyReader::takeValue(std::string_view line)
     if (label == "Maximum Elevation" || label == "max_el") {
         return put(m_numbers.maxElevation, kPossibleElevation);
     }
-    if (label == "Rotor Model") {
-        m_numbers.model = smallInteger(value).value_or(0);
-    } else if (label == "rot_type") {
+    if (label == "rot_type") {
         m_numbers.type = typeOf(value);
     }
     return true;
@@ -163,7 +161,7 @@ ReplyReader::Progress ReplyReader::takePlainState(std::string_view line)
     constexpr int kLast = 6;
     if (m_lines <= 2) {
         const auto number = smallInteger(line);
-        (m_lines == 1 ? m_numbers.version : m_numbers.model) = number.value_or(0);
+        m_numbers.version = m_lines == 1 ? number.value_or(0) : m_numbers.version;
         return number ? Progress::More : Progress::Strange;
     }
     if (m_numbers.version >= 1 && line == "done") {
@@ -211,8 +209,7 @@ ReplyReader::Progress ReplyReader::end(int code)
     if (!all.minAzimuth || !all.maxAzimuth || !all.minElevation || !all.maxElevation) {
         return Progress::Strange;
     }
-    m_reply.state = RotatorState{.model = all.model,
-                                 .azimuth = {.min = *all.minAzimuth, .max = *all.maxAzimuth},
+    m_reply.state = RotatorState{.azimuth = {.min = *all.minAzimuth, .max = *all.maxAzimuth},
                                  .elevation = {.min = *all.minElevation, .max = *all.maxElevation},
                                  .type = all.type};
     return Progress::Whole;

@@ -30,7 +30,6 @@ enum class RotatorType
 
 struct RotatorState
 {
-    int model = 0;  // of Hamlib's list
     TravelRange azimuth;
     TravelRange elevation;
     RotatorType type = RotatorType::Unknown;
@@ -86,7 +85,6 @@ private:
         std::optional<Angle> azimuth;
         std::optional<Angle> elevation;
         int version = 0;
-        int model = 0;
         RotatorType type = RotatorType::Unknown;
     };
 

@@ -22,7 +22,6 @@ public:
     [[nodiscard]] const RotctldTalk& talk() const override { return m_talk; }
     [[nodiscard]] QString kind() const override { return QStringLiteral("rotctld"); }
     [[nodiscard]] QString kindInWords() const override;
-    [[nodiscard]] bool wantsAnotherLine() const override { return m_talk.wantsAnotherLine(); }
     [[nodiscard]] const Result<>& fitness() const override { return m_fitness; }
     void observe(SteadyTime now) override;
     [[nodiscard]] MountFindings supervise(const MountSituation& known) override;

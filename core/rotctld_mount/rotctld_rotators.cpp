@@ -12,7 +12,7 @@
 namespace boresight::rotctl {
 namespace {
 
-// What the checks of the profile have let through. A rotctld that we start ourselves will be another line here.
+// What the checks of the profile have let through.
 std::unique_ptr<BoxLine> lineOf(const profile::Profile& profile)
 {
     return std::make_unique<TcpBoxLine>(parseBusName(profile.bus).value_or(BusName{}));

@@ -46,8 +46,7 @@ public:
     [[nodiscard]] const std::string& strange() const override { return m_strange; }
     // Empty: not known, or this server does not tell.
     [[nodiscard]] const std::optional<RotatorState>& state() const { return m_state; }
-    // The answers do not fit the questions any more, or none come.
-    [[nodiscard]] bool wantsAnotherLine() const { return m_wantsLine; }
+    [[nodiscard]] bool wantsAnotherLine() const override { return m_wantsLine; }
     // Of the last question for the position; 0: it was answered.
     [[nodiscard]] int positionError() const { return m_positionError; }
     // Targets in a row that were refused, and the last error.

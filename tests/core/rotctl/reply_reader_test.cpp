@@ -44,8 +44,7 @@ std::optional<RotatorState> state(Form form, const std::string& text)
     return outcome.progress == Progress::Whole ? outcome.reply.state : std::nullopt;
 }
 
-const RotatorState kDummy{.model = 1,
-                          .azimuth = {.min = -180_deg, .max = 450_deg},
+const RotatorState kDummy{.azimuth = {.min = -180_deg, .max = 450_deg},
                           .elevation = {.min = 0_deg, .max = 90_deg},
                           .type = RotatorType::AzEl};
 
@@ -79,7 +78,6 @@ TEST(ReplyReader, ReadsTheLimitsOfAllAges)
     EXPECT_EQ(state(Form::Plain, both), kDummy);
     const std::string azimuthOnly = "1\n601\nmin_az=0.0\nmax_az=450.0\nmin_el=0.0\nmax_el=0.0\nrot_type=Az\ndone\n";
     EXPECT_EQ(state(Form::Plain, azimuthOnly)->type, RotatorType::Az);
-    EXPECT_EQ(state(Form::Plain, azimuthOnly)->model, 601);
 }
 
 // REQ-ROTCTL-05: An error of Hamlib is read in place of values, and of orders.

@@ -48,7 +48,7 @@ public:
         if (m_connected) {
             m_box.take(bytes, m_clock.now());
         }
-        if (m_mount.wantsAnotherLine()) {
+        if (m_mount.talk().wantsAnotherLine()) {
             ++m_reopened;
             m_box.reconnect();
             m_mount.lineClosed();
