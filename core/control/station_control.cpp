@@ -355,6 +355,11 @@ std::optional<AxisPosition> StationControl::streamGoal() const
     return !point || region().permits(*point) ? point : pointing::nearestPermitted(region(), *point);
 }
 
+bool StationControl::streamsFor(std::uint64_t clientId) const
+{
+    return m_current.is(Activity::Streaming) && m_current.isForClient(clientId);
+}
+
 void StationControl::tick()
 {
     const SteadyTime now = m_clock.now();

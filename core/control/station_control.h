@@ -130,6 +130,8 @@ public:
     [[nodiscard]] std::optional<AxisPosition> trimInUse() const;
     // Where the last point of the stream sends the axes: there, or to the nearest permitted place.
     [[nodiscard]] std::optional<AxisPosition> streamGoal() const;
+    // The mount follows the stream of this client, or stays at its last point.
+    [[nodiscard]] bool streamsFor(std::uint64_t clientId) const;
     // What the operator adds to whatever is followed.
     [[nodiscard]] const AxisPosition& trim() const { return m_motion.trim(); }
     // Both axes are this near to where they are sent.

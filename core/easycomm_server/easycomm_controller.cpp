@@ -13,9 +13,8 @@ constexpr int kSpeedOfTheLevel = -1;
 
 }  // namespace
 
-EasycommController::EasycommController(rotctld::Client client, rotctld::Rotator& rotator, const Clock& clock,
-                                       Version version)
-    : m_client(std::move(client)), m_rotator(rotator), m_version(version), m_held(rotator, clock)
+EasycommController::EasycommController(rotctld::Client client, rotctld::Rotator& rotator, Version version)
+    : m_client(std::move(client)), m_rotator(rotator), m_version(version), m_held(rotator)
 {}
 
 rotctld::LineOutcome EasycommController::obey(std::string_view line)
@@ -24,6 +23,9 @@ rotctld::LineOutcome EasycommController::obey(std::string_view line)
     const auto commands = parseLine(line, m_version);
     if (!commands) {
         outcome.result = tl::unexpected(commands.error());
+        if (hasStop(line)) {  // it counts, whatever else the line has
+            (void)carryOut(StopTurning{}, outcome);
+        }
         outcome.reply = m_version == Version::One ? std::string() : alarmOf(commands.error()).append(kLineEnd);
         return outcome;
     }
@@ -109,6 +111,10 @@ Result<SkyPointing> EasycommController::placeOf(const Target& target)
 Result<std::string> EasycommController::carryOut(const Turn& turn, rotctld::LineOutcome& outcome)
 {
     outcome.motion = true;
+    if (turn.rate == AngularRate{}) {  // of a program that turns by rates, and turns nothing
+        return std::exchange(m_turns, false) ? done(m_rotator.stop(m_client)) : std::string();
+    }
+    m_turns = true;
     if (!turn.rate) {
         return done(m_rotator.move(m_client, turn.direction, kSpeedOfTheLevel));
     }
@@ -119,6 +125,7 @@ Result<std::string> EasycommController::carryOut(const Turn& turn, rotctld::Line
 
 Result<std::string> EasycommController::carryOut(const StopTurning&, rotctld::LineOutcome& /*outcome*/)
 {
+    m_turns = false;
     return done(m_rotator.stop(m_client));
 }
 
@@ -155,7 +162,7 @@ Result<std::string> EasycommController::carryOut(const NotForARotator&, rotctld:
 rotctld::StartConversation talkEasycomm(rotctld::Rotator& rotator, const Clock& clock, Version version)
 {
     return [&rotator, &clock, version](rotctld::Client client) -> std::unique_ptr<rotctld::Conversation> {
-        auto controller = std::make_unique<EasycommController>(client, rotator, clock, version);
+        auto controller = std::make_unique<EasycommController>(client, rotator, version);
         return std::make_unique<rotctld::LineSession>(std::move(client), std::move(controller), rotator, clock);
     };
 }

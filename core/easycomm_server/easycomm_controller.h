@@ -16,8 +16,8 @@ namespace boresight::easycomm {
 class EasycommController final : public rotctld::LineProtocol
 {
 public:
-    // Rotator and clock outlive this.
-    EasycommController(rotctld::Client client, rotctld::Rotator& rotator, const Clock& clock, Version version);
+    // The rotator outlives this.
+    EasycommController(rotctld::Client client, rotctld::Rotator& rotator, Version version);
 
     [[nodiscard]] rotctld::LineOutcome obey(std::string_view line) override;
 
@@ -39,6 +39,7 @@ private:
     rotctld::Rotator& m_rotator;
     Version m_version;
     rotctld::HeldTarget m_held;
+    bool m_turns = false;                 // at a rate, since this client asked for it
     std::optional<ErrorCode> m_reported;  // the alarm of the last command, while none is accepted
 };
 

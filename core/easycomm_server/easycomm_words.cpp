@@ -117,7 +117,7 @@ Result<Command> parseAngle(std::string_view word)
     return Command(Target{.azimuth = {}, .elevation = angle});
 }
 
-// "VL0500" is half a degree each second. No rate at all is a stop.
+// "VL0500" is half a degree each second.
 Result<Command> parseVelocity(std::string_view word, MoveDirection direction)
 {
     constexpr std::size_t kMostDigits = 6;
@@ -129,9 +129,6 @@ Result<Command> parseVelocity(std::string_view word, MoveDirection direction)
     }
     if (!value) {
         return unknown(word);
-    }
-    if (*value == 0) {
-        return Command(StopTurning{});
     }
     const Angle each = Angle::fromDegrees(static_cast<double>(*value) / kMillidegrees);
     return Command(Turn{.direction = direction, .rate = each / Seconds(1.0)});
@@ -151,7 +148,8 @@ Result<Command> parseWord(std::string_view word, Version version)
     if (velocity != kVelocities.end() && version == Version::Three) {
         return parseVelocity(word, velocity->direction);
     }
-    if (found == kWords.end() && std::ranges::find(kNotForARotator, letters) != kNotForARotator.end()) {
+    const bool hasValue = word.size() == 2 || std::isdigit(static_cast<unsigned char>(word[2])) != 0;
+    if (found == kWords.end() && hasValue && std::ranges::find(kNotForARotator, letters) != kNotForARotator.end()) {
         return Command(NotForARotator{});
     }
     if (std::ranges::find(kNotOffered, letters) != kNotOffered.end()) {
@@ -187,6 +185,13 @@ bool moves(const Command& command)
 }
 
 }  // namespace
+
+bool hasStop(std::string_view line)
+{
+    const std::string text = upper(line);
+    return std::ranges::any_of(wordsOf(text),
+                               [](std::string_view word) { return word == "SA" || word == "SE" || word == "STOP"; });
+}
 
 Result<std::vector<Command>> parseLine(std::string_view line, Version version)
 {

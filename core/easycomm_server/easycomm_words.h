@@ -39,7 +39,7 @@ struct Target  // one of the two at least; what is empty stays
 struct Turn  // until a stop
 {
     rotctld::MoveDirection direction = rotctld::MoveDirection::Up;
-    std::optional<AngularRate> rate = {};  // above zero; empty: the program sets none
+    std::optional<AngularRate> rate = {};  // empty: the program sets none. Zero ends the turning
 };
 
 struct StopTurning  // of either axis or both
@@ -56,6 +56,8 @@ struct NotForARotator  // for the radio, the clock, the outputs of a controller
 
 using Command = std::variant<Ask, Target, Turn, StopTurning, Park, Reset, NotForARotator>;
 
+// One of its words is a stop.
+[[nodiscard]] bool hasStop(std::string_view line);
 // The commands of one line without its end, in upper or lower case. A line is obeyed wholly or not at all.
 // InvalidInput: a word is no command of this version, or the line asks for two motions. OutOfRange: an angle that no
 // mount has. NotAvailable: registers and inputs of a real controller.

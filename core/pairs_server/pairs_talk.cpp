@@ -8,8 +8,8 @@
 
 namespace boresight::pairs {
 
-PairsTalk::PairsTalk(rotctld::Client client, rotctld::Rotator& rotator, const Clock& clock, SiteNow site)
-    : m_client(std::move(client)), m_rotator(rotator), m_site(std::move(site)), m_held(rotator, clock)
+PairsTalk::PairsTalk(rotctld::Client client, rotctld::Rotator& rotator, SiteNow site)
+    : m_client(std::move(client)), m_rotator(rotator), m_site(std::move(site)), m_held(rotator)
 {}
 
 rotctld::LineOutcome PairsTalk::obey(std::string_view line)
@@ -18,6 +18,9 @@ rotctld::LineOutcome PairsTalk::obey(std::string_view line)
     if (const auto command = parseLine(line)) {
         std::visit([&](const auto& wanted) { carryOut(wanted, outcome); }, *command);
     } else {
+        if (endsInStop(line)) {  // it counts, whatever stands before it
+            carryOut(Stop{}, outcome);
+        }
         outcome.result = tl::unexpected(command.error());
     }
     if (!outcome.result) {
@@ -57,7 +60,9 @@ void PairsTalk::carryOut(const Place& place, rotctld::LineOutcome& outcome)
 // From the target, so that several steps one after the other add up.
 void PairsTalk::carryOut(const MoveBy& move, rotctld::LineOutcome& outcome)
 {
-    point(m_held.place(m_client).and_then([&](const SkyPointing& held) { return movedBy(held, move); }), outcome);
+    point(m_held.place(m_client).and_then(
+              [&](const SkyPointing& held) { return movedBy(held, move, m_rotator.limits()); }),
+          outcome);
 }
 
 void PairsTalk::carryOut(const Bearing& bearing, rotctld::LineOutcome& outcome)
@@ -98,7 +103,7 @@ rotctld::StartConversation talkPairs(rotctld::Rotator& rotator, const Clock& clo
 {
     return
         [&rotator, &clock, site = std::move(site)](rotctld::Client client) -> std::unique_ptr<rotctld::Conversation> {
-            auto talk = std::make_unique<PairsTalk>(client, rotator, clock, site);
+            auto talk = std::make_unique<PairsTalk>(client, rotator, site);
             return std::make_unique<rotctld::LineSession>(std::move(client), std::move(talk), rotator, clock);
         };
 }

@@ -19,8 +19,8 @@ using SiteNow = std::function<std::optional<Site>()>;
 class PairsTalk final : public rotctld::LineProtocol
 {
 public:
-    // Rotator and clock outlive this.
-    PairsTalk(rotctld::Client client, rotctld::Rotator& rotator, const Clock& clock, SiteNow site);
+    // The rotator outlives this.
+    PairsTalk(rotctld::Client client, rotctld::Rotator& rotator, SiteNow site);
 
     [[nodiscard]] rotctld::LineOutcome obey(std::string_view line) override;
 

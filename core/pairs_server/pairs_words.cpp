@@ -54,6 +54,12 @@ std::optional<Angle> angleIn(const std::string& word)
     return degrees ? std::optional(Angle::fromDegrees(*degrees)) : std::nullopt;
 }
 
+// With a sign. "0" needs none.
+bool isStep(const std::string& word)
+{
+    return word.front() == '+' || word.front() == '-' || angleIn(word) == Angle{};
+}
+
 Result<> inReach(const SkyPointing& place)
 {
     constexpr Angle kMostAzimuth = Angle::fromDegrees(3600.0);
@@ -77,6 +83,9 @@ Result<Command> parseNumbers(const std::vector<std::string>& words, std::string_
     }
     const bool both = words.size() == 2;
     if (line.find('+') != std::string_view::npos) {
+        if (!isStep(words.front()) || !isStep(words.back())) {
+            return unknown(line);  // an angle and a step
+        }
         return Command(MoveBy{.azimuth = both ? *first : Angle{}, .elevation = *last});
     }
     return inReach({.azimuth = both ? *first : Angle{}, .elevation = *last}).map([&] {
@@ -100,6 +109,12 @@ Result<Command> parseBearing(const std::vector<std::string>& words, std::string_
 
 }  // namespace
 
+bool endsInStop(std::string_view line)
+{
+    const std::vector<std::string> words = wordsOf(line);
+    return !words.empty() && lowered(words.back()) == "stop";
+}
+
 Result<Command> parseLine(std::string_view line)
 {
     const std::vector<std::string> words = wordsOf(line);
@@ -119,10 +134,16 @@ Result<Command> parseLine(std::string_view line)
     return words.empty() ? unknown(line) : parseNumbers(words, line);
 }
 
-Result<SkyPointing> movedBy(const SkyPointing& from, const MoveBy& move)
+// A step never leads another way round: what is beyond a limit is refused.
+Result<SkyPointing> movedBy(const SkyPointing& from, const MoveBy& move, const rotctld::Limits& limits)
 {
-    const SkyPointing to{.azimuth = from.azimuth + move.azimuth, .elevation = from.elevation + move.elevation};
-    return inReach(to).map([&] { return to; });
+    const SkyPointing to{.azimuth = limits.turned(from.azimuth + move.azimuth),
+                         .elevation = from.elevation + move.elevation};
+    if (limits.nearest(to) != to) {
+        return failure(ErrorCode::OutOfRange, Text::tr("The step leads to %1 / %2. That is outside the limits.")
+                                                  .arg(degreesText(to.azimuth, 1), degreesText(to.elevation, 1)));
+    }
+    return to;
 }
 
 std::string doneAs(const QString& became)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/rotctld/rotator.h"
 #include "core/targets/target.h"
 #include "core/units/sky.h"
 
@@ -49,8 +50,10 @@ using Command = std::variant<Report, Stop, Park, Place, MoveBy, Bearing>;
 
 // One line without its end. InvalidInput: it is no command. OutOfRange: an angle that no mount has.
 [[nodiscard]] Result<Command> parseLine(std::string_view line);
-// Where the mount would go. OutOfRange: no mount goes there.
-[[nodiscard]] Result<SkyPointing> movedBy(const SkyPointing& from, const MoveBy& move);
+// Also where the line is no command.
+[[nodiscard]] bool endsInStop(std::string_view line);
+// Where the mount would go. OutOfRange: that is beyond these limits.
+[[nodiscard]] Result<SkyPointing> movedBy(const SkyPointing& from, const MoveBy& move, const rotctld::Limits& limits);
 
 inline constexpr std::string_view kDone = "OK\n";
 

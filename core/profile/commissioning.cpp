@@ -106,12 +106,25 @@ bool isOfControllers(const std::string& bus)
     return name && (name->kind == BusKind::SocketCan || name->kind == BusKind::Fdcanusb);
 }
 
+// What was found at the mount before is not true of another one.
+void forgetTheMount(Profile& profile)
+{
+    std::vector<std::string> found = changedKeys(profile, Profile{});
+    std::erase_if(found, [](const std::string& key) { return !isOfOneMount(key) || key == "bus.name"; });
+    takeOver(profile, Profile{}, found);
+    profile.mount.directions = Directions::Unconfirmed;
+}
+
+// The travel was that of the rotator. Its speeds stay: nothing gets faster by this.
 void leaveRotator(Profile& profile)
 {
-    for (AxisSettings* const axis : {&profile.azimuth, &profile.elevation}) {
-        if (kindOf(axis->driver).countsItself) {
-            axis->driver = AxisDriver::Moteus;
-            profile.mount.directions = Directions::Unconfirmed;
+    for (const Axis axis : kAxes) {
+        if (kindOf(profile.axis(axis).driver).countsItself) {
+            AxisSettings& mine = settingsOf(profile, axis);
+            const AxisSettings usual = Profile().axis(axis);
+            mine.driver = AxisDriver::Moteus;
+            setTravel(profile, axis, usual.geometry.travel);
+            forgetTheMount(profile);
         }
     }
 }
@@ -128,7 +141,7 @@ void becomeRotator(Profile& profile, Axis axis, AxisDriver driver)
                    .acceleration = AngularAcceleration::fromDegrees(3.0),
                    .jerk = AngularJerk::fromDegrees(6.0)};
     setTravel(profile, axis, {.min = 0_deg, .max = azimuth ? 360_deg : 90_deg});
-    profile.mount.directions = Directions::Unconfirmed;
+    forgetTheMount(profile);
 }
 
 }  // namespace
@@ -148,7 +161,13 @@ void useRotator(Profile& profile, const RotatorLine& line)
 {
     for (const Axis axis : kAxes) {
         const AxisDriver driver = profile.axis(axis).driver;
-        if (driver != line.driver && driver != AxisDriver::None) {
+        if (driver == line.driver || driver == AxisDriver::None) {
+            continue;
+        }
+        if (kindOf(driver).countsItself) {  // the same rotator, reached in another way
+            settingsOf(profile, axis).driver = line.driver;
+            profile.mount.directions = Directions::Unconfirmed;
+        } else {
             becomeRotator(profile, axis, line.driver);
         }
     }
@@ -180,13 +199,22 @@ bool isOfOneMount(const std::string& key)
            std::ranges::find(kKeys, key) != kKeys.end();
 }
 
+bool losesAMount(const Profile& profile, AxisDriver driver)
+{
+    return std::ranges::any_of(kAxes, [&](Axis axis) {
+        const AxisSettings& mine = profile.axis(axis);
+        const pointing::AxisGeometry usual = Profile().axis(axis).geometry;
+        const bool becomes =
+            mine.driver != driver && mine.driver != AxisDriver::None && !kindOf(mine.driver).countsItself;
+        return becomes && (mine.geometry.offset != usual.offset || mine.geometry.sign != usual.sign ||
+                           mine.geometry.travel != usual.travel || profile.pointing != Profile().pointing);
+    });
+}
+
 Profile forRealMount(Profile profile)
 {
-    std::vector<std::string> found = changedKeys(profile, Profile{});
-    std::erase_if(found, [](const std::string& key) { return !isOfOneMount(key) || key == "bus.name"; });
-    takeOver(profile, Profile{}, found);
+    forgetTheMount(profile);
     leaveSimulatedSensor(profile);
-    profile.mount.directions = Directions::Unconfirmed;
     return profile;
 }
 

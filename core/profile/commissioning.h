@@ -25,9 +25,13 @@ struct RotatorLine
     int baud = 9600;  // of a serial port
 };
 
-// The mount is a rotator that runs to its targets by itself. An axis that another driver turned gets the travel and the
-// speed of a usual rotator, and counts as its box does. A missing axis stays missing.
+// The mount is a rotator that runs to its targets by itself. An axis that controllers turned gets the travel and the
+// speed of a usual rotator, and counts as its box does. What belonged to the mount before is forgotten. A rotator that
+// is reached in another way keeps all but that. A missing axis stays missing.
 void useRotator(Profile& profile, const RotatorLine& line);
+
+// useRotator() would forget what was found or typed for a mount with controllers: its zeros, travel or north.
+[[nodiscard]] bool losesAMount(const Profile& profile, AxisDriver driver);
 
 // bus.name is "simulated", as in a profile without that key. There is no real mount to be reached, so the simulated one
 // runs in its place.

@@ -51,8 +51,9 @@ struct Limits
     // A program counts 0…360° or 0…450°, the mount perhaps -180…180°.
     [[nodiscard]] Angle turned(Angle azimuth) const
     {
-        const Angle other = azimuth - 360_deg;
-        return azimuth > maxAzimuth && other >= minAzimuth ? other : azimuth;
+        const Angle other = azimuth > maxAzimuth ? azimuth - 360_deg : azimuth + 360_deg;
+        const bool isOutside = azimuth > maxAzimuth || azimuth < minAzimuth;
+        return isOutside && other >= minAzimuth && other <= maxAzimuth ? other : azimuth;
     }
     // Of a measured place: its noise is no place to go to.
     [[nodiscard]] SkyPointing nearest(const SkyPointing& place) const
@@ -86,6 +87,8 @@ public:
     // tracking client that reads and then sends no point is content with where the mount points.
     [[nodiscard]] virtual Result<SkyPointing> position(const Client& client) = 0;
     [[nodiscard]] virtual MotionFlags motion() const = 0;
+    // The mount goes to the last target of this client, or stays there. False: it was moved or stopped since.
+    [[nodiscard]] virtual bool follows(const Client& client) const = 0;
 
     // Accepted: what became of the target, in words, where that is not what the client wrote. Else empty.
     virtual Result<QString> pointTo(const Client& client, const PointRequest& request) = 0;

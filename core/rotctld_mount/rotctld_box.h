@@ -96,6 +96,7 @@ private:
     [[nodiscard]] rotctld::Limits limits() const override { return kLimits; }
     [[nodiscard]] Result<SkyPointing> position(const rotctld::Client& client) override;
     [[nodiscard]] rotctld::MotionFlags motion() const override;
+    [[nodiscard]] bool follows(const rotctld::Client& /*client*/) const override { return true; }
     Result<QString> pointTo(const rotctld::Client& client, const rotctld::PointRequest& request) override;
     Result<> move(const rotctld::Client& client, rotctld::MoveDirection direction, int speed) override;
     Result<QString> moveAt(const rotctld::Client& client, rotctld::MoveDirection direction,

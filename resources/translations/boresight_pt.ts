@@ -9602,6 +9602,10 @@ até %1</translation>
         <source>turns at %1°/s, the fastest jog rate</source>
         <translation>roda a %1°/s, a velocidade manual mais rápida</translation>
     </message>
+    <message>
+        <source>The step leads to %1 / %2. That is outside the limits.</source>
+        <translation>O passo leva a %1 / %2. Isso fica fora dos limites.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -11823,6 +11827,10 @@ O Boresight define o id. Verifica se responde a mesma placa. Volta a ler o id e 
     <message>
         <source>This rotator is already connected.</source>
         <translation>Este rotor já está ligado.</translation>
+    </message>
+    <message>
+        <source>These settings are in force. Press Reconnect to try again (tab Mount, Profile).</source>
+        <translation>Estas definições estão em vigor. Carregue em Reconectar para tentar outra vez (separador Montagem, Perfil).</translation>
     </message>
 </context>
 <context>
@@ -15711,6 +15719,10 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
     <message>
         <source>It must not move yet: %1</source>
         <translation>Ainda não se pode mover: %1</translation>
+    </message>
+    <message>
+        <source>Connect replaces the zeros, the travel and north in the profile of this mount. To keep them, duplicate the mount first (tab Mount, Profile).</source>
+        <translation>Ligar substitui os zeros, o curso e o norte no perfil desta montagem. Para os guardar, duplique primeiro a montagem (separador Montagem, Perfil).</translation>
     </message>
 </context>
 <context>

@@ -38,14 +38,19 @@ public:
                 .movingDown = elevation < 0.0_deg};
     }
 
-    Result<QString> pointTo(const rotctld::Client& /*client*/, const rotctld::PointRequest& request) override
+    [[nodiscard]] bool follows(const rotctld::Client& client) const override { return m_followed == client.id; }
+
+    Result<QString> pointTo(const rotctld::Client& client, const rotctld::PointRequest& request) override
     {
         lastRequest = request;
         if (request.azimuth < m_limits.minAzimuth || request.azimuth > m_limits.maxAzimuth ||
             request.elevation < m_limits.minElevation || request.elevation > m_limits.maxElevation) {
             return failure(ErrorCode::OutOfRange, QStringLiteral("outside the limits"));
         }
-        return drive(request.azimuth, request.elevation).map([this] { return became; });
+        return drive(request.azimuth, request.elevation).map([&] {
+            m_followed = client.id;
+            return became;
+        });
     }
     Result<> move(const rotctld::Client& client, rotctld::MoveDirection direction, int speed) override
     {
@@ -127,6 +132,7 @@ private:
     Result<> drive(Angle azimuth, Angle elevation)
     {
         ++actions;
+        m_followed = 0;
         if (!fault) {
             const SteadyTime now = m_clock.now();
             m_azimuth = {.start = m_azimuth.at(now), .target = azimuth, .since = now};
@@ -141,6 +147,7 @@ private:
     Axis m_azimuth;
     Axis m_elevation;
     int m_speedLevel = 0;
+    std::uint64_t m_followed = 0;  // the client whose target this is
 };
 
 }  // namespace boresight::fakes

@@ -149,9 +149,11 @@ void GuideConnect::showEvent(QShowEvent* event)
 
 void GuideConnect::showAdapters(const std::vector<Adapter>& adapters)
 {
-    // The bus of the command line comes with the first status, which may come after the first list.
+    // The bus of the command line comes with the first status, which may come after the first list. A rotator that is
+    // in use is in none of the lists.
     const bool isListed = std::ranges::find(m_adapters, busInUse(), &Adapter::bus) != m_adapters.end();
-    const QString selected = isListed ? selectedBus() : busInUse();
+    const bool isChosen = !m_adapters.empty() && !m_status.drives;
+    const QString selected = isListed || isChosen ? selectedBus() : busInUse();
     m_choice->showAdapters(adapters);
     m_adapters.clear();
     std::ranges::copy_if(adapters, std::back_inserter(m_adapters), &Adapter::hasDrives);
@@ -227,11 +229,21 @@ void GuideConnect::showButtons()
                                                : QString());
     const auto take = useSelected();
     m_use->setBlocked(!none.isEmpty()            ? none
-                      : m_change.isAlready(take) ? (listed ? tr("The mount is already connected by this adapter.")
-                                                           : tr("This rotator is already connected."))
+                      : m_change.isAlready(take) ? whyAlready()
                                                  : m_change.whyNot(m_status, take));
     showFound();
     showBoards();
+}
+
+// Nothing is left to apply.
+QString GuideConnect::whyAlready() const
+{
+    if (m_choice->isListed()) {
+        return tr("The mount is already connected by this adapter.");
+    }
+    return m_status.state == StationState::Disconnected
+               ? tr("These settings are in force. Press Reconnect to try again (tab Mount, Profile).")
+               : tr("This rotator is already connected.");
 }
 
 void GuideConnect::showBoards()

@@ -46,6 +46,7 @@ private:
     void scan();
     void use();
     void showFound();
+    [[nodiscard]] QString whyAlready() const;
     void showBoards();
     [[nodiscard]] QString selectedBus() const;
     [[nodiscard]] QString busInUse() const;

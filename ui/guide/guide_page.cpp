@@ -34,12 +34,16 @@ auto placeOf(GuideStep step)
     return std::ranges::find(kGuideSteps, step);
 }
 
-// Whose progress it is. The simulated mount and a real one share the profile, and what was seen of the one says nothing
-// of the other.
+// Whose progress it is. The simulated mount and a real one share the profile, and so does a rotator of another kind.
+// What was seen of the one says nothing of the other.
 QString mountOf(const StationStatus& status)
 {
-    const QString name = QString::fromStdString(status.profile->mount.name);
-    return status.simulated ? name + QStringLiteral(" (simulated)") : name;
+    QString mount = QString::fromStdString(status.profile->mount.name);
+    if (profile::kindOf(status.profile->azimuth.driver).countsItself ||
+        profile::kindOf(status.profile->elevation.driver).countsItself) {
+        mount += QStringLiteral(" (rotator)");
+    }
+    return status.simulated ? mount + QStringLiteral(" (simulated)") : mount;
 }
 
 // Steps whose page moves the mount by hand.

@@ -93,6 +93,7 @@ void RotatorChoice::build()
     m_kinds->setCurrentIndex(0);
     m_kinds->setVisible(m_offers.size() > 1);
     m_place->setEditable(true);
+    m_place->setCompleter(nullptr);  // what is typed stays as it is
     m_place->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     QStringList speeds;
     for (const int speed : kSpeeds) {
@@ -215,8 +216,16 @@ QStringList RotatorChoice::words(const QString& obstacle) const
     if (isInUse()) {
         return wordsInUse();
     }
-    const bool isEntered = !obstacle.isEmpty() && !m_place->currentText().isEmpty();
-    return isEntered ? QStringList{sentence(obstacle)} + offer().promise : offer().promise;
+    QStringList lines = offer().promise;
+    if (profile::losesAMount(*m_status.profile, offer().driver)) {
+        lines.prepend(
+            tr("Connect replaces the zeros, the travel and north in the profile of this mount. To keep them, "
+               "duplicate the mount first (tab Mount, Profile)."));
+    }
+    if (!obstacle.isEmpty() && !m_place->currentText().isEmpty()) {
+        lines.prepend(sentence(obstacle));
+    }
+    return lines;
 }
 
 QStringList RotatorChoice::wordsInUse() const

@@ -199,9 +199,11 @@ QWidget* MainWindow::makeSide(QWidget& ground)
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setWidget(m_side);
     scroll->setMinimumWidth(m_side->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
-    // A control that gets the focus comes into sight. Under a pressed button of the mouse nothing moves.
-    connect(qApp, &QApplication::focusChanged, scroll, [scroll](QWidget*, QWidget* now) {
-        if (now != nullptr && scroll->widget()->isAncestorOf(now) && QGuiApplication::mouseButtons() == Qt::NoButton) {
+    // A control that gets the focus from another one comes into sight. Nothing moves under a pressed button of the
+    // mouse, when the window is used again, or when a blocked button gives its focus to its page.
+    connect(qApp, &QApplication::focusChanged, scroll, [scroll](const QWidget* before, QWidget* now) {
+        const bool isControl = before != nullptr && now != nullptr && now->focusPolicy() != Qt::NoFocus;
+        if (isControl && scroll->widget()->isAncestorOf(now) && QGuiApplication::mouseButtons() == Qt::NoButton) {
             scroll->ensureWidgetVisible(now, 0, kGrid);
         }
     });

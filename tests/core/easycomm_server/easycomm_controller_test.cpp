@@ -112,7 +112,11 @@ TEST_F(EasycommOnALine, OneAxisAloneLeavesTheOtherWhereItStands)
     static_cast<void>(say("SA SE\nAZ90.0\n"));
     EXPECT_EQ(rotator.lastRequest->elevation, 12_deg) << "it was stopped there";
     clock.advance(30s);
-    // Somebody else has moved it since.
+    // Somebody else has moved it since, also while it still moves.
+    static_cast<void>(rotator.pointTo({.id = 3, .address = {}}, {.azimuth = 10_deg, .elevation = 80_deg}));
+    clock.advance(2s);
+    static_cast<void>(say("AZ30.0\n"));
+    EXPECT_EQ(rotator.lastRequest->elevation, 24_deg);
     static_cast<void>(rotator.pointTo({.id = 3, .address = {}}, {.azimuth = 10_deg, .elevation = 70_deg}));
     clock.advance(60s);
     static_cast<void>(say("AZ20.0\n"));
@@ -127,10 +131,10 @@ TEST_F(EasycommOnALine, OneAxisAloneLeavesTheOtherWhereItStands)
 
 TEST_F(EasycommOnALine, EachStopStops)
 {
-    for (const char* const stop : {"SA SE \n", "SA\n", "SE\n", "STOP\n", "se\r", "VL0000\n"}) {
+    for (const char* const stop : {"SA SE \n", "SA\n", "SE\n", "STOP\n", "se\r", "AZ12SA SE\n", "AZ10 45 STOP\n"}) {
         static_cast<void>(say("AZ400 EL90\n"));
         clock.advance(1s);
-        EXPECT_EQ(say(stop), "");
+        static_cast<void>(say(stop));
         const std::string stopped = place();
         clock.advance(10s);
         EXPECT_EQ(place(), stopped) << stop;
@@ -148,6 +152,18 @@ TEST_F(EasycommOnALine, TurnsUntilAStop)
     EXPECT_NEAR(rotator.lastRate->degrees(), 1.25, 1e-9);
     EXPECT_EQ(say("SA\n"), "");
     EXPECT_EQ(rotator.mover, 0U);
+}
+
+// A program that sends a rate in each cycle stops nothing but what it turns by rates.
+TEST_F(EasycommOnALine, ARateOfZeroEndsItsOwnTurning)
+{
+    EXPECT_EQ(say("VU1250\n"), "");
+    EXPECT_EQ(say("VU0000\n"), "");
+    EXPECT_EQ(rotator.mover, 0U);
+    static_cast<void>(rotator.pointTo({.id = 3, .address = {}}, {.azimuth = 60_deg, .elevation = 30_deg}));
+    const int before = rotator.actions;
+    EXPECT_EQ(say("VL0000\nVU0000\n"), "");
+    EXPECT_EQ(rotator.actions, before) << "another client has the mount";
 }
 
 TEST_F(EasycommOnALine, ReportsItsVersionAndState)

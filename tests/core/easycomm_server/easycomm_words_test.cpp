@@ -90,7 +90,9 @@ TEST(EasycommWords, TheyTurnStopAndPark)
     const auto stops = parseLine("SA SE ", Version::One);
     ASSERT_TRUE(stops);
     EXPECT_EQ(stops->size(), 2U);
-    EXPECT_TRUE(parsed<StopTurning>("VL0000", Version::Three)) << "turning at no rate";
+    const auto still = parsed<Turn>("VL0000", Version::Three);
+    ASSERT_TRUE(still && still->rate);
+    EXPECT_EQ(*still->rate, AngularRate{});
     EXPECT_TRUE(parsed<Park>("PARK"));
     EXPECT_TRUE(parsed<Reset>("RESET"));
 }

@@ -78,8 +78,13 @@ TEST_F(PairsOnALine, StopsOnItsWay)
     EXPECT_EQ(say("stop\n"), "OK\n");
     clock.advance(10s);
     EXPECT_EQ(say("?\n"), "6.0 6.0\n");
+    static_cast<void>(say("400 90\n"));
+    clock.advance(1s);
+    EXPECT_TRUE(say("10 stop\n").starts_with("error: ")) << "what was meant is not clear, but that it stops";
+    clock.advance(10s);
+    EXPECT_EQ(say("?\n"), "12.0 12.0\n");
     EXPECT_EQ(say("+0 +4\n"), "OK\n");
-    EXPECT_NEAR(rotator.lastRequest->elevation.degrees(), 10.0, 1e-9) << "from where it was stopped";
+    EXPECT_NEAR(rotator.lastRequest->elevation.degrees(), 16.0, 1e-9) << "from where it was stopped";
 }
 
 // REQ-PAIRSSERVER-04: `bearing LOCATOR` points along the short path to a locator at the horizon, `bearing LOCATOR long`

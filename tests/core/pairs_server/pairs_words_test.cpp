@@ -43,6 +43,8 @@ TEST(PairsWords, OneNumberIsAnElevationAndTwoAreAPlace)
     EXPECT_EQ(*west->azimuth, -90_deg);
 }
 
+const rotctld::Limits kAll{.minAzimuth = 0_deg, .maxAzimuth = 360_deg, .minElevation = 0_deg, .maxElevation = 90_deg};
+
 TEST(PairsWords, APlusSignIsAMove)
 {
     for (const auto& [line, azimuth, elevation] :
@@ -53,12 +55,19 @@ TEST(PairsWords, APlusSignIsAMove)
         EXPECT_NEAR(move->azimuth.degrees(), azimuth, 1e-9) << line;
         EXPECT_NEAR(move->elevation.degrees(), elevation, 1e-9) << line;
     }
-    const auto moved = movedBy({.azimuth = 10_deg, .elevation = 20_deg}, {.azimuth = 5_deg, .elevation = -3_deg});
+    const auto moved = movedBy({.azimuth = 10_deg, .elevation = 20_deg}, {.azimuth = 5_deg, .elevation = -3_deg}, kAll);
     ASSERT_TRUE(moved);
     EXPECT_NEAR(moved->azimuth.degrees(), 15.0, 1e-9);
     EXPECT_NEAR(moved->elevation.degrees(), 17.0, 1e-9);
-    EXPECT_EQ(movedBy({.azimuth = 10_deg, .elevation = 170_deg}, {.azimuth = 0_deg, .elevation = 11_deg}).error().code,
-              ErrorCode::OutOfRange);
+    const auto across =
+        movedBy({.azimuth = 350_deg, .elevation = 20_deg}, {.azimuth = 20_deg, .elevation = 0_deg}, kAll);
+    ASSERT_TRUE(across);
+    EXPECT_EQ(across->azimuth, 10_deg) << "across north";
+    EXPECT_EQ(movedBy({.azimuth = 5_deg, .elevation = 20_deg}, {.azimuth = -10_deg, .elevation = 0_deg}, kAll)->azimuth,
+              355_deg);
+    const auto above = movedBy({.azimuth = 10_deg, .elevation = 89_deg}, {.azimuth = 0_deg, .elevation = 2_deg}, kAll);
+    ASSERT_FALSE(above) << "and not over the top";
+    EXPECT_EQ(above.error().code, ErrorCode::OutOfRange);
 }
 
 TEST(PairsWords, ABearingGoesToALocator)
@@ -90,9 +99,9 @@ TEST(PairsWords, TheRestIsStopParkAndAQuestion)
 TEST(PairsWords, NothingElseIsACommand)
 {
     for (const char* const line :
-         {" ",        "10 20 30", "10,5 20",        "1e2 10", "0x10 5",  "nan 10", "inf",      "10 north",
-          "stop now", "? ?",      "++5 0",          "+",      "-",       "5+ 0",   "AZ10 EL5", "P 10 20",
-          "p",        "W123 045", "GET / HTTP/1.1", "\x80",   "1 0\x01", "parked", "\xd9\xa1"}) {
+         {" ",        "10 20 30", "10,5 20",  "1e2 10",         "0x10 5", "nan 10",  "inf",    "10 north",
+          "stop now", "? ?",      "120 +5",   "++5 0",          "+",      "-",       "5+ 0",   "AZ10 EL5",
+          "P 10 20",  "p",        "W123 045", "GET / HTTP/1.1", "\x80",   "1 0\x01", "parked", "\xd9\xa1"}) {
         EXPECT_EQ(refused(line), ErrorCode::InvalidInput) << line;
     }
     for (const char* const line : {"3601 0", "-3601 0", "10 180.1", "-91", "99999999999999"}) {

@@ -48,8 +48,12 @@ TEST(Commissioning, ARotatorIsTakenInOneAct)
     Profile profile;
     profile.mount.directions = Directions::Confirmed;
     profile.sensor.source = SensorSource::Simulated;
+    EXPECT_FALSE(losesAMount(profile, AxisDriver::Rotctld));
     profile.elevation.geometry.offset = 12_deg;
     profile.azimuth.geometry.sign = -1;
+    profile.pointing.azimuthOffset = 40_deg;
+    EXPECT_TRUE(losesAMount(profile, AxisDriver::Rotctld));
+    EXPECT_FALSE(losesAMount(profile, AxisDriver::Moteus));
     useRotator(profile, {.driver = AxisDriver::Rotctld, .bus = "rotctld:10.0.0.7:4533"});
     EXPECT_EQ(profile.bus, "rotctld:10.0.0.7:4533");
     EXPECT_EQ(profile.azimuth.driver, AxisDriver::Rotctld);
@@ -58,7 +62,9 @@ TEST(Commissioning, ARotatorIsTakenInOneAct)
     EXPECT_EQ(profile.elevation.geometry.travel, (TravelRange{0_deg, 90_deg}));
     EXPECT_EQ(profile.azimuth.geometry.sign, 1) << "its box counts";
     EXPECT_EQ(profile.elevation.geometry.offset, 0_deg);
+    EXPECT_EQ(profile.pointing, Profile().pointing) << "its box counts true azimuths";
     EXPECT_EQ(profile.elevation.limits.speed, 2.5_deg_s);
+    EXPECT_FALSE(losesAMount(profile, AxisDriver::Gs232));
     EXPECT_EQ(profile.mount.directions, Directions::Unconfirmed);
     EXPECT_EQ(profile.sensor.source, SensorSource::None);
     EXPECT_TRUE(fitsRealMount(profile));
@@ -68,6 +74,7 @@ TEST(Commissioning, ARotatorIsTakenInOneAct)
     EXPECT_EQ(profile.azimuth.driver, AxisDriver::Moteus);
     EXPECT_EQ(profile.elevation.id, 7);
     EXPECT_EQ(profile.elevation.limits.speed, 2.5_deg_s) << "no faster for it";
+    EXPECT_EQ(profile.azimuth.geometry.travel, Profile().azimuth.geometry.travel) << "that was the rotator's";
     EXPECT_TRUE(fitsRealMount(profile));
 }
 
@@ -85,6 +92,9 @@ TEST(Commissioning, ARotatorThatIsReachedElsewhereKeepsItsEnds)
     useRotator(moved, {.driver = AxisDriver::Gs232, .bus = "tcp:10.0.0.7:4001", .baud = 9600});
     EXPECT_EQ(moved.azimuth.geometry.travel, (TravelRange{0_deg, 450_deg}));
     EXPECT_EQ(moved.mount.directions, Directions::Unconfirmed);
+    useRotator(moved, {.driver = AxisDriver::Rotctld, .bus = "rotctld:10.0.0.7:4533", .baud = 9600});
+    EXPECT_EQ(moved.azimuth.geometry.travel, (TravelRange{0_deg, 450_deg})) << "the same rotator by Hamlib";
+    EXPECT_EQ(moved.azimuth.driver, AxisDriver::Rotctld);
     profile.elevation.driver = AxisDriver::None;
     useRotator(profile, {.driver = AxisDriver::Rotctld, .bus = "rotctld:10.0.0.7:4533"});
     EXPECT_EQ(profile.elevation.driver, AxisDriver::None) << "a missing axis stays missing";

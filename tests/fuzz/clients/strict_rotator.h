@@ -27,6 +27,7 @@ public:
         return m_place;
     }
     [[nodiscard]] rotctld::MotionFlags motion() const override { return {}; }
+    [[nodiscard]] bool follows(const rotctld::Client& /*client*/) const override { return true; }
     Result<QString> pointTo(const rotctld::Client&, const rotctld::PointRequest& request) override
     {
         require(abs(request.azimuth) <= 3600_deg, "an azimuth is within -3600°…3600°");
