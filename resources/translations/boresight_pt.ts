@@ -15722,7 +15722,7 @@ Defina estes à mão, porque só o construtor da montagem conhece os valores:
     </message>
     <message>
         <source>Connect replaces the zeros, the travel and north in the profile of this mount. To keep them, duplicate the mount first (tab Mount, Profile).</source>
-        <translation>Ligar substitui os zeros, o curso e o norte no perfil desta montagem. Para os guardar, duplique primeiro a montagem (separador Montagem, Perfil).</translation>
+        <translation>Conectar substitui os zeros, o curso e o norte no perfil desta montagem. Para os guardar, duplique primeiro a montagem (separador Montagem, Perfil).</translation>
     </message>
 </context>
 <context>
