@@ -114,10 +114,9 @@ Result<> RotatorFollow::follow(bool anew)
 
 void RotatorFollow::end(const QString& why)
 {
-    const QString name = m_followed->last.name;
     m_followed.reset();
     helm().end(Severity::Warning, Text::tr("ends the tracking: %1").arg(why));
-    helm().raiseAlarm(alarmEntry("followed.ended"), {name, why});
+    helm().raiseAlarm(alarmEntry("followed.ended"), {why});
 }
 
 void RotatorFollow::describe(StationStatus& status) const

@@ -9395,8 +9395,8 @@ até %1</translation>
         <translation>%1 existe e não é uma ligação a um terminal</translation>
     </message>
     <message>
-        <source>The mount no longer follows %1: %2</source>
-        <translation>A montagem já não segue %1: %2</translation>
+        <source>The mount no longer follows another rotator: %1</source>
+        <translation>A montagem já não segue outro rotor: %1</translation>
     </message>
     <message>
         <source>Check that rotctld, its rotator and the limits of this mount. Then follow it again</source>
