@@ -135,13 +135,17 @@ void becomeRotator(Profile& profile, Axis axis, AxisDriver driver)
     const bool azimuth = axis == Axis::Azimuth;
     AxisSettings& mine = settingsOf(profile, axis);
     mine.driver = driver;
-    mine.geometry.sign = 1;
-    mine.geometry.offset = {};
     mine.limits = {.speed = AngularRate::fromDegrees(azimuth ? 6.0 : 2.5),
                    .acceleration = AngularAcceleration::fromDegrees(3.0),
                    .jerk = AngularJerk::fromDegrees(6.0)};
     setTravel(profile, axis, {.min = 0_deg, .max = azimuth ? 360_deg : 90_deg});
-    forgetTheMount(profile);
+}
+
+// It is turned by controllers now, and by a box then.
+bool becomesRotator(const Profile& profile, Axis axis, AxisDriver driver)
+{
+    const AxisDriver now = profile.axis(axis).driver;
+    return now != driver && now != AxisDriver::None && !kindOf(now).countsItself;
 }
 
 }  // namespace
@@ -159,17 +163,23 @@ void useBus(Profile& profile, const std::string& bus, std::span<const int> ids)
 
 void useRotator(Profile& profile, const RotatorLine& line)
 {
+    const auto becomes = [&](Axis axis) { return becomesRotator(profile, axis, line.driver); };
+    if (std::ranges::any_of(kAxes, becomes)) {
+        forgetTheMount(profile);
+    }
     for (const Axis axis : kAxes) {
-        const AxisDriver driver = profile.axis(axis).driver;
-        if (driver == line.driver || driver == AxisDriver::None) {
+        AxisSettings& mine = settingsOf(profile, axis);
+        if (mine.driver == AxisDriver::None) {
             continue;
         }
-        if (kindOf(driver).countsItself) {  // the same rotator, reached in another way
-            settingsOf(profile, axis).driver = line.driver;
-            profile.mount.directions = Directions::Unconfirmed;
-        } else {
+        if (becomes(axis)) {
             becomeRotator(profile, axis, line.driver);
+        } else if (mine.driver != line.driver) {  // the same rotator, reached in another way
+            mine.driver = line.driver;
+            profile.mount.directions = Directions::Unconfirmed;
         }
+        mine.geometry.sign = 1;
+        mine.geometry.offset = {};
     }
     profile.baud = line.baud;
     takeBus(profile, line.bus);
@@ -202,12 +212,11 @@ bool isOfOneMount(const std::string& key)
 bool losesAMount(const Profile& profile, AxisDriver driver)
 {
     return std::ranges::any_of(kAxes, [&](Axis axis) {
-        const AxisSettings& mine = profile.axis(axis);
+        const pointing::AxisGeometry& mine = profile.axis(axis).geometry;
         const pointing::AxisGeometry usual = Profile().axis(axis).geometry;
-        const bool becomes =
-            mine.driver != driver && mine.driver != AxisDriver::None && !kindOf(mine.driver).countsItself;
-        return becomes && (mine.geometry.offset != usual.offset || mine.geometry.sign != usual.sign ||
-                           mine.geometry.travel != usual.travel || profile.pointing != Profile().pointing);
+        return becomesRotator(profile, axis, driver) &&
+               (mine.offset != usual.offset || mine.sign != usual.sign || mine.travel != usual.travel ||
+                profile.pointing != Profile().pointing);
     });
 }
 
