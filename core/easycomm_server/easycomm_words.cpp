@@ -148,8 +148,10 @@ Result<Command> parseWord(std::string_view word, Version version)
     if (velocity != kVelocities.end() && version == Version::Three) {
         return parseVelocity(word, velocity->direction);
     }
-    const bool hasValue = word.size() == 2 || std::isdigit(static_cast<unsigned char>(word[2])) != 0;
-    if (found == kWords.end() && hasValue && std::ranges::find(kNotForARotator, letters) != kNotForARotator.end()) {
+    // "STOPP" sets no clock.
+    const bool isMistyped =
+        letters == "ST" && word.size() > 2 && std::isdigit(static_cast<unsigned char>(word[2])) == 0;
+    if (found == kWords.end() && !isMistyped && std::ranges::find(kNotForARotator, letters) != kNotForARotator.end()) {
         return Command(NotForARotator{});
     }
     if (std::ranges::find(kNotOffered, letters) != kNotOffered.end()) {

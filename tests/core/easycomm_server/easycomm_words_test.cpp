@@ -112,6 +112,7 @@ TEST(EasycommWords, WhatIsForTheRadioIsNoMotion)
 TEST(EasycommWords, NothingElseIsACommand)
 {
     for (const char* const line : {"A",
+                                   "STOPP",
                                    "AZ123.4EL45.6",
                                    "AZ 123.4",
                                    "AZ123.4 45.6",

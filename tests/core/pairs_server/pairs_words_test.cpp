@@ -62,9 +62,10 @@ TEST(PairsWords, APlusSignIsAMove)
     const auto across =
         movedBy({.azimuth = 350_deg, .elevation = 20_deg}, {.azimuth = 20_deg, .elevation = 0_deg}, kAll);
     ASSERT_TRUE(across);
-    EXPECT_EQ(across->azimuth, 10_deg) << "across north";
-    EXPECT_EQ(movedBy({.azimuth = 5_deg, .elevation = 20_deg}, {.azimuth = -10_deg, .elevation = 0_deg}, kAll)->azimuth,
-              355_deg);
+    EXPECT_NEAR(across->azimuth.degrees(), 10.0, 1e-9) << "across north";
+    const auto west = movedBy({.azimuth = 5_deg, .elevation = 20_deg}, {.azimuth = -10_deg, .elevation = 0_deg}, kAll);
+    ASSERT_TRUE(west);
+    EXPECT_NEAR(west->azimuth.degrees(), 355.0, 1e-9);
     const auto above = movedBy({.azimuth = 10_deg, .elevation = 89_deg}, {.azimuth = 0_deg, .elevation = 2_deg}, kAll);
     ASSERT_FALSE(above) << "and not over the top";
     EXPECT_EQ(above.error().code, ErrorCode::OutOfRange);
