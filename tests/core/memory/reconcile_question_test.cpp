@@ -40,7 +40,7 @@ TEST(ReconcileQuestion, MovedByHandHasNoDefault)
     EXPECT_EQ(scene.question().proposed, std::nullopt);
     EXPECT_THAT(inDegrees(scene.question().candidates), ElementsAre(-260.0, 100.0, 460.0));
     EXPECT_THAT(scene.sentences(), Contains("The nearest possible position is 55.0° from the one in the journal. The "
-                                            "axis was moved while Boresight did not"));
+                                            "axis was moved while Boresight did not watch it"));
     EXPECT_THAT(scene.sentences(), Contains("There is no sensor to compare with"));
 }
 
