@@ -104,10 +104,11 @@ protected:
     }
     [[nodiscard]] bool points(const QString& model, const QString& where, AzEl place)
     {
-        constexpr int kPatience = 5;
+        constexpr int kPatience = 12;
+        constexpr std::chrono::seconds kOneTry{15};  // a way takes some seconds
         for (int i = 0; i < kPatience; ++i) {
             expectAccepted(model, where, QStringLiteral("P %1 %2").arg(place.azimuth).arg(place.elevation));
-            static_cast<void>(fakes::waitUntil([&] { return isAt(place) || wantsReArm(); }));
+            static_cast<void>(fakes::waitUntil([&] { return isAt(place) || wantsReArm(); }, kOneTry));
             if (isAt(place)) {
                 return true;
             }
