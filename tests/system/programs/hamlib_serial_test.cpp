@@ -201,10 +201,18 @@ TEST_F(HamlibSerial, Gs232ThatOnlyReadsIsRefused)
 
 // REQ-EASYCOMMSERVER-08 (HamlibSerial.Easycomm*): Hamlib's own drivers 202 and 204 point, read, turn, stop and park the
 // mount, unmodified, by a pseudo-terminal and by TCP. 201 points and stops it.
-TEST_F(HamlibSerial, EasycommIsDriven)
+TEST_F(HamlibSerial, EasycommOfTheSecondVersionIsDriven)
 {
     drive(QStringLiteral("202"), easycomm2, kTenths);
+}
+
+TEST_F(HamlibSerial, EasycommOfTheThirdVersionIsDriven)
+{
     drive(QStringLiteral("204"), easycomm3, kTenths);
+}
+
+TEST_F(HamlibSerial, EasycommIsDrivenByTcp)
+{
     drive(QStringLiteral("204"), easycommTcp, kTenths);
 }
 
