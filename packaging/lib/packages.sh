@@ -18,8 +18,9 @@ readonly build_packages=(
 # What building Qwt from Debian's source package needs on top.
 readonly qwt_source_packages=(bzip2 debian-archive-keyring)
 
-# What the programs of the presets with sanitizers run with.
-readonly sanitizer_packages=(libclang-rt-16-dev)
+# What the programs of the presets with sanitizers run with. The runtime of clang-16 names functions by
+# llvm-symbolizer-16 and by no other version. Without names no line of tests/sanitizers/*.supp counts.
+readonly sanitizer_packages=(libclang-rt-16-dev llvm-16)
 
 # What reads the sources beside the compiler: of the same version, as it takes that one's precompiled headers.
 readonly tidy_packages=(clang-tidy-16)
