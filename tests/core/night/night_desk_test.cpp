@@ -14,8 +14,8 @@ using schedule::Moment;
 using testing::ElementsAre;
 using testing::SizeIs;
 
-// REQ-SCHEDULE-910: While it is armed the schedule sends the mount to each chosen pass, tracks it from AOS to LOS, and
-// goes on to the next. The cable is never at its end. The report has each pass.
+// REQ-SCHEDULE-910: While the schedule is armed it sends the mount to each chosen pass, tracks it from AOS to LOS, and
+// goes on to the next. The cable never reaches its end. The report has each pass.
 TEST_F(NightDeskTest, ANightOfSeveralPassesIsTracked)
 {
     const std::vector<schedule::WatchedPass> plan = status().plan.chosen;
@@ -55,8 +55,8 @@ TEST_F(NightDeskTest, ANightOfSeveralPassesIsTracked)
     }
 }
 
-// REQ-SCHEDULE-911: After a start the schedule is off, and nothing moves, also when a pass begins. Only the operator
-// arms it. It is not armed without a watch list or a site.
+// REQ-SCHEDULE-911: After a start the schedule is not armed, and nothing moves, even when a pass begins. Only the
+// operator arms it. It cannot be armed without a watch list or a site.
 TEST_F(NightDeskTest, NothingMovesUntilItIsArmed)
 {
     EXPECT_FALSE(status().armed);
@@ -72,7 +72,7 @@ TEST_F(NightDeskTest, NothingMovesUntilItIsArmed)
     EXPECT_EQ(arm(), "The watch list of the profile is empty.");
 }
 
-// The mount joins in the middle of a pass, far from where it stands.
+// The mount joins in the middle of a pass, far from its present position.
 // REQ-SCHEDULE-922
 TEST_F(NightDeskTest, APassThatIsJoinedLateHasTheErrorOfItsTracking)
 {
@@ -93,8 +93,8 @@ TEST_F(NightDeskTest, APassThatIsJoinedLateHasTheErrorOfItsTracking)
     EXPECT_LT(record.rmsError.value(), 0.3_deg);
 }
 
-// REQ-SCHEDULE-912: STOP in a pass disarms the schedule: an alarm and a line of the log say so. Nothing moves after the
-// reset of STOP, also not for the next pass.
+// REQ-SCHEDULE-912: STOP during a pass disarms the schedule, and an alarm and a log line report it. After the reset of
+// STOP nothing moves, not even for the next pass.
 TEST_F(NightDeskTest, StopDisarms)
 {
     intoAPass();
@@ -114,8 +114,8 @@ TEST_F(NightDeskTest, StopDisarms)
     EXPECT_NEAR(rig.azimuthDegrees(), azimuth, 0.01);
 }
 
-// REQ-SCHEDULE-913: Any manual act disarms: a motion, Hold, control that is given away, STOP of a client. Armed again,
-// the schedule goes on. A pass that is under way is then tracked for the rest.
+// REQ-SCHEDULE-913: Any manual act disarms the schedule: a motion, Hold, handing over control, STOP of a client. When
+// it is armed again the schedule goes on, and the rest of a running pass is tracked.
 TEST_F(NightDeskTest, AnyManualActDisarms)
 {
     const std::vector<std::function<void()>> acts{
@@ -145,7 +145,7 @@ TEST_F(NightDeskTest, AnyManualActDisarms)
     }
 }
 
-// REQ-SCHEDULE-914: Disarming by the operator ends the pass, the mount holds, and there is no alarm.
+// REQ-SCHEDULE-914: When the operator disarms the schedule the pass ends, the mount holds, and there is no alarm.
 TEST_F(NightDeskTest, TheOperatorDisarmsIt)
 {
     intoAPass();
