@@ -239,10 +239,10 @@ protected:
     {
         const auto place = [&] { return static_cast<qsizetype>(below(static_cast<std::size_t>(text.size()))); };
         switch (below(7)) {
-            case 0:  // one bit in a character
+            case 0:  // a character from another place, with one bit changed
                 text[place()] = static_cast<char>(text.at(place()) ^ (1 << below(8)));
                 return text;
-            case 1: {  // one bit anywhere
+            case 1: {  // one bit changed
                 const qsizetype i = place();
                 text[i] = static_cast<char>(text.at(i) ^ (1 << below(8)));
                 return text;

@@ -156,8 +156,8 @@ TEST_F(NightDeskTest, TheOperatorDisarmsIt)
     EXPECT_EQ(rig.state(), StationState::Hold);
 }
 
-// REQ-SCHEDULE-917: What the mount cannot see is not planned: its horizon, keep-outs and limits count. A change of them
-// makes a new plan. The parts that the antenna sees are tracked, and only they count in the report.
+// REQ-SCHEDULE-917: The plan leaves out what the mount cannot see: its horizon, keep-outs and limits count. A change of
+// them makes a new plan. The parts of a pass that the antenna sees are tracked, and only these count in the report.
 TEST_F(NightDeskTest, TheHorizonOfTheMountCounts)
 {
     const auto draw = [&](double height) {
@@ -191,8 +191,8 @@ TEST_F(NightDeskTest, TheHorizonOfTheMountCounts)
     EXPECT_NEAR(report.passes[0].within1dB.count(), top.pass.clearTime().count(), 1.0);
 }
 
-// REQ-SCHEDULE-918: After a restart the report of the same night goes on. A pass that the program left in the middle is
-// in it. A report whose last pass ended a day ago is over, and a new one begins.
+// REQ-SCHEDULE-918: After a restart the report of the same night continues. It includes the pass during which the
+// program ended. A report whose last pass ended a day ago is complete, and a new report begins.
 TEST_F(NightDeskTest, TheReportGoesOnAfterARestart)
 {
     const auto reportNow = [&] {
@@ -237,9 +237,10 @@ TEST_F(NightDeskTest, APassThatTheProgramLeavesIsInTheReport)
     EXPECT_THAT(moments(), ElementsAre(Moment::BeforeAos, Moment::Los));
 }
 
-// Story: the mount waited for an hour where the satellite rises, and missed the passes of this hour.
-// REQ-SCHEDULE-919: When the clock is set back the passes that come again are planned again. A pass that is tracked and
-// now begins later is left with the reason, and tracked at its time.
+// Story: the clock was set back. The mount waited for an hour where the satellite rises, and missed the passes of this
+// hour.
+// REQ-SCHEDULE-919: When the clock is set back, the passes that come again are planned again. If a tracked pass then
+// begins later, its tracking ends with the reason, and it is tracked at its time.
 TEST_F(NightDeskTest, AClockThatIsSetBackMakesANewPlan)
 {
     const schedule::WatchedPass one = status().plan.chosen[0];
@@ -279,8 +280,8 @@ protected:
     UnattendedNight() : NightDeskTest(unattended()) {}
 };
 
-// REQ-SCHEDULE-915: The policy of the profile arms the schedule once after a start, with a line of the log. What
-// somebody has disarmed stays off.
+// REQ-SCHEDULE-915: If the profile says so, the schedule is armed once after a start, with a line in the log. After
+// somebody has disarmed it, it stays disarmed.
 TEST_F(UnattendedNight, ThePolicyOfTheProfileArmsItOnce)
 {
     EXPECT_TRUE(status().armed);

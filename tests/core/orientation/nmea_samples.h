@@ -13,7 +13,7 @@ namespace boresight::orientation {
 
 enum class SampleVerdict
 {
-    Accepted,  // `accepted` sentences of them
+    Accepted,  // `accepted` has the number of sentences
     Refused,
     Ignored
 };
