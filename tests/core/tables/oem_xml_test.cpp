@@ -106,8 +106,8 @@ TEST(OemXml, IsWhatTheSameMessageIsAsKvn)
     }
 }
 
-// REQ-TABLES-927: A damaged OEM as XML is refused with the line, what is wrong and what to do, as KVN is: cut at any
-// place, rows without a value or with two, elements in a wrong place, and more than one message.
+// REQ-TABLES-927: A damaged OEM in XML is refused with the line, the error and what to do, as in KVN: a file that is
+// cut anywhere, rows without a value or with two values, elements in a wrong place, and more than one message.
 TEST(OemXml, NamesTheLineOfAMistake)
 {
     EXPECT_EQ(xmlRefusal(changed(kXml, ">EARTH<", ">MARS<")),
@@ -137,8 +137,7 @@ TEST(OemXml, NamesTheLineOfAMistake)
     }
 }
 
-// REQ-TABLES-928: An OEM as XML that is made to fill the memory is refused: elements inside one another, entities that
-// grow.
+// REQ-TABLES-928: An OEM in XML that would fill the memory is refused: deeply nested elements, or entities that expand.
 TEST(OemXml, RefusesWhatFillsTheMemory)
 {
     std::string nested = "<a>";
