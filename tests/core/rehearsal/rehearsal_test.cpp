@@ -88,9 +88,9 @@ TEST(Rehearsal, ShowsWhatASlowMountLoses)
         night->report.passes, [](const schedule::PassRecord& pass) { return pass.within3dB < 0.8 * pass.tracked; }));
 }
 
+// Story: the first rehearsal showed a line for each 0.1° of the way through the keep-out of the Sun, and nothing else.
 // REQ-SCHEDULE-942: The rehearsal has each warning that the station would log, with its time.
 // REQ-TRACK-913: A target that crosses a keep-out holds the mount and causes one line in the log.
-// Story: the first rehearsal showed a line for each 0.1° of the way through the keep-out of the Sun, and nothing else.
 TEST(Rehearsal, HasTheWarningsOfTheStation)
 {
     RehearsalTask task = nightOfTwo();

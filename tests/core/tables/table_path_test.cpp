@@ -130,8 +130,9 @@ TEST_F(OrbitOfOurOwn, RisesAndSetsAsTheOrbit)
 }
 
 // The example of Vallado from the test of EarthAxis, in each frame, in km. UT1 equals UTC here, so the time is earlier
-// by that amount. REQ-TABLES-932: A position in GCRF, EME2000, TOD, TEME and a frame of the Earth gives the same
-// direction as in a published example, to 0.2″.
+// by that amount.
+// REQ-TABLES-932: A position in GCRF, EME2000, TOD, TEME and a frame of the Earth gives the same direction as in a
+// published example, to 0.2″.
 TEST(TablePath, TheFramesOfAPublishedExampleAgree)
 {
     struct Frame

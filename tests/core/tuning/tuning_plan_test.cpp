@@ -52,8 +52,8 @@ TEST(TuningPlan, IsRefusedWithoutTheRoom)
                 HasSubstr("outside the permitted region"));
 }
 
-// REQ-TUNING-22: A run states the travel of its set-points, which the limits of motion may reduce. Story: the question
-// about the backlash run said 0.25°, and the axis moved by 0.20°.
+// Story: the question about the backlash run said 0.25°, and the axis moved by 0.20°.
+// REQ-TUNING-22: A run states the travel of its set-points, which the limits of motion may reduce.
 TEST(TuningPlan, SaysTheWayOfItsSetPoints)
 {
     const auto says = [](TuningRun run, const tracking::MotionLimits& limits) {

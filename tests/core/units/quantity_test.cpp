@@ -27,8 +27,8 @@ TEST(Quantity, UnitsAgree)
     EXPECT_DOUBLE_EQ(MotorTurns::fromTurns(1.5).turns(), 1.5);
 }
 
+// Story: a mount parked at north stood at -0.004° and was shown at 360.00°.
 // REQ-UNITS-941: After rounding, an azimuth in a text is from 0° up to, but not including, 360°. No angle is "-0.0°".
-// Story: A mount parked at north stood at -0.004° and was shown at 360.00°.
 TEST(DegreesText, NorthIsZeroFromBothSides)
 {
     EXPECT_EQ(azimuthText(-0.004_deg, 2), QStringLiteral("0.00°"));
