@@ -175,8 +175,8 @@ TEST(TuningDesk, EverythingElseEndsARun)
     }
 }
 
-// REQ-TUNING-21: The result of a run is reported with its axis and its kind.
 // Story: after one run was ended by STOP, every kind of run of both axes was shown as ended by STOP.
+// REQ-TUNING-21: The result of a run is reported with its axis and its kind.
 TEST(TuningDesk, TheOutcomeNamesItsAxisAndRun)
 {
     TuningRig rig;

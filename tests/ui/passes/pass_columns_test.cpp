@@ -37,7 +37,7 @@ protected:
         return status;
     }
     [[nodiscard]] const PassTable& model() { return *qobject_cast<PassTable*>(table().model()); }
-    // A cell that is empty until the window has worked it out.
+    // A cell that stays empty until the window has computed it.
     QString worked(int row, PassTable::Column column)
     {
         EXPECT_TRUE(fakes::waitUntil([&] { return !cell(row, column).isEmpty(); }));
@@ -71,9 +71,10 @@ protected:
     }
 };
 
-// What the passes are worth takes some milliseconds each, and a list of 10,000 satellites has 50,000 of them.
-// REQ-PASSES-998: Sunlight and cable are never worked out while the list is painted or read, but one pass at a time
-// when the window has nothing else to do, what is looked at first. However far the list is scrolled, few are kept.
+// The extra facts of a pass take some milliseconds each, and a list of 10,000 satellites has 50,000 passes.
+// REQ-PASSES-998: Sunlight and cable are never computed while the list is painted or read. They are computed one pass
+// at a time when the window is idle, the visible passes first. However far the list is scrolled, only a few results are
+// kept.
 TEST_F(PassColumnsTest, NothingIsWorkedOutWhileItIsPainted)
 {
     giveFound(withSatellites());
