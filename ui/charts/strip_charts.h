@@ -19,8 +19,8 @@ class QGridLayout;
 // The charts of one axis, one above the other: position, error, and a quantity of its drive, with the buttons that
 // choose the contents. The present is at the right end. When paused, the picture stands still and data are still
 // collected. Where the drives reported nothing, nothing is drawn. A mount without such drives has no third chart. The
-// charts are in their panel or, in a wide window, beside it. More than 15 members: the widgets that it composes, and
-// their contents.
+// charts are in their panel or, in a wide window, beside it.
+// More than 15 members: the widgets that it composes, and their contents.
 namespace boresight::ui {
 
 class ChoiceButton;

@@ -11,8 +11,8 @@
 class QTableView;
 
 // The rotctld clients: which are connected, which one moves the mount and by which rule, and the operator's actions for
-// each. Below them the MQTT broker, if one is used. The rule is a setting of the profile and applies at once. More than
-// 15 members: the widgets that it composes.
+// each. Below them the MQTT broker, if one is used. The rule is a setting of the profile and applies at once.
+// More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
 class ChoiceButton;

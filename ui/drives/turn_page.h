@@ -18,7 +18,8 @@ class QPlainTextEdit;
 // The question about the wrap of an axis: a picture of its travel with the possible positions, the evidence for each,
 // and the answer. The answer is one of a few positions, or an angle read off the mount that selects the nearest of
 // many. Nothing is selected unless the evidence proposes it, and nothing is sent without a press. One axis at a time,
-// azimuth first. More than 15 members: the widgets that it composes.
+// azimuth first.
+// More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
 class CommandButton;

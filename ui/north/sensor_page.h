@@ -10,8 +10,8 @@ class QPushButton;
 class QTableView;
 
 // Step 1 of finding north: an average of the sensor while the mount stands still. It is accurate to some degrees: only
-// a swing shows the deviation of the compass. Details replaces the dial and shows all that the sensor reports. More
-// than 15 members: the widgets that it composes.
+// a swing shows the deviation of the compass. Details replaces the dial and shows all that the sensor reports.
+// More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
 class CommandButton;

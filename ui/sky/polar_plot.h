@@ -19,7 +19,8 @@ class QwtPolarPlot;
 // draws the ground (region of the profile in effect, grid, labels) into a picture, again only when size, theme, region
 // or magnification change. SkyMarkers paints the moving parts on it. PlotEditor draws the limits being changed. A click
 // picks a direction and moves nothing. While editing is on it picks none. A right click, or the menu key, opens the
-// menu for this place. More than 15 members: the layers and parts that it composes.
+// menu for this place.
+// More than 15 members: the layers and parts that it composes.
 namespace boresight::ui {
 
 class LabelsItem;

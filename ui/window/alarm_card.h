@@ -12,8 +12,8 @@ class QPushButton;
 // The most important alarm with its complete text: what happened in bold, what Boresight did, what to do, and the one
 // button that helps. Beside it the way back from a STOP or a fault, Acknowledge, and the number of alarms. A click on
 // the text opens its line in the log. The card is shown only while there is an alarm, a latched STOP, or something to
-// report. The symbol of an alarm that is not yet acknowledged flashes at 1 Hz, its text never does. Gui thread. More
-// than 15 members: the widgets that it composes.
+// report. The symbol of an alarm that is not yet acknowledged flashes at 1 Hz, its text never does. Gui thread.
+// More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
 class CommandButton;

@@ -13,7 +13,8 @@ class QGridLayout;
 // One axis: actual and target as true directions, error (target minus actual, along the real way of the axis), rate and
 // a state word. Below it the error as a bar, and further values: the trim, the axis angle if it is not the true
 // direction, a detail. An old number is dimmed with its age, a very old one is not shown. While the wrap is unknown
-// there is no number. Gui thread. More than 15 members: the widgets that it composes.
+// there is no number. Gui thread.
+// More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
 class ErrorBar;

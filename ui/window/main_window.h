@@ -16,8 +16,8 @@
 class QGridLayout;
 
 // The desktop window. It composes the panels and connects their signals, nothing else. It exchanges only two values
-// with the station: StationUpdate comes in, NumberedRequest goes out. Gui thread. More than 15 members and 600 lines:
-// the widgets that it composes, and its keys.
+// with the station: StationUpdate comes in, NumberedRequest goes out. Gui thread.
+// More than 15 members and 600 lines: the widgets that it composes, and its keys.
 namespace boresight::ui {
 
 class AboutPage;

@@ -13,8 +13,8 @@
 // The panels, one at a time. Those for daily operation are side by side, and those about the mount itself are behind
 // one tab. Each has its key. The question about a wrap is one of them and is shown only while it is open. It has the
 // place and the key of the North panel, which needs the answer. It comes to the front once by itself, covers nothing
-// but the other panels, and waits behind its tab when the operator leaves it. More than 15 members: the panels that it
-// composes.
+// but the other panels, and waits behind its tab when the operator leaves it.
+// More than 15 members: the panels that it composes.
 namespace boresight::ui {
 
 class CalibrationPanel;
