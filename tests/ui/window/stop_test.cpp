@@ -309,13 +309,13 @@ TEST_F(StopTest, AnUnansweredStopIsAnAlarmAfterASecond)
     EXPECT_FALSE(text("Worst alarm").contains(QLatin1String("not confirmed")));
     elapse(Seconds(0.2));
     EXPECT_TRUE(text("Worst alarm").contains(QLatin1String("not confirmed")));
-    give(samples::update(samples::tracking(2)));  // the station talks, but does not stop
+    give(samples::update(samples::tracking(2)));  // the station sends statuses, but does not stop
     EXPECT_TRUE(text("Worst alarm").contains(QLatin1String("not confirmed")));
     give(samples::update(samples::stopped()));
     EXPECT_FALSE(text("Worst alarm").contains(QLatin1String("not confirmed")));
 }
 
-// DISCONNECTED and FAULT hide the word STOPPED, not the latch.
+// DISCONNECTED and FAULT replace the word STOPPED on the screen. The latch stays.
 TEST_F(StopTest, IsConfirmedAlsoWhileTheDrivesAreSilentOrInFault)
 {
     for (StationStatus status : {samples::disconnected(), samples::faulted()}) {
