@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tells ThreadSanitizer what Qt's event queue already guarantees; linked into every program of the tsan preset.
+// Tells ThreadSanitizer about the ordering that Qt's event queue guarantees. Linked into every program of the tsan
+// preset.
 //
 // The Qt of the distribution is not instrumented, and its mutexes are futexes, which ThreadSanitizer cannot see.
 // Without help each queued call between two threads is reported as a race: 54 reports in a correct program of two

@@ -44,7 +44,7 @@ inline constexpr Seconds kFiveReplies = 5.5 * SimulatedStation::kTick;
 struct Fault
 {
     std::string name;
-    // start at the moment; without a duration of their own they last for kFaultLasts
+    // they start at the moment of the fault; without their own duration they last for kFaultLasts
     std::vector<sim::Injection> injections{};
     std::function<void(SimulatedStation&)> once{};
     std::function<void(SimulatedStation&)> eachTick{};  // another program acts, for kFaultLasts

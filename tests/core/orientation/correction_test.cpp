@@ -50,7 +50,7 @@ Orientation saying(Angle elevation)
     return value;
 }
 
-// REQ-ORIENTATION-971: The elevation of a sensor that falls when the beam rises is reversed. For a sensor behind the
+// REQ-ORIENTATION-971: If the elevation of a sensor falls when the beam rises, it is reversed. For a sensor behind the
 // boom an offset of 180° is added. The zeros of a dead sensor stay unchanged.
 TEST(Mounting, AnElevationThatCountsDownIsTurnedRound)
 {

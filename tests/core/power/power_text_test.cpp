@@ -48,7 +48,7 @@ TEST(PowerText, TheOneInDecibelsAmongOthers)
     EXPECT_EQ(read("14074000 -73.2 dBm 5"), -73.2);
 }
 
-// Story: the first number was used in such a line.
+// Story: in a line with several numbers the first one was used.
 // REQ-POWER-02: An ambiguous line is refused with the reason and never guessed: "S7", two numbers, another unit, a
 // date.
 TEST(PowerText, WhatIsNotSureIsRefused)
