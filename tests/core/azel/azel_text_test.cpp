@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// As WSJT-X 2.6.1 wrote it, for IM58KS on 2026-11-24.
+// The text that WSJT-X 2.6.1 wrote for IM58KS on 2026-11-24.
 const std::string kSample =
     "22:30:04,105.3, 59.9,Moon\n"
     "22:30:04,298.4,-59.7,Sun\n"

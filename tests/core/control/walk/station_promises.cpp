@@ -30,7 +30,8 @@ constexpr double kPlaceNoise = 0.3;  // degrees: a smaller error of a reply is b
 // speed. An ideal drive does this at once.
 constexpr double kCaptureNoise = 1.0;  // degrees
 constexpr int kCaptureTicks = 3;
-// For so many ticks a drive may still be commanded to ignore its bounds after the axis has come back inside them.
+// Number of ticks for which a drive may still be commanded to ignore its bounds after the axis has come back inside
+// them.
 constexpr int kBoundsTicks = 6;
 
 const AxisStatus& axisOf(const StationStatus& status, Axis axis)
