@@ -220,7 +220,8 @@ TEST_F(DrivesTest, NoProofWhileTheMountMovesOrATurnIsUnknown)
     expectBlocked("Run (both axes) …", "The cable wrap of the elevation drive is unknown");
 }
 
-// REQ-UI-12: What the drives, an unknown wrap or a released bus forbid is not offered, and the reason is shown.
+// REQ-UI-12: An action that the drives, an unknown wrap or a released bus forbid is not offered, and the reason is
+// shown.
 TEST_F(DrivesTest, AnArmingObstacleDisablesEveryMotionControlWithItsReason)
 {
     give(samples::update(samples::factoryDrives()));
