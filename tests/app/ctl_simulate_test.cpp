@@ -161,7 +161,7 @@ TEST_F(SimulateTest, IsItsOrientationSensorToo)
     EXPECT_FALSE(QFileInfo(port).isSymLink());
 }
 
-// Both ways at the same time, like the sensor box on the boom.
+// The sensor publishes at its device and at a broker at the same time, like the sensor box on the boom.
 // REQ-SIM-16
 TEST_F(SimulateTest, ItsSensorPublishesAtABrokerAsWell)
 {

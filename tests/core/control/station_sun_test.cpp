@@ -149,7 +149,8 @@ TEST(StationSun, AMountThatStandsStaysAndIsTold)
     EXPECT_EQ(rig.state(), StationState::Hold);
 }
 
-// A client has pointed there once. Its target does not push the mount aside, either.
+// A client has pointed the mount once to where the Sun will pass. The mount stays: this old target does not make it
+// move aside.
 TEST(StationSun, ATargetThatStandsIsGivenUp)
 {
     SunRig rig;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The client where no broker accepts it. Stand-ins play what may be there instead. The event loop must go on all the
-// time, because it also serves the drives with their watchdog of 100 ms.
+// The client when no broker accepts it. Other servers, played by the test, listen at its address. The event loop must
+// not stop, because it also serves the drives with their watchdog of 100 ms.
 #include "core/base/file_descriptor.h"
 #include "tests/core/mqtt/mqtt_rig.h"
 

@@ -407,7 +407,7 @@ TEST(CalibrationTerms, AnotherDriveWarns)
     EXPECT_TRUE(isWarned(same));
     EXPECT_TRUE(same.status().otherMount.endsWith(QStringLiteral("with another drive")));
     EXPECT_EQ(QStringLiteral("with another drive"), same.status().history.front().place);
-    // Typing other terms confirms the present mount.
+    // A change of the terms confirms the present mount.
     profile::Profile changed = same.profile;
     changed.pointing.azimuthOffset = 5_deg;
     same.setProfile(changed);

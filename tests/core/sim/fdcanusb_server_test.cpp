@@ -20,8 +20,8 @@ std::string stdText(const QJsonObject& object, const char* key)
     return object.value(QLatin1String(key)).toString().toStdString();
 }
 
-// REQ-SIM-11 (FdcanusbServerGolden.*): Adapter lines are as recorded. Each is answered in its own style, also half
-// lines and ERR texts.
+// REQ-SIM-11 (FdcanusbServerGolden.*): The simulated adapter reads and writes lines as recorded. Each line is answered
+// in its own style. This includes half lines and ERR texts.
 TEST(FdcanusbServerGolden, ReadsTheClientsLines)
 {
     for (const QJsonValue& value : golden::vectors("serial_lines")) {

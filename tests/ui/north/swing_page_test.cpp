@@ -141,7 +141,8 @@ TEST_F(NorthPagesTest, TheCurveOfBeforeIsNotSeenWhileTheMountTurns)
     EXPECT_EQ(whole, found());
 }
 
-// Story: ten points knew north to 0.11°, and the curve could only be applied with "Apply north", to 2.39°.
+// Story: ten points gave north to 0.11°. The curve of a swing could only be applied together with the north of the
+// swing, which is known to only 2.39°.
 TEST_F(NorthPagesTest, ACurveThatLeavesNorthIsAppliedToTheSensor)
 {
     StationStatus status = samples::swung();

@@ -95,7 +95,6 @@ protected:
     double leftmost = 1e9;  // the true azimuth
 };
 
-// The limit that is dragged is the limit that the antenna obeys.
 // REQ-UI-02d: The limit dragged on the plot is the limit that the antenna obeys.
 TEST_F(DeskTest, AnAzimuthLimitDraggedOnThePlotIsEnforcedAfterApply)
 {
